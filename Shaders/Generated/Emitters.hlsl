@@ -2,6 +2,38 @@
 #ifndef RILL_GENERATED_EMITTERS_INCLUDED
 #define RILL_GENERATED_EMITTERS_INCLUDED
 
+// What the kernels read of one emitter in a step; lengths in d, in the domain's frame.
+cbuffer RillEmitter
+{
+    float4 _OriginAndSpeed;
+    float4 _LastOriginAndCosSpread;
+    float4 _Rotation;    // from the emitter's frame to the domain's, quaternion, at the end of the step; z points along the flow
+    float4 _LastRotation;    // at its start, on the same side of the sphere
+    float4 _VelocityAndFirstAge;
+    float4 _SpinAndInterval;
+    float _Duration;    // of the whole step, s
+    uint _Emitter;    // number of its states
+    uint _Due;    // particles due in this step
+    uint _FirstSerial;    // number of the first of them
+    uint _LayerPositions;    // positions of the cross-section that are filled in turn
+    uint _PositionCount;    // all of them
+    uint _Candidates;    // positions tried, at most kMaxCandidates
+    uint _MaxWaiting;    // particles beyond that are given up
+    uint _Fills;    // 1: the positions fill a volume, 0: they are those of a cross-section
+    uint _SeesNew;    // 1: another emitter has put particles nearby in this step
+    uint _IsLast;    // 1: it does nothing from here on
+    uint _Tag;    // of the particles, see ParticleTags.hlsl
+};
+
+#define _Origin (_OriginAndSpeed.xyz)    // at the end of the step, d
+#define _Speed (_OriginAndSpeed.w)    // along each position's direction of flow, d/s
+#define _LastOrigin (_LastOriginAndCosSpread.xyz)    // at its start, d
+#define _CosSpread (_LastOriginAndCosSpread.w)    // cosine of the largest angle from the direction of flow
+#define _Velocity (_VelocityAndFirstAge.xyz)    // what particles take along of the emitter's own, d/s
+#define _FirstAge (_VelocityAndFirstAge.w)    // of the first particle due, at the end of the step, s
+#define _Spin (_SpinAndInterval.xyz)    // the same of its angular velocity, rad/s
+#define _Interval (_SpinAndInterval.w)    // between two particles, s
+
 static const uint kMaxCandidates = 16384;    // most positions that one emitter tries in a step
 static const float kClearance = 0.7;    // nothing is put nearer to a particle, d
 

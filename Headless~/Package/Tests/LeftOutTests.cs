@@ -22,7 +22,7 @@ namespace Host.Tests
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
         static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
             "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
-            "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure",
+            "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
             "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
             "Queries", "QueryBatch" };
@@ -43,7 +43,7 @@ namespace Host.Tests
             }),
             ("vorticity", null, Material((ref FluidMaterial v) => v.vorticity = 1f), new[]
             {
-                "+1 VorticityConfinement.compute Curl", "+1 VorticityConfinement.compute Confine", "+1 Rill.Curl *", "+1 Rill.Confined *",
+                "+1 VorticityConfinement.compute Curl", "+1 VorticityConfinement.compute Confine", "+1 Rill.Curl *", "+1 Rill.Unconfined *",
                 "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity",      // XSPH moves into Confine
             }),
             ("dynamic viscosity", null, Material((ref FluidMaterial v) => v.dynamicViscosity = 10f), new[]
@@ -117,13 +117,13 @@ namespace Host.Tests
             new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
             ("an emitter", null, Part<FluidEmitter>(Still),
                 new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *",
-                "+1 Rill.Emitters.Positions *" }),
+                "+1 Rill.Emitters.Constants *", "+1 Rill.Emitters.Positions *" }),
             ("a second emitter", Part<FluidEmitter>(Still), Part<FluidEmitter>(Still),
                 new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.Positions *" }),
             ("an emitter with a phase", null, Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), new[]
             {
                 $"+1 Emitters.compute FindRoom {ParticleTags.Keyword}", $"+1 Emitters.compute Emit {ParticleTags.Keyword}",
-                    "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *",
+                    "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.TagsA *", "+1 Rill.TagsB *",
             }),
             ("colours of phases", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }),
                 s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
@@ -182,7 +182,7 @@ namespace Host.Tests
             ("a playback without a recording", null, s => s.gameObject.AddComponent<FluidPlayback>(), new string[0]),
             ("a recording", null, Record, new[] { "+1 Recording.compute PackFrame", "+2 Rill.RecordedFrame *" }),
             ("phases for a script", null, s => s.TrackPhases = true,
-                new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *" }),
+                new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.TagsA *", "+1 Rill.TagsB *" }),
             ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++),
                 new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute ApplyDeltaP" }),
         };

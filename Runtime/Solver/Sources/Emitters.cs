@@ -28,7 +28,9 @@ namespace Rill
         readonly LocalKeyword sleep, withTags;
         readonly GraphicsBuffer[] positionBuffers = new GraphicsBuffer[StepSources.MaxEmitters];
         readonly EmitterPositions[] uploaded = new EmitterPositions[StepSources.MaxEmitters];
-        GraphicsBuffer free;
+        // copied as it is recorded
+        readonly EmitterConstants[] upload = new EmitterConstants[1];
+        GraphicsBuffer free, constants;
 
         public Emitters() : this(DeviceLimits.Current) { }
 
@@ -40,6 +42,7 @@ namespace Rill
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
             free = GpuBuffer.Structured<uint>("Rill.Emitters.Free", MaxCandidates);
+            constants = GpuBuffer.Constants<EmitterConstants>("Rill.Emitters.Constants");
             States = new EmitterStates();
         }
 
@@ -70,6 +73,7 @@ namespace Rill
             for (int number = 0; number < positionBuffers.Length; number++)
                 GpuBuffer.Release(ref positionBuffers[number]);
             GpuBuffer.Release(ref free);
+            GpuBuffer.Release(ref constants);
             States?.Dispose();
             States = null;
         }
@@ -89,6 +93,7 @@ namespace Rill
             description.Kernel("Emitters", stage.emit.Name, sources.emitterCount, variant);
             description.Buffer("Rill.Emitters.States", stage.States.Buffer);
             description.Buffer("Rill.Emitters.Free", stage.free);
+            description.Buffer("Rill.Emitters.Constants", stage.constants);
             foreach (GraphicsBuffer positions in stage.positionBuffers)
                 description.Buffer("Rill.Emitters.Positions", positions);
             return description;
@@ -103,19 +108,19 @@ namespace Rill
             step.Colliders?.BindVolume(cmd, shader, find);
             ref EmitterStep emitter = ref step.Input.sources.emitters[index];
             float duration = step.Input.timeStep;
-            RecordParameters(cmd, emitter, duration, SeesNew(step.Input.sources, index, duration), stepIndex);
+            Upload(cmd, EmitterConstants.For(emitter, duration, SeesNew(step.Input.sources, index, duration), stepIndex));
             GraphicsBuffer positions = PositionsOf(emitter);
 
             cmd.SetComputeBufferParam(shader, find, Ids.EmitterPositions, positions);
             cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, find, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, find, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, find, Ids.Free, free);
             cmd.SetComputeBufferParam(shader, find, Ids.EmitterStates, States.Buffer);
             cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, find, ParticleBuffers.Groups(emitter.candidates), 1, 1);
 
             cmd.SetComputeBufferParam(shader, emit, Ids.EmitterPositions, positions);
-            cmd.SetComputeBufferParam(shader, emit, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, emit, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, emit, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, emit, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, emit, Ids.Free, free);
@@ -128,32 +133,16 @@ namespace Rill
             cmd.DispatchCompute(shader, emit, 1, 1, 1);
         }
 
-        void RecordParameters(CommandBuffer cmd, in EmitterStep emitter, float step, bool seesNew, uint stepIndex)
+        void Upload(CommandBuffer cmd, in EmitterConstants values)
         {
-            cmd.SetComputeVectorParam(shader, Ids.Origin, new float4(emitter.end.position, emitter.speed));
-            cmd.SetComputeVectorParam(shader, Ids.LastOrigin, new float4(emitter.start.position, 0f));
-            float4 rotation = emitter.end.rotation.value, lastRotation = emitter.start.rotation.value;
-            cmd.SetComputeVectorParam(shader, Ids.Rotation, rotation);
-            cmd.SetComputeVectorParam(shader, Ids.LastRotation, math.dot(rotation, lastRotation) < 0f ? -lastRotation : lastRotation);
-            cmd.SetComputeVectorParam(shader, Ids.Velocity, new float4(emitter.velocity, 0f));
-            cmd.SetComputeVectorParam(shader, Ids.Spin, new float4(emitter.spin, 0f));
-            cmd.SetComputeVectorParam(shader, Ids.Instants, new Vector4(emitter.firstAge, emitter.interval, step, emitter.cosSpread));
-            cmd.SetComputeIntParam(shader, Ids.Emitter, emitter.number);
-            cmd.SetComputeIntParam(shader, Ids.Due, emitter.due);
-            cmd.SetComputeIntParam(shader, Ids.FirstSerial, (int)emitter.firstSerial);
-            cmd.SetComputeIntParam(shader, Ids.LayerPositions, emitter.layerPositions);
-            cmd.SetComputeIntParam(shader, Ids.PositionCount, emitter.positions.Count);
-            cmd.SetComputeIntParam(shader, Ids.Candidates, emitter.candidates);
-            cmd.SetComputeIntParam(shader, Ids.MaxWaiting, emitter.maxWaiting);
-            cmd.SetComputeIntParam(shader, Ids.Fills, emitter.positions.FillsVolume ? 1 : 0);
-            cmd.SetComputeIntParam(shader, Ids.SeesNew, seesNew ? 1 : 0);
-            cmd.SetComputeIntParam(shader, Ids.IsLast, emitter.isLast ? 1 : 0);
-            cmd.SetComputeIntParam(shader, Ids.Tag, (int)emitter.TagIn(stepIndex));
+            upload[0] = values;
+            cmd.SetBufferData(constants, upload);
+            cmd.SetComputeConstantBufferParam(shader, Ids.Constants, constants, 0, constants.stride);
         }
 
         void RecordReset(CommandBuffer cmd, ParticleBuffers particles, int number)
         {
-            cmd.SetComputeIntParam(shader, Ids.Emitter, number);
+            Upload(cmd, new EmitterConstants { emitter = number });
             cmd.SetComputeBufferParam(shader, reset, Ids.EmitterStates, States.Buffer);
             cmd.SetComputeBufferParam(shader, reset, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, reset, 1, 1, 1);
@@ -198,24 +187,7 @@ namespace Rill
             public static readonly int EmitterStates = Shader.PropertyToID("_EmitterStates");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
-            public static readonly int Origin = Shader.PropertyToID("_Origin");
-            public static readonly int LastOrigin = Shader.PropertyToID("_LastOrigin");
-            public static readonly int Rotation = Shader.PropertyToID("_Rotation");
-            public static readonly int LastRotation = Shader.PropertyToID("_LastRotation");
-            public static readonly int Velocity = Shader.PropertyToID("_Velocity");
-            public static readonly int Spin = Shader.PropertyToID("_Spin");
-            public static readonly int Instants = Shader.PropertyToID("_Instants");
-            public static readonly int Emitter = Shader.PropertyToID("_Emitter");
-            public static readonly int Due = Shader.PropertyToID("_Due");
-            public static readonly int FirstSerial = Shader.PropertyToID("_FirstSerial");
-            public static readonly int LayerPositions = Shader.PropertyToID("_LayerPositions");
-            public static readonly int PositionCount = Shader.PropertyToID("_PositionCount");
-            public static readonly int Candidates = Shader.PropertyToID("_Candidates");
-            public static readonly int MaxWaiting = Shader.PropertyToID("_MaxWaiting");
-            public static readonly int Fills = Shader.PropertyToID("_Fills");
-            public static readonly int SeesNew = Shader.PropertyToID("_SeesNew");
-            public static readonly int IsLast = Shader.PropertyToID("_IsLast");
-            public static readonly int Tag = Shader.PropertyToID("_Tag");
+            public static readonly int Constants = Shader.PropertyToID("RillEmitter");
         }
     }
 }
