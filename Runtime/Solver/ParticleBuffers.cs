@@ -43,9 +43,9 @@ namespace Rill
 
     /// <summary>The state of the particles on the GPU. Lengths in d, in the domain's frame.</summary>
     /// <remarks>
-    /// Three position buffers change roles over a step: <see cref="Current"/> is sorted into <see cref="Start"/> and
-    /// <see cref="Predicted"/> and is free from then on, so the passes of the constraint alternate between it and
-    /// Predicted. What they end in is the next step's Current.
+    /// A substep sorts <see cref="Positions"/> into <see cref="Start"/> and <see cref="Predicted"/>. The passes of the constraint alternate
+    /// between Predicted and <see cref="Multipliers"/>, which takes the memory of Positions until <see cref="Advance"/> makes Predicted the
+    /// state. The two change places there, and so do the ids: each pair is named A and B on the GPU.
     /// </remarks>
     sealed class ParticleBuffers : IDisposable
     {
@@ -63,34 +63,37 @@ namespace Rill
 
         readonly int capacity;
 
-        /// <summary>float4 [capacity], xyz position at the start of a step.</summary>
-        public GraphicsBuffer Current;
+        /// <summary>float4 [capacity], xyz position: the state between substeps, until the sort has read it.</summary>
+        public GraphicsBuffer Positions { get; private set; }
+        /// <summary>float4 [capacity], sorted, in the memory of <see cref="Positions"/> from the sort to the end of the substep: xyz the position
+        /// that a particle's multiplier was found at, w the multiplier.</summary>
+        public GraphicsBuffer Multipliers => Positions;
         /// <summary>float4 [capacity], the same, sorted.</summary>
-        public GraphicsBuffer Start;
+        public GraphicsBuffer Start { get; }
         /// <summary>float4 [capacity], sorted: predicted, then corrected position.</summary>
-        public GraphicsBuffer Predicted;
-        /// <summary>float4 [capacity], xyz velocity, d/s; w density relative to rest.</summary>
-        public GraphicsBuffer Velocities;
+        public GraphicsBuffer Predicted { get; private set; }
+        /// <summary>float4 [capacity], xyz velocity, d/s; w density relative to rest, 1 where no stage sums it.</summary>
+        public GraphicsBuffer Velocities { get; }
         /// <summary>uint [capacity].</summary>
-        public GraphicsBuffer Ids;
+        public GraphicsBuffer Ids { get; private set; }
         /// <summary>uint [capacity], the ids in this step's order.</summary>
-        public GraphicsBuffer SortedIds;
+        public GraphicsBuffer SortedIds { get; private set; }
         /// <summary>uint [<see cref="CounterCount"/>], by <see cref="ParticleCounter"/>.</summary>
-        public GraphicsBuffer Counters;
+        public GraphicsBuffer Counters { get; }
         /// <summary>Arguments for the particles alive at the start of a step, and to draw them.</summary>
-        public GraphicsBuffer AliveArguments;
+        public GraphicsBuffer AliveArguments { get; }
         /// <summary>Arguments for the particles of this step.</summary>
-        public GraphicsBuffer SortedArguments;
+        public GraphicsBuffer SortedArguments { get; }
 
         public ParticleBuffers(int capacity)
         {
             this.capacity = capacity;
-            Current = GpuBuffer.Structured<float4>("Rill.Positions", capacity);
+            Positions = GpuBuffer.Structured<float4>("Rill.PositionsA", capacity);
             Start = GpuBuffer.Structured<float4>("Rill.StartPositions", capacity);
-            Predicted = GpuBuffer.Structured<float4>("Rill.Predicted", capacity);
+            Predicted = GpuBuffer.Structured<float4>("Rill.PositionsB", capacity);
             Velocities = GpuBuffer.Structured<float4>("Rill.Velocities", capacity);
-            Ids = GpuBuffer.Structured<uint>("Rill.Ids", capacity);
-            SortedIds = GpuBuffer.Structured<uint>("Rill.SortedIds", capacity);
+            Ids = GpuBuffer.Structured<uint>("Rill.IdsA", capacity);
+            SortedIds = GpuBuffer.Structured<uint>("Rill.IdsB", capacity);
             Counters = GpuBuffer.Structured<uint>("Rill.Counters", CounterCount);
             AliveArguments = GpuBuffer.Arguments("Rill.AliveArguments");
             SortedArguments = GpuBuffer.Arguments("Rill.SortedArguments");
@@ -117,38 +120,30 @@ namespace Rill
         /// <summary>After the velocity update: the corrected positions and the sorted ids are the state.</summary>
         public void Advance()
         {
-            (Current, Predicted) = (Predicted, Current);
+            SwapPasses();
             (Ids, SortedIds) = (SortedIds, Ids);
         }
 
-        /// <summary>A stage that changed places with the velocities has left them in a buffer of its own.</summary>
-        public void NameVelocities()
-        {
-            if (Velocities != null)
-                Velocities.name = "Rill.Velocities";
-        }
+        /// <summary>What a pass has left in the memory of the multipliers is the corrected position.</summary>
+        public void SwapPasses() => (Positions, Predicted) = (Predicted, Positions);
 
         public void Dispose()
         {
-            GpuBuffer.Release(ref Current);
-            GpuBuffer.Release(ref Start);
-            GpuBuffer.Release(ref Predicted);
-            GpuBuffer.Release(ref Velocities);
-            GpuBuffer.Release(ref Ids);
-            GpuBuffer.Release(ref SortedIds);
-            GpuBuffer.Release(ref Counters);
-            GpuBuffer.Release(ref AliveArguments);
-            GpuBuffer.Release(ref SortedArguments);
+            foreach (GraphicsBuffer buffer in new[] { Positions, Start, Predicted, Velocities, Ids, SortedIds, Counters, AliveArguments, SortedArguments })
+            {
+                GraphicsBuffer released = buffer;
+                GpuBuffer.Release(ref released);
+            }
         }
 
         public void Describe(StageDescription stage)
         {
-            stage.Buffer("Rill.Positions", Current);
+            stage.Buffer("Rill.PositionsA", Positions);
             stage.Buffer("Rill.StartPositions", Start);
-            stage.Buffer("Rill.Predicted", Predicted);
+            stage.Buffer("Rill.PositionsB", Predicted);
             stage.Buffer("Rill.Velocities", Velocities);
-            stage.Buffer("Rill.Ids", Ids);
-            stage.Buffer("Rill.SortedIds", SortedIds);
+            stage.Buffer("Rill.IdsA", Ids);
+            stage.Buffer("Rill.IdsB", SortedIds);
             stage.Buffer("Rill.Counters", Counters);
             stage.Buffer("Rill.AliveArguments", AliveArguments);
             stage.Buffer("Rill.SortedArguments", SortedArguments);

@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // What scripts do to the particles between steps.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         ParticleEdits edits;
         ScriptRefusals refusals;

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // The particles for a project's own passes, draws and readbacks.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         ParticleAccess access;
         GraphicsBuffer noTags;

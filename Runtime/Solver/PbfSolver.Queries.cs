@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // What probes, detectors and batches ask of the state: made when first needed.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         QueryShader queryShader;
         Queries queries;

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // What comes and goes while the fluid runs: each stage is made when first needed.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         Emitters emitters;
         Drains drains;

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // What is drawn of the water: made when first needed, from the state that the last step left.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         SurfaceParticles surface;
         int substepsSinceSurface;

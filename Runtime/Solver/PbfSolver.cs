@@ -13,9 +13,10 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// Positions and velocities on the GPU are in particle spacings and in the domain's frame, whose lowest corner is 0;
-    /// see <see cref="ParticleBuffers"/>.
+    /// see <see cref="ParticleBuffers"/>. A study of other methods derives from it and takes the place of the protected members; the order of
+    /// the step is the same for all.
     /// </remarks>
-    sealed partial class PbfSolver : IDisposable
+    partial class PbfSolver : IDisposable
     {
         readonly DeviceLimits limits;
         readonly ParticleBuffers particles;
@@ -70,7 +71,7 @@ namespace Rill
         public SolverLayout Layout { get; }
 
         /// <summary>float4 [capacity], xyz position, d; those of the particles alive come first.</summary>
-        public GraphicsBuffer Positions => particles.Current;
+        public GraphicsBuffer Positions => particles.Positions;
 
         /// <summary>float4 [capacity], xyz position at the start of the last substep, d; of those that took part in it.</summary>
         public GraphicsBuffer StartPositions => particles.Start;
@@ -187,6 +188,7 @@ namespace Rill
             ImplicitViscosity viscous = ViscosityFor(input);
             Viscoelasticity elastic = ViscoelasticityFor(input);
             ExtrapolationFor(input);
+            VorticityFor(input);
             StepContext step = Context(cmd, input);
             RecordKills(step);
             RecordDrains(step);
@@ -202,11 +204,10 @@ namespace Rill
                     viscous.Record(step);
                 neighborSearch.RecordSort(step, takesProjection: coarseCorrection != null && !solvesViscosity, elastic?.PreviousIndices);
                 tags?.RecordSort(step);
-                densityConstraint.Record(step);
+                RecordCorrection(step);
                 velocityUpdate.Record(step);
                 elastic?.Record(step);
-                if (VorticityConfinement.IsNeeded(input))
-                    Vorticity.Record(step);
+                step.Vorticity?.Record(step);
                 hasLists = true;
                 particles.Advance();
             }
@@ -216,8 +217,6 @@ namespace Rill
             FoamFor(input)?.Record(step, WaterDepth(input.gravity));
             RecordEmission(step);
             hasNew = Emitters.IsNeeded(input.sources);
-            if (!VorticityConfinement.IsNeeded(input))
-                ReleaseVorticity();
         }
 
         /// <summary>Records the measuring of the current state; <see cref="RequestStatistics"/> then fetches it.</summary>
@@ -286,7 +285,7 @@ namespace Rill
             };
         }
 
-        public void Dispose()
+        public virtual void Dispose()
         {
             particles?.Dispose();
             particleUpload?.Dispose();
@@ -328,10 +327,24 @@ namespace Rill
         /// <param name="hasSteps">False leaves out what the last step would have left.</param>
         StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true)
             => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
-            hasSteps ? coarseCorrection : null, hasSteps ? restingRegions : null, colliders, velocityExtrapolation);
+            hasSteps ? coarseCorrection : null, hasSteps ? restingRegions : null, colliders, velocityExtrapolation, vorticityConfinement);
 
         // For what looks at the particles as the last step left them, or edits them: there is no input.
         StepContext BetweenSteps(CommandBuffer cmd) => Context(cmd, default);
+
+        /// <summary>Records what makes the corrected positions of a substep of the predicted ones.</summary>
+        protected virtual void RecordCorrection(in StepContext step) => densityConstraint.Record(step);
+
+        /// <summary>Side of a coarse cell, d, that a step with this input wants.</summary>
+        protected virtual float CoarseCellSize(in StepInput input)
+        {
+            float substep = input.SubstepTime;
+            return CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep,
+                coarseCorrection?.Grid.WantedSize ?? 0f);
+        }
+
+        /// <summary>Makes what carries the pressure of deep water, with cells of so many d.</summary>
+        protected virtual CoarseCorrection MakeCoarse(float cellSize) => new CoarseCorrection(Layout, cellSize, limits);
 
         // Made when first needed, and again for another size of its cells; null where the scene does without. So are the other stages.
         void CoarseFor(in StepInput input)
@@ -341,12 +354,10 @@ namespace Rill
                 ReleaseCoarse();
                 return;
             }
-            float substep = input.SubstepTime;
-            float cellSize = CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep,
-                coarseCorrection?.Grid.WantedSize ?? 0f);
+            float cellSize = CoarseCellSize(input);
             if (coarseCorrection != null && coarseCorrection.Grid.WantedSize != cellSize)
                 ReleaseCoarse();
-            coarseCorrection ??= new CoarseCorrection(Layout, cellSize, limits);
+            coarseCorrection ??= MakeCoarse(cellSize);
         }
 
         void RestingFor(in StepInput input)
@@ -413,6 +424,14 @@ namespace Rill
             velocityExtrapolation = null;
         }
 
+        void VorticityFor(in StepInput input)
+        {
+            if (VorticityConfinement.IsNeeded(input))
+                vorticityConfinement ??= new VorticityConfinement(Layout.Capacity);
+            else
+                ReleaseVorticity();
+        }
+
         // Another budget is other buffers: what floated is gone.
         Foam FoamFor(in StepInput input)
         {
@@ -447,14 +466,9 @@ namespace Rill
 
         void ReleaseVorticity()
         {
-            if (vorticityConfinement == null)
-                return;
-            vorticityConfinement.Dispose();
+            vorticityConfinement?.Dispose();
             vorticityConfinement = null;
-            particles.NameVelocities();
         }
-
-        VorticityConfinement Vorticity => vorticityConfinement ??= new VorticityConfinement(Layout.Capacity);
 
         void UploadConstants(CommandBuffer cmd, in StepInput input)
         {

@@ -27,10 +27,13 @@ namespace Rill
         public readonly Colliders Colliders;
         /// <summary>Null where velocities are those of a first-order step.</summary>
         public readonly VelocityExtrapolation Extrapolation;
+        /// <summary>Null without vorticity confinement.</summary>
+        public readonly VorticityConfinement Vorticity;
 
         public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search,
             NeighborLists lists, SolverLayout layout, in StepInput input,
-            CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null)
+            CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null,
+            VorticityConfinement vorticity = null)
         {
             Commands = commands;
             Constants = constants;
@@ -44,7 +47,12 @@ namespace Rill
             Resting = resting;
             Colliders = colliders;
             Extrapolation = extrapolation;
+            Vorticity = vorticity;
         }
+
+        /// <summary>Where the stages after the constraint leave the velocities: the particles' own buffer, or what the vorticity confinement
+        /// starts from.</summary>
+        public GraphicsBuffer NewVelocities => Vorticity != null ? Vorticity.Unconfined : Particles.Velocities;
 
         public int Substeps => Input.settings.substeps;
 

@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // Snapshots: all that the next step depends on, out of the solver and into it.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         long maxParticles;     // as far as is known without asking the GPU
 
@@ -47,7 +47,7 @@ namespace Rill
             contents.Set(SnapshotSection.Solver, new SolverRecord { maxParticles = (uint)most });
             var capture = new SnapshotCapture(Layout, contents);
             capture.Add(new StateBuffer(SnapshotSection.Counters, particles.Counters, StateExtent.All), most);
-            capture.Add(new StateBuffer(SnapshotSection.Positions, particles.Current, StateExtent.Particles), most);
+            capture.Add(new StateBuffer(SnapshotSection.Positions, particles.Positions, StateExtent.Particles), most);
             capture.Add(new StateBuffer(SnapshotSection.Velocities, particles.Velocities, StateExtent.Particles), most);
             capture.Add(new StateBuffer(SnapshotSection.Ids, particles.Ids, StateExtent.Particles), most);
             if (tags != null)
@@ -112,7 +112,7 @@ namespace Rill
         void ListState(List<StateBuffer> state)
         {
             state.Add(new StateBuffer(SnapshotSection.Counters, particles.Counters, StateExtent.All));
-            state.Add(new StateBuffer(SnapshotSection.Positions, particles.Current, StateExtent.Particles));
+            state.Add(new StateBuffer(SnapshotSection.Positions, particles.Positions, StateExtent.Particles));
             state.Add(new StateBuffer(SnapshotSection.Velocities, particles.Velocities, StateExtent.Particles));
             state.Add(new StateBuffer(SnapshotSection.Ids, particles.Ids, StateExtent.Particles));
             state.Add(new StateBuffer(SnapshotSection.StartPositions, particles.Start, StateExtent.Moved));

@@ -71,13 +71,13 @@ namespace Rill.Tests
         /// <summary>Makes them the particles alive; all that a step has to write is garbage.</summary>
         public void WriteTo(ParticleBuffers particles)
         {
-            foreach (GraphicsBuffer buffer in new[] { particles.Current, particles.Start, particles.Predicted, particles.Velocities,
+            foreach (GraphicsBuffer buffer in new[] { particles.Positions, particles.Start, particles.Predicted, particles.Velocities,
                 particles.Ids, particles.SortedIds, particles.Counters, particles.AliveArguments, particles.SortedArguments })
                 GpuTest.FillWithGarbage(buffer);
 
             if (Count > 0)
             {
-                particles.Current.SetData(positions, 0, 0, Count);
+                particles.Positions.SetData(positions, 0, 0, Count);
                 particles.Velocities.SetData(velocities, 0, 0, Count);
                 particles.Ids.SetData(ids, 0, 0, Count);
             }

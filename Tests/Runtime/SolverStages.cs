@@ -60,7 +60,7 @@ namespace Rill.Tests
         /// <summary>Sorted positions, predicted and then corrected.</summary>
         public float4[] Predicted => GpuTest.Read<float4>(Particles.Predicted, Sorted);
         /// <summary>After the constraint: the positions that its last multipliers were solved at, and w those.</summary>
-        public float4[] Multipliers => GpuTest.Read<float4>(Particles.Current, Sorted);
+        public float4[] Multipliers => GpuTest.Read<float4>(Particles.Multipliers, Sorted);
         public float4[] Velocities => GpuTest.Read<float4>(Particles.Velocities, Sorted);
         public uint[] SortedIds => GpuTest.Read<uint>(Particles.SortedIds, Sorted);
 

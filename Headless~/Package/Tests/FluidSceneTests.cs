@@ -163,7 +163,7 @@ namespace Host.Tests
             {
                 PlayerLoop.Frame(FrameTime);
                 List<string> once = LiveObjects.Report();
-                Assert.That(once.Count(entry => entry.Contains("Rill.Positions")), Is.EqualTo(1));
+                Assert.That(once.Count(entry => entry.Contains("Rill.PositionsA")), Is.EqualTo(1));
 
                 sample.Load();
                 PlayerLoop.Frame(FrameTime);

@@ -284,33 +284,26 @@ namespace Host.Tests
         static SolverLayout Layout(in StepInput input)
             => new SolverLayout(Box * Spacing, Spacing, 1024, input.settings.neighborCapacity, input.settings.listMargin);
 
-        /// <returns>By the particles' numbers, d.</returns>
         static float4[] Play(in StepInput input, ConstraintMethod method, float4[] positions, int steps, CoarseVariation variation = null)
-        {
-            using var solver = new StudySolver(Layout(input), input, method, variation);
-            Fill(positions, input.gravity.y != 0f ? 3f : 0f, solver.Add);
-            using var cmd = new CommandBuffer();
-            for (int step = 0; step < steps; step++)
-            {
-                cmd.Clear();
-                solver.Step(cmd);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
-            return ByNumber(solver.Particles.Current, solver.Particles.Ids, positions.Length);
-        }
+            => Play(new StudySolver(Layout(input), method, variation), input, positions, steps);
 
-        static float4[] PlayPackage(StepInput input, float4[] positions, int steps)
+        static float4[] PlayPackage(in StepInput input, float4[] positions, int steps) => Play(new PbfSolver(Layout(input)), input, positions, steps);
+
+        /// <returns>By the particles' numbers, d.</returns>
+        static float4[] Play(PbfSolver solver, in StepInput input, float4[] positions, int steps)
         {
-            using var solver = new PbfSolver(Layout(input));
-            Fill(positions, input.gravity.y != 0f ? 3f : 0f, solver.Add);
-            using var cmd = new CommandBuffer();
-            for (int step = 0; step < steps; step++)
+            using (solver)
             {
-                cmd.Clear();
-                solver.Step(cmd, input);
-                Graphics.ExecuteCommandBuffer(cmd);
+                Fill(positions, input.gravity.y != 0f ? 3f : 0f, solver.Add);
+                using var cmd = new CommandBuffer();
+                for (int step = 0; step < steps; step++)
+                {
+                    cmd.Clear();
+                    solver.Step(cmd, input);
+                    Graphics.ExecuteCommandBuffer(cmd);
+                }
+                return ByNumber(solver.Positions, solver.ParticleIds, positions.Length);
             }
-            return ByNumber(solver.Positions, solver.ParticleIds, positions.Length);
         }
 
         /// <param name="speed">d/s, of particles that move in all directions.</param>

@@ -128,7 +128,7 @@ namespace Rill
             BindConstants(step);
             int bin = binFlow.For(WithColliders).Index;
             coarseColliders?.Bind(cmd, shader, bin);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, step.Particles.Velocities);
             cmd.SetComputeBufferParam(shader, bin, Ids.Counters, step.Particles.Counters);
             cmd.SetComputeBufferParam(shader, bin, Ids.Surface, surface);

@@ -154,7 +154,7 @@ namespace Rill
             int kernel = collidePaths.For(reactions != null).Index;
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, step.Resting);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.PathBoundary, pathBoundary);
             cmd.SetComputeBufferParam(shader, kernel, Ids.PathContactOffsets, pathContactOffsets);
@@ -164,7 +164,7 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Records the contacts after a pass of the constraint: from Current, with its multipliers, to Predicted.</summary>
+        /// <summary>Records the contacts after a pass of the constraint: from Multipliers to Predicted.</summary>
         /// <param name="last">Whether it is the last one of the substep.</param>
         public void RecordPass(in StepContext step, bool last)
         {
@@ -173,7 +173,7 @@ namespace Rill
             int kernel = collide.For(last, reactions != null).Index;
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, step.Resting);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Multipliers);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, boundary);
@@ -190,7 +190,7 @@ namespace Rill
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
             Bind(cmd, findBoundary, particles, null);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Distances, contactOffsets);       // free between steps
             cmd.DispatchCompute(shader, findBoundary, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);

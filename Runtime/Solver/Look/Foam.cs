@@ -238,7 +238,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, sources, kernel);
-            cmd.SetComputeBufferParam(sources, kernel, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(sources, kernel, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(sources, kernel, Ids.Potentials, potentials);
             cmd.SetComputeBufferParam(sources, kernel, Ids.Counters, step.Particles.Counters);
         }
@@ -280,7 +280,7 @@ namespace Rill
 
         void RecordSpawn(CommandBuffer cmd, ParticleBuffers fluid)
         {
-            cmd.SetComputeBufferParam(shader, spawn, Ids.Positions, fluid.Current);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.Positions, fluid.Positions);
             cmd.SetComputeBufferParam(shader, spawn, Ids.Velocities, fluid.Velocities);
             cmd.SetComputeBufferParam(shader, spawn, Ids.ParticleIds, fluid.Ids);
             cmd.SetComputeBufferParam(shader, spawn, Ids.SpawnCounts, spawnCounts);

@@ -154,7 +154,7 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             cmd.SetComputeIntParam(shader, Ids.AllNew, all ? 1 : 0);
             cmd.SetComputeFloatParam(shader, Ids.SubstepTime, step.SubstepTime);
-            cmd.SetComputeBufferParam(shader, addNew, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, addNew, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Surface, surface);
@@ -219,7 +219,7 @@ namespace Rill
                 step.Resting.Bind(cmd, shader, kernel);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             }
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, counters);
         }

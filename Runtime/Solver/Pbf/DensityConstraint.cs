@@ -28,7 +28,7 @@ namespace Rill
 
         public NeighborLists Lists { get; }
 
-        /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up. The coarse grid's density correction
+        /// <summary>Records the list and all iterations: Predicted ends corrected. The coarse grid's density correction
         /// joins the first.</summary>
         public void Record(in StepContext step)
         {
@@ -46,7 +46,7 @@ namespace Rill
                     int solve = solveLambda.For(step.Colliders != null).Index;
                     step.Colliders?.BindDensity(cmd, shader, solve);
                     step.Colliders?.BindVolume(cmd, shader, solve);
-                    Dispatch(step, solve, particles.Predicted, particles.Current);
+                    Dispatch(step, solve, particles.Predicted, particles.Multipliers);
                     cmd.EndSample(LambdaMarker);
                 }
 
@@ -55,13 +55,13 @@ namespace Rill
                 int kernel = applyDeltaP.For(takesCorrection, hasPressure).Index;
                 if (takesCorrection)
                     cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
-                Dispatch(step, kernel, particles.Current, particles.Predicted);
+                Dispatch(step, kernel, particles.Multipliers, particles.Predicted);
                 cmd.EndSample(DisplaceMarker);
                 step.Colliders?.RecordPass(step, i == iterations - 1);
             }
         }
 
-        /// <summary>Records the list and the first multipliers, at Predicted, into Current; their errors into the bins of the coarse grid.</summary>
+        /// <summary>Records the list and the first multipliers, at Predicted, into Multipliers; their errors into the bins of the coarse grid.</summary>
         public void RecordList(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
@@ -78,7 +78,7 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, step.Coarse.Bins);
             }
             cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, step.Search.CellStarts);
-            Dispatch(step, build, step.Particles.Predicted, step.Particles.Current);
+            Dispatch(step, build, step.Particles.Predicted, step.Particles.Multipliers);
             cmd.EndSample(ListMarker);
         }
 

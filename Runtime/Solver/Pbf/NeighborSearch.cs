@@ -86,7 +86,7 @@ namespace Rill
             int kernel = gather.For(step.Colliders != null).Index;
             step.Resting?.Bind(cmd, shader, kernel);
             step.Colliders?.BindSort(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
@@ -176,7 +176,7 @@ namespace Rill
 
         void DispatchCount(CommandBuffer cmd, ParticleBuffers particles, int countKernel)
         {
-            cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Counters, particles.Counters);

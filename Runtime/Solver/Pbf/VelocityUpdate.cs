@@ -48,7 +48,7 @@ namespace Rill
                 step.Colliders.BindDensity(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.NewVelocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.AliveArguments, particles.AliveArguments);
             particles.DispatchSorted(cmd, shader, kernel);

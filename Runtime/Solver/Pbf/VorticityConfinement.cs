@@ -15,7 +15,7 @@ namespace Rill
         readonly int curlKernel;
         readonly KernelVariants confineKernel;        // with colliders
         readonly LocalKeyword twoLists;
-        GraphicsBuffer curl, confined;
+        GraphicsBuffer curl, unconfined;
 
         public VorticityConfinement(int capacity)
         {
@@ -23,15 +23,19 @@ namespace Rill
             confineKernel = new KernelVariants(shader, "Confine", "ConfineWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             curl = GpuBuffer.Structured<float4>("Rill.Curl", capacity);
-            confined = GpuBuffer.Structured<float4>("Rill.Confined", capacity);
+            unconfined = GpuBuffer.Structured<float4>("Rill.Unconfined", capacity);
         }
 
         /// <summary>float4 [capacity], xyz vorticity, 1/s; w its magnitude.</summary>
         public GraphicsBuffer Curl => curl;
 
+        /// <summary>float4 [capacity], xyz velocity before the confinement, d/s: the stages before this one write it, see
+        /// <see cref="StepContext.NewVelocities"/>.</summary>
+        public GraphicsBuffer Unconfined => unconfined;
+
         public static bool IsNeeded(in StepInput input) => input.material.vorticity > 0f;
 
-        /// <summary>Records both passes; the particles' velocity buffer and this stage's output change places.</summary>
+        /// <summary>Records both passes, from the unconfined velocities to the particles'.</summary>
         public void Record(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
@@ -41,16 +45,15 @@ namespace Rill
             Dispatch(step, curlKernel);
             int confine = confineKernel.For(step.Colliders != null).Index;
             step.Colliders?.BindDensity(cmd, shader, confine);
-            cmd.SetComputeBufferParam(shader, confine, Ids.Confined, confined);
+            cmd.SetComputeBufferParam(shader, confine, Ids.Confined, step.Particles.Velocities);
             Dispatch(step, confine);
             cmd.EndSample(Marker);
-            (step.Particles.Velocities, confined) = (confined, step.Particles.Velocities);
         }
 
         public void Dispose()
         {
             GpuBuffer.Release(ref curl);
-            GpuBuffer.Release(ref confined);
+            GpuBuffer.Release(ref unconfined);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -66,7 +69,7 @@ namespace Rill
             if (stage != null)
             {
                 description.Buffer("Rill.Curl", stage.curl);
-                description.Buffer("Rill.Confined", stage.confined);
+                description.Buffer("Rill.Unconfined", stage.unconfined);
             }
             return description;
         }
@@ -76,7 +79,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, unconfined);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Curl, curl);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             cmd.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);

@@ -55,7 +55,7 @@ namespace Rill
             int kernel = removeKilled.For(step.Resting != null).Index;
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             step.Resting?.BindMotion(cmd, shader, kernel);
@@ -83,7 +83,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.VelocitiesAt, layout.VelocitiesAt);
             cmd.SetComputeIntParam(shader, Ids.IdsAt, layout.IdsAt);
             cmd.SetComputeIntParam(shader, Ids.PhasesAt, layout.PhasesAt);
-            cmd.SetComputeBufferParam(shader, copyOut, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, copyOut, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, copyOut, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, copyOut, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, copyOut, ParticleTags.Ids.Tags, tags);

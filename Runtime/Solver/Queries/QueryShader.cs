@@ -178,7 +178,7 @@ namespace Rill
         void Bind(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Results, results);

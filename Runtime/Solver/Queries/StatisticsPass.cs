@@ -58,7 +58,7 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, step.Colliders.Boundary);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.Distances);
             }
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);

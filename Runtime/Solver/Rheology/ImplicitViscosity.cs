@@ -183,7 +183,7 @@ namespace Rill
         void Dispatch(in StepContext step, int kernel)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             cmd.DispatchCompute(shader, kernel, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);

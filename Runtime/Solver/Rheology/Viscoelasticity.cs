@@ -79,7 +79,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, deform, Ids.Conformation, conformation);
             cmd.SetComputeBufferParam(shader, deform, Ids.Deformed, deformed);
             Dispatch(step, deform);
-            cmd.SetComputeBufferParam(shader, applyStress, Ids.Velocities, step.Particles.Velocities);
+            cmd.SetComputeBufferParam(shader, applyStress, Ids.Velocities, step.NewVelocities);
             Dispatch(step, applyStress);
             cmd.EndSample(Marker);
             (conformation, deformed) = (deformed, conformation);

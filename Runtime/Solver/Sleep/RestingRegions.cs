@@ -116,7 +116,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.StepsToSleep, (int)math.ceil(Delay / dt));
             cmd.SetComputeIntParam(shader, Ids.WakeAll, wake ? 1 : 0);
 
-            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, measureMotion, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, measureMotion, Ids.Motion, motion);
             cmd.SetComputeBufferParam(shader, measureMotion, Ids.Counters, particles.Counters);

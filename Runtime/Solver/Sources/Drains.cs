@@ -130,7 +130,7 @@ namespace Rill
             else
                 GpuBuffer.Release(ref histogram);
 
-            cmd.SetComputeBufferParam(shader, drain, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, drain, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, drain, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, drain, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, drain, Ids.Drains, regions);
@@ -197,7 +197,7 @@ namespace Rill
                 histogram = GpuBuffer.Structured<uint>("Rill.Drains.Histogram", StepSources.MaxDrains * RandomRanks);
                 BufferClear.Now(histogram);
             }
-            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Drains, regions);

@@ -97,7 +97,7 @@ namespace Rill
             step.BindConstants(shader);
             cmd.SetComputeIntParam(shader, Ids.FieldCount, lastCount);
             cmd.SetComputeFloatParam(shader, Ids.MaxAcceleration, MaxAcceleration / step.Layout.Spacing);
-            cmd.SetComputeBufferParam(shader, accelerate, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, accelerate, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Fields, regions);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Counters, particles.Counters);

@@ -38,7 +38,7 @@ namespace Rill
             commands.SetComputeVectorParam(shader, Ids.ShapeCenter, new float4(shape.center, shape.radius));
             commands.SetComputeVectorParam(shader, Ids.ShapeHalf, new float4(shape.half, 0f));
             commands.SetComputeVectorParam(shader, Ids.ShapeRotation, shape.rotation.value);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             step.Resting?.BindMotion(commands, shader, kernel);
             step.Particles.DispatchAlive(commands, shader, kernel);
@@ -51,7 +51,7 @@ namespace Rill
         {
             Begin(step);
             commands.SetComputeVectorParam(shader, Ids.ShiftBy, new float4(by, 0f));
-            commands.SetComputeBufferParam(shader, shift, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, shift, Ids.Positions, step.Particles.Positions);
             commands.SetComputeBufferParam(shader, shift, Ids.StartPositions, step.Particles.Start);
             commands.SetComputeBufferParam(shader, shift, Ids.Counters, step.Particles.Counters);
             step.Particles.DispatchAlive(commands, shader, shift);
@@ -115,7 +115,7 @@ namespace Rill
             commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
             commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             commands.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             commands.SetComputeBufferParam(shader, kernel, Ids.Free, free);
             commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count + 1), 1, 1);
         }
@@ -128,7 +128,7 @@ namespace Rill
             commands.SetComputeVectorParam(shader, Ids.BatchVelocity, new float4(velocity, 0f));
             commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
             commands.SetComputeBufferParam(shader, kernel, Ids.FreeBefore, freeBefore);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             commands.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
             commands.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, step.Particles.Ids);
             commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);

@@ -21,8 +21,8 @@ namespace Rill
 
         public ParticleTags(int capacity)
         {
-            current = GpuBuffer.Structured<uint>("Rill.Tags", capacity);
-            sorted = GpuBuffer.Structured<uint>("Rill.SortedTags", capacity);
+            current = GpuBuffer.Structured<uint>("Rill.TagsA", capacity);
+            sorted = GpuBuffer.Structured<uint>("Rill.TagsB", capacity);
             Clear();
         }
 
@@ -56,8 +56,8 @@ namespace Rill
             if (tags == null)
                 return description;
             description.Kernel("NeighborSearch", "GatherTags", step.Substeps, RestingRegions.Variant(null, step.Resting));
-            description.Buffer("Rill.Tags", tags.current);
-            description.Buffer("Rill.SortedTags", tags.sorted);
+            description.Buffer("Rill.TagsA", tags.current);
+            description.Buffer("Rill.TagsB", tags.sorted);
             return description;
         }
 

@@ -34,7 +34,7 @@ namespace Rill
         /// <summary>Records the removal of all particles and the reset of all counters.</summary>
         public void Clear(CommandBuffer cmd, ParticleBuffers particles)
         {
-            cmd.SetComputeBufferParam(shader, clear, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, clear, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, clear, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, clear, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, clear, Ids.ParticleIds, particles.Ids);
@@ -46,7 +46,7 @@ namespace Rill
         /// <summary>Records the removal of all particles, which count as drained; all other counters go on.</summary>
         public void RemoveAll(CommandBuffer cmd, ParticleBuffers particles)
         {
-            cmd.SetComputeBufferParam(shader, countMarked, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, countMarked, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, countMarked, Ids.Counters, particles.Counters);
             particles.DispatchAlive(cmd, shader, countMarked);
             cmd.SetComputeBufferParam(shader, removeAll, Ids.Counters, particles.Counters);
@@ -144,7 +144,7 @@ namespace Rill
 
             cmd.SetComputeBufferParam(shader, append, Ids.BatchPositions, batchPositions);
             cmd.SetComputeBufferParam(shader, append, Ids.BatchVelocities, batchVelocities);
-            cmd.SetComputeBufferParam(shader, append, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, append, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, append, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, append, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, append, Ids.Counters, particles.Counters);

@@ -79,7 +79,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.IsWide, layout.IsWide ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.FrameFields, (int)layout.Fields);
             cmd.SetComputeIntParam(shader, Ids.HasTags, tags != null ? 1 : 0);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, particles.Ids);
             // which is not touched

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // Frames of a recording, out of the solver and into it.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         FramePacking packing;
 

@@ -683,7 +683,7 @@ namespace Rill.Tests
             Assert.That(Buffers(fluid), Has.Member("Rill.Curl"));
             SetVorticity(0f);
             yield return Frames(2);
-            Assert.That(Buffers(fluid), Has.No.Member("Rill.Curl").And.No.Member("Rill.Confined"));
+            Assert.That(Buffers(fluid), Has.No.Member("Rill.Curl").And.No.Member("Rill.Unconfined"));
             Assert.That(fluid.StepCount, Is.EqualTo(6));
 
             void SetVorticity(float value)

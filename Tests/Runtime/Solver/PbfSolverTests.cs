@@ -311,11 +311,11 @@ namespace Rill.Tests
 
                 fluid.Input.material.vorticity = 0.5f;
                 fluid.Step();
-                Assert.That(Buffers(fluid), Has.Member("Rill.Curl").And.Member("Rill.Confined"));
+                Assert.That(Buffers(fluid), Has.Member("Rill.Curl").And.Member("Rill.Unconfined"));
 
                 fluid.Input.material.vorticity = 0f;
                 fluid.Step();
-                Assert.That(Buffers(fluid), Has.No.Member("Rill.Curl").And.No.Member("Rill.Confined"));
+                Assert.That(Buffers(fluid), Has.No.Member("Rill.Curl").And.No.Member("Rill.Unconfined"));
                 AssertInside(fluid.Step(5).Read());
             }
         }

@@ -11,10 +11,13 @@ namespace Host.Experiments
     {
         readonly StepInput input;
 
-        public PackageSolver(SolverLayout layout, in StepInput input)
+        public PackageSolver(SolverLayout layout, in StepInput input) : this(new PbfSolver(layout), input) { }
+
+        /// <param name="solver">Disposed with this.</param>
+        public PackageSolver(PbfSolver solver, in StepInput input)
         {
             this.input = input;
-            Solver = new PbfSolver(layout);
+            Solver = solver;
         }
 
         public PbfSolver Solver { get; }

@@ -287,7 +287,7 @@ namespace Rill.Tests
                 Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, FluidMaterial.Water), 0, maxBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 Stages.Particles.Advance();
-                Points = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Current, Stages.Sorted));
+                Points = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Positions, Stages.Sorted));
                 stage = new SurfaceParticles(Stages.Layout);
                 GpuTest.FillWithGarbage(stage.Particles);
                 Record();

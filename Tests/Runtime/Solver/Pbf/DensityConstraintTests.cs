@@ -272,7 +272,7 @@ namespace Rill.Tests
             using (var stages = new SolverStages(ParticleState.Random(0, seed: 13), SolverStages.Still()).Sort().Constrain(iterations: 2))
             {
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Predicted, stages.Layout.Capacity).All(GpuTest.IsGarbage));
-                Assert.That(GpuTest.Read<float4>(stages.Particles.Current, stages.Layout.Capacity).All(GpuTest.IsGarbage));
+                Assert.That(GpuTest.Read<float4>(stages.Particles.Positions, stages.Layout.Capacity).All(GpuTest.IsGarbage));
             }
         }
 
@@ -283,7 +283,7 @@ namespace Rill.Tests
                 .Constrain(iterations: 2))
             {
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Predicted, 300).Skip(200).All(GpuTest.IsGarbage));
-                Assert.That(GpuTest.Read<float4>(stages.Particles.Current, 300).Skip(200).All(GpuTest.IsGarbage));
+                Assert.That(GpuTest.Read<float4>(stages.Particles.Positions, 300).Skip(200).All(GpuTest.IsGarbage));
             }
         }
 

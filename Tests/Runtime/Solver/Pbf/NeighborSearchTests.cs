@@ -193,7 +193,7 @@ namespace Rill.Tests
                 Compare.Same("cells in order", order.Select(o => (uint)cells[o.x]).ToArray(),
                     cells.OrderBy(cell => cell).Select(cell => (uint)cell).ToArray());
                 Compare.Same("every particle once", order.Select(o => o.x).OrderBy(i => i).ToArray(), state.ids);
-                Compare.Same("positions", GpuTest.Read<float4>(stages.Particles.Current, 997), state.positions);
+                Compare.Same("positions", GpuTest.Read<float4>(stages.Particles.Positions, 997), state.positions);
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Predicted, 997).All(GpuTest.IsGarbage));
             }
         }

@@ -3,6 +3,7 @@ using System.Linq;
 using NUnit.Framework;
 using Rill.Tests.Reference;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Rill.Tests
 {
@@ -88,7 +89,8 @@ namespace Rill.Tests
         public void Without_particles_nothing_is_written()
         {
             using (var swirl = new Swirl(ParticleState.Random(0, seed: 4), Vorticity))
-                Assert.That(GpuTest.Read<float4>(swirl.CurlBuffer, swirl.Stages.Layout.Capacity).All(GpuTest.IsGarbage));
+                foreach (GraphicsBuffer buffer in new[] { swirl.CurlBuffer, swirl.Stages.Particles.Velocities })
+                    Assert.That(GpuTest.Read<float4>(buffer, swirl.Stages.Layout.Capacity).All(GpuTest.IsGarbage));
         }
 
         [Test]
@@ -126,13 +128,17 @@ namespace Rill.Tests
                 Reference = new Velocities(Points, Compare.Points(Stages.Velocities), Neighbors);
 
                 stage = new VorticityConfinement(Stages.Layout.Capacity);
+                GpuTest.FillWithGarbage(stage.Unconfined);
+                if (Stages.Sorted > 0)
+                    stage.Unconfined.SetData(Stages.Velocities);
                 GpuTest.FillWithGarbage(stage.Curl);
+                GpuTest.FillWithGarbage(Stages.Particles.Velocities);
                 GpuTest.Run(cmd => stage.Record(Stages.Context(cmd)));
                 Curl = GpuTest.Read<float4>(stage.Curl, Stages.Sorted);
                 Confined = Stages.Velocities;
             }
 
-            public UnityEngine.GraphicsBuffer CurlBuffer => stage.Curl;
+            public GraphicsBuffer CurlBuffer => stage.Curl;
 
             public void Dispose()
             {

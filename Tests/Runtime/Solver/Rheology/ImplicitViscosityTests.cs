@@ -97,7 +97,7 @@ namespace Rill.Tests
                 Stages.Particles.Advance();
                 Before = GpuTest.Read<uint>(Stages.Particles.Ids, state.Count).Select(id => new float4(velocities[id], 0.25f + id)).ToArray();
                 Stages.Particles.Velocities.SetData(Before, 0, 0, state.Count);
-                Points = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Current, state.Count));
+                Points = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Positions, state.Count));
                 stage = new ImplicitViscosity(Stages.Layout.Capacity);
             }
 

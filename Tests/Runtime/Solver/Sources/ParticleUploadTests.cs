@@ -40,12 +40,12 @@ namespace Rill.Tests
         {
             ParticleState batch = Append(count, seed: count);
 
-            Compare.Same("positions", GpuTest.Read<float4>(particles.Current, count), batch.positions);
+            Compare.Same("positions", GpuTest.Read<float4>(particles.Positions, count), batch.positions);
             Compare.Same("velocities", GpuTest.Read<float4>(particles.Velocities, count), batch.velocities);
             Compare.Same("ids", GpuTest.Read<uint>(particles.Ids, count), batch.ids);
             Assert.That(Counter(ParticleCounter.Alive), Is.EqualTo(count));
             // Clearing wrote the first place.
-            Assert.That(GpuTest.Read<float4>(particles.Current, Capacity).Skip(Math.Max(count, 1)).All(GpuTest.IsGarbage),
+            Assert.That(GpuTest.Read<float4>(particles.Positions, Capacity).Skip(Math.Max(count, 1)).All(GpuTest.IsGarbage),
                 "places behind the batch are left alone");
         }
 
@@ -59,7 +59,7 @@ namespace Rill.Tests
             using (var velocities = new NativeArray<float4>(new[] { velocity }, Allocator.Persistent))
                 emission.Append(particles, Capacity, positions, velocities);
 
-            Compare.Same("positions", GpuTest.Read<float4>(particles.Current, count), batch.positions);
+            Compare.Same("positions", GpuTest.Read<float4>(particles.Positions, count), batch.positions);
             Compare.Same("velocities", GpuTest.Read<float4>(particles.Velocities, count),
                 Enumerable.Repeat(new float4(velocity.xyz, 1f), count).ToArray());
         }
@@ -85,7 +85,7 @@ namespace Rill.Tests
             int added = count - refused;
             Assert.That(Counter(ParticleCounter.Alive), Is.EqualTo(added));
             Assert.That(Counter(ParticleCounter.Refused), Is.EqualTo(refused));
-            Compare.Same("positions", GpuTest.Read<float4>(particles.Current, added), batch.positions.Take(added).ToArray());
+            Compare.Same("positions", GpuTest.Read<float4>(particles.Positions, added), batch.positions.Take(added).ToArray());
         }
 
         [Test]
@@ -97,7 +97,7 @@ namespace Rill.Tests
 
             Assert.That(Counter(ParticleCounter.Alive), Is.EqualTo(Capacity));
             Assert.That(Counter(ParticleCounter.Refused), Is.EqualTo(210));
-            Compare.Same("positions", GpuTest.Read<float4>(particles.Current, Capacity),
+            Compare.Same("positions", GpuTest.Read<float4>(particles.Positions, Capacity),
                 first.positions.Concat(second.positions.Take(400)).ToArray());
         }
 
@@ -148,7 +148,7 @@ namespace Rill.Tests
                     numbered[i] = new float4(i, 0f, 0f, 0f);
                 emission.Append(many, count, places, places);
 
-                float4[] positions = GpuTest.Read<float4>(many.Current, count);
+                float4[] positions = GpuTest.Read<float4>(many.Positions, count);
                 uint[] ids = GpuTest.Read<uint>(many.Ids, count);
                 for (int i = 0; i < count; i++)
                     if (positions[i].x != i || ids[i] != i)

@@ -1,4 +1,4 @@
-using UnityEngine.Rendering;
+using Rill;
 
 namespace Host.Studies.Methods
 {
@@ -19,12 +19,12 @@ namespace Host.Studies.Methods
             this.start = start;
         }
 
-        protected override void AfterPass(CommandBuffer cmd, StudySolver solver, int pass, int passes)
+        protected override void AfterPass(in StepContext step, int pass, int passes)
         {
             if (pass == start - 1)
-                RecordKernel(cmd, solver, "Remember", 1);
+                RecordKernel(step, "Remember", 1);
             else if (pass >= start)
-                RecordKernel(cmd, solver, "Chebyshev", Weight(pass));
+                RecordKernel(step, "Chebyshev", Weight(pass));
         }
 
         /// <summary>ω of a pass, the first being 0.</summary>

@@ -1,7 +1,4 @@
 using Rill;
-using Unity.Mathematics;
-using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Host.Studies.Methods
 {
@@ -19,12 +16,9 @@ namespace Host.Studies.Methods
         /// <summary>V-cycles a solve.</summary>
         public int Cycles { get; init; } = 1;
 
-        public CoarseCorrection Create(SolverLayout layout, in StepInput input)
+        /// <summary>Gives a correction that was just made these parameters.</summary>
+        public void Apply(CoarseCorrection coarse)
         {
-            float substep = input.timeStep / input.settings.substeps;
-            float size = CellSize > 0 ? CellSize
-                : CoarseGrid.CellSizeFor(layout.DomainSize, math.length(input.gravity) / layout.Spacing * substep * substep, 0f);
-            var coarse = new CoarseCorrection(layout, size);
             coarse.Solver.Cycles = Cycles;
             CoarseConstants constants = CoarseConstants.For(coarse.Grid);
             if (ScreeningLength is float length)
@@ -32,17 +26,16 @@ namespace Host.Studies.Methods
             if (!SurfaceDistance)
                 constants.minSurfaceDistance = constants.maxSurfaceDistance = 1f;
             coarse.Constants.SetData(new[] { constants });
-            return coarse;
         }
 
-        /// <summary>Records what comes before a substep.</summary>
-        public void RecordStart(CommandBuffer cmd, CoarseCorrection coarse)
+        /// <summary>Records what comes after the passes of a substep.</summary>
+        public void RecordEnd(in StepContext step)
         {
             if (WarmStart)
                 return;
-            var none = new float[coarse.Grid.Total];
-            cmd.SetBufferData(coarse.Cells.flowPotential, none);
-            cmd.SetBufferData(coarse.Cells.errorPotential, none);
+            var none = new float[step.Coarse.Grid.Total];
+            step.Commands.SetBufferData(step.Coarse.Cells.flowPotential, none);
+            step.Commands.SetBufferData(step.Coarse.Cells.errorPotential, none);
         }
     }
 }

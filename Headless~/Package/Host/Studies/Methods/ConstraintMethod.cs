@@ -1,6 +1,5 @@
 using System;
 using Rill;
-using UnityEngine.Rendering;
 
 namespace Host.Studies.Methods
 {
@@ -10,8 +9,8 @@ namespace Host.Studies.Methods
         /// <summary>Whether the last kernel to write the positions is the package's own.</summary>
         public virtual bool EndsInPackagePass => false;
 
-        /// <summary>Records the neighbor list and all passes: Predicted ends corrected, Current is used up.</summary>
-        public abstract void Record(CommandBuffer cmd, StudySolver solver, in StepInput input);
+        /// <summary>Records the neighbor list and all passes: Predicted ends corrected.</summary>
+        public abstract void Record(in StepContext step, StudySolver solver);
 
         public virtual void Dispose() { }
     }
@@ -21,7 +20,7 @@ namespace Host.Studies.Methods
     {
         public override bool EndsInPackagePass => true;
 
-        public override void Record(CommandBuffer cmd, StudySolver solver, in StepInput input) =>
-            solver.RecordPackagePasses(cmd, input.settings.relaxation, input.settings.iterations);
+        public override void Record(in StepContext step, StudySolver solver) =>
+            solver.RecordPackagePasses(step, step.Input.settings.relaxation, step.Input.settings.iterations);
     }
 }

@@ -22,37 +22,38 @@ namespace Host.Studies.Methods
         /// <summary>Blocks from one of a colour to the next along an axis.</summary>
         public int Stride => stride;
 
-        public override void Record(CommandBuffer cmd, StudySolver solver, in StepInput input)
+        public override void Record(in StepContext step, StudySolver solver)
         {
-            ParticleBuffers particles = solver.Particles;
-            solver.RecordPackagePasses(cmd, input.settings.relaxation, 0);      // the list and first multipliers, into Current
-            solver.BindConstants(cmd, shader);
-            solver.Lists.Bind(cmd, shader, sweep);
-            cmd.SetComputeBufferParam(shader, sweep, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, sweep, Ids.CellStarts, solver.Search.CellStarts);
+            CommandBuffer cmd = step.Commands;
+            SolverSettings settings = step.Input.settings;
+            solver.RecordPackagePasses(step, settings.relaxation, 0);      // the list and first multipliers
+            step.BindConstants(shader);
+            step.Lists.Bind(cmd, shader, sweep);
+            cmd.SetComputeBufferParam(shader, sweep, Ids.Positions, step.Particles.Multipliers);
+            cmd.SetComputeBufferParam(shader, sweep, Ids.CellStarts, step.Search.CellStarts);
             cmd.SetComputeIntParam(shader, Ids.Stride, stride);
-            int3 perBlock = solver.Layout.CellsPerRadius;       // a block is a list radius wide
+            int3 perBlock = step.Layout.CellsPerRadius;       // a block is a list radius wide
             cmd.SetComputeIntParams(shader, Ids.BlockCells, perBlock.x, perBlock.y, perBlock.z);
-            if (solver.Coarse != null)
-                RecordPush(cmd, solver);
+            if (step.Coarse != null)
+                RecordPush(step);
 
-            int3 blocks = (solver.Layout.CellCounts + perBlock - 1) / perBlock;
+            int3 blocks = (step.Layout.CellCounts + perBlock - 1) / perBlock;
             int3 ofColour = (blocks + stride - 1) / stride;
-            for (int iteration = 0; iteration < input.settings.iterations; iteration++)
+            for (int iteration = 0; iteration < settings.iterations; iteration++)
                 for (int colour = 0; colour < stride * stride * stride; colour++)
                 {
                     cmd.SetComputeIntParam(shader, Ids.Colour, colour);
                     CoarseGrid.Dispatch(cmd, shader, sweep, ofColour.x * ofColour.y * ofColour.z);
                 }
-            (particles.Current, particles.Predicted) = (particles.Predicted, particles.Current);
+            step.Particles.SwapPasses();
         }
 
-        void RecordPush(CommandBuffer cmd, StudySolver solver)
+        void RecordPush(in StepContext step)
         {
-            cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, solver.Coarse.Constants, 0, solver.Coarse.Constants.stride);
-            cmd.SetComputeBufferParam(shader, push, Ids.Positions, solver.Particles.Current);
-            cmd.SetComputeBufferParam(shader, push, CoarseIds.Displacements, solver.Coarse.Displacements);
-            solver.DispatchParticles(cmd, shader, push);
+            step.BindCoarseConstants(shader);
+            step.Commands.SetComputeBufferParam(shader, push, Ids.Positions, step.Particles.Multipliers);
+            step.Commands.SetComputeBufferParam(shader, push, CoarseIds.Displacements, step.Coarse.Displacements);
+            StudySolver.DispatchParticles(step, shader, push);
         }
 
         static class Ids

@@ -42,7 +42,7 @@ namespace Host.Studies.Methods
         public static MethodRun Of(MethodStudy study, MethodVariant variant, MethodScene scene)
         {
             StepInput input = variant.Input();
-            using var solver = new StudySolver(scene.Scene.LayoutFor(input.settings), input, variant.Method(), variant.Coarse);
+            using var solver = new PackageSolver(new StudySolver(scene.Scene.LayoutFor(input.settings), variant.Method(), variant.Coarse), input);
             return new MethodRun(study, variant, scene, Experiment.Run(solver, scene.Scene, input, scene.Seconds, SampleEvery, IsLost));
         }
 

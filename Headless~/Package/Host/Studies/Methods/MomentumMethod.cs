@@ -13,16 +13,17 @@ namespace Host.Studies.Methods
 
         public override void Dispose() => GpuBuffer.Release(ref previous);
 
-        protected void RecordKernel(CommandBuffer cmd, StudySolver solver, string name, double weight)
+        protected void RecordKernel(in StepContext step, string name, double weight)
         {
-            previous ??= GpuBuffer.Structured<float4>("Study.Previous", solver.Layout.Capacity);
+            previous ??= GpuBuffer.Structured<float4>("Study.Previous", step.Layout.Capacity);
             int kernel = shader.FindKernel(name);
-            solver.BindConstants(cmd, shader);
+            CommandBuffer cmd = step.Commands;
+            step.BindConstants(shader);
             cmd.SetComputeFloatParam(shader, "_Weight", (float)weight);
-            cmd.SetComputeBufferParam(shader, kernel, "_From", solver.Particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, "_From", step.Particles.Multipliers);
             cmd.SetComputeBufferParam(shader, kernel, "_Previous", previous);
-            cmd.SetComputeBufferParam(shader, kernel, "_Corrected", solver.Particles.Predicted);
-            solver.DispatchParticles(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, "_Corrected", step.Particles.Predicted);
+            StudySolver.DispatchParticles(step, shader, kernel);
         }
     }
 }

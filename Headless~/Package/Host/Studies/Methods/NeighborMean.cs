@@ -10,20 +10,20 @@ namespace Host.Studies.Methods
         readonly ComputeShader shader = StudyShader.Load("NeighborMean");
         readonly float fraction;
 
-        /// <param name="share">That equation's ω.</param>
+        /// <param name="fraction">That equation's ω.</param>
         public NeighborMean(float fraction) => this.fraction = fraction;
 
-        protected override void AfterPass(CommandBuffer cmd, StudySolver solver, int pass, int passes)
+        protected override void AfterPass(in StepContext step, int pass, int passes)
         {
-            ParticleBuffers particles = solver.Particles;
+            CommandBuffer cmd = step.Commands;
             int kernel = shader.FindKernel("Average");
-            solver.BindConstants(cmd, shader);
-            solver.Lists.Bind(cmd, shader, kernel);
-            cmd.SetComputeFloatParam(shader, "_Share", fraction);
-            cmd.SetComputeBufferParam(shader, kernel, "_Corrected", particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, "_Averaged", particles.Current);
-            solver.DispatchParticles(cmd, shader, kernel);
-            (particles.Current, particles.Predicted) = (particles.Predicted, particles.Current);
+            step.BindConstants(shader);
+            step.Lists.Bind(cmd, shader, kernel);
+            cmd.SetComputeFloatParam(shader, "_Fraction", fraction);
+            cmd.SetComputeBufferParam(shader, kernel, "_Corrected", step.Particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, "_Averaged", step.Particles.Multipliers);
+            StudySolver.DispatchParticles(step, shader, kernel);
+            step.Particles.SwapPasses();
         }
     }
 }

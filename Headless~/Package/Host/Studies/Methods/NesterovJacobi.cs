@@ -1,5 +1,5 @@
 using System;
-using UnityEngine.Rendering;
+using Rill;
 
 namespace Host.Studies.Methods
 {
@@ -13,14 +13,14 @@ namespace Host.Studies.Methods
 
         public override bool EndsInPackagePass => true;
 
-        protected override void AfterPass(CommandBuffer cmd, StudySolver solver, int pass, int passes)
+        protected override void AfterPass(in StepContext step, int pass, int passes)
         {
             if (pass == passes - 1)
                 return;         // the result is what a pass made, not what would begin the next
             if (pass == 0)
-                RecordKernel(cmd, solver, "RememberAfter", 0);
+                RecordKernel(step, "RememberAfter", 0);
             else
-                RecordKernel(cmd, solver, kernel, (Time(pass) - 1) / Time(pass + 1));
+                RecordKernel(step, kernel, (Time(pass) - 1) / Time(pass + 1));
         }
 
         static double Time(int pass) => pass == 0 ? 1 : (1 + Math.Sqrt(1 + 4 * Time(pass - 1) * Time(pass - 1))) / 2;

@@ -1,6 +1,5 @@
 using Rill;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Host.Studies.Methods
 {
@@ -16,39 +15,40 @@ namespace Host.Studies.Methods
             applyDeltaP = shader.FindKernel("ApplyDeltaP");
         }
 
-        public sealed override void Record(CommandBuffer cmd, StudySolver solver, in StepInput input)
+        public sealed override void Record(in StepContext step, StudySolver solver)
         {
-            for (int pass = 0; pass < input.settings.iterations; pass++)
+            int passes = step.Input.settings.iterations;
+            for (int pass = 0; pass < passes; pass++)
             {
-                float relaxation = Relaxation(pass, input.settings);
+                float relaxation = Relaxation(pass, step.Input.settings);
                 if (pass == 0)
-                    solver.RecordPackagePasses(cmd, relaxation, 1);
+                    solver.RecordPackagePasses(step, relaxation, 1);
                 else
-                    RecordPass(cmd, solver, relaxation);
-                AfterPass(cmd, solver, pass, input.settings.iterations);
+                    RecordPass(step, solver, relaxation);
+                AfterPass(step, pass, passes);
             }
         }
 
         protected virtual float Relaxation(int pass, in SolverSettings settings) => settings.relaxation;
 
-        /// <summary>Predicted holds the position after the pass, Current that before it.</summary>
-        protected virtual void AfterPass(CommandBuffer cmd, StudySolver solver, int pass, int passes) { }
+        /// <summary>Predicted holds the position after the pass, Multipliers that before it.</summary>
+        protected virtual void AfterPass(in StepContext step, int pass, int passes) { }
 
-        void RecordPass(CommandBuffer cmd, StudySolver solver, float relaxation)
+        void RecordPass(in StepContext step, StudySolver solver, float relaxation)
         {
-            ParticleBuffers particles = solver.Particles;
-            solver.BindConstants(cmd, shader, relaxation);
-            Dispatch(cmd, solver, solveLambda, particles.Predicted, particles.Current);
-            cmd.SetComputeBufferParam(shader, applyDeltaP, Ids.StartPositions, particles.Start);
-            Dispatch(cmd, solver, applyDeltaP, particles.Current, particles.Predicted);
+            ParticleBuffers particles = step.Particles;
+            solver.BindConstants(step, shader, relaxation);
+            Dispatch(step, solveLambda, particles.Predicted, particles.Multipliers);
+            step.Commands.SetComputeBufferParam(shader, applyDeltaP, Ids.StartPositions, particles.Start);
+            Dispatch(step, applyDeltaP, particles.Multipliers, particles.Predicted);
         }
 
-        void Dispatch(CommandBuffer cmd, StudySolver solver, int kernel, GraphicsBuffer from, GraphicsBuffer to)
+        void Dispatch(in StepContext step, int kernel, GraphicsBuffer from, GraphicsBuffer to)
         {
-            solver.Lists.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
-            solver.DispatchParticles(cmd, shader, kernel);
+            step.Lists.Bind(step.Commands, shader, kernel);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
+            StudySolver.DispatchParticles(step, shader, kernel);
         }
 
         static class Ids

@@ -1,177 +1,100 @@
 using System;
 using System.Collections.Generic;
-using Host.Experiments;
 using Rill;
-using Unity.Collections;
-using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace Host.Studies.Methods
 {
     /// <summary>
-    /// The package's stages in the order of <see cref="PbfSolver.Step"/> with another method for the passes and other
-    /// parameters of the two-level correction. With <see cref="Jacobi"/> and none it is the package's solver bit for bit.
+    /// The package's solver with another method for the passes and other parameters of the two-level correction. With
+    /// <see cref="Jacobi"/> and none it is the package's bit for bit.
     /// </summary>
-    sealed class StudySolver : IExperimentSolver
+    sealed class StudySolver : PbfSolver
     {
-        readonly StepInput input;
         readonly ConstraintMethod method;
         readonly CoarseVariation variation;
-        readonly DensityConstraint constraint;
-        readonly VelocityUpdate velocityUpdate = new();
-        readonly ParticleUpload particleUpload = new();
-        readonly StatisticsPass statistics;
         readonly ComputeShader displacements = StudyShader.Load("Displacements");
-        readonly GraphicsBuffer constants;
         readonly Dictionary<float, GraphicsBuffer> constantsByRelaxation = new();
-        uint stepIndex;
 
-        /// <param name="input">Of every step; deep water On or Off, vorticity and artificial pressure 0.</param>
         /// <param name="method">The solver's from now on.</param>
-        public StudySolver(SolverLayout layout, in StepInput input, ConstraintMethod method, CoarseVariation variation = null)
+        public StudySolver(SolverLayout layout, ConstraintMethod method, CoarseVariation variation = null) : base(layout)
         {
-            if (input.settings.deepWater == DeepWater.Automatic || input.material.vorticity > 0f || input.material.shearModulus > 0f
-                || input.material.artificialPressure > 0f)
-                throw new ArgumentException("The study's solver takes deep water On or Off, no vorticity, no elasticity and no artificial pressure.");
-            Layout = layout;
-            this.input = input;
             this.method = method;
             this.variation = variation ?? new CoarseVariation();
-            Particles = new ParticleBuffers(layout.Capacity);
-            Search = new NeighborSearch(layout);
-            constraint = new DensityConstraint(layout);
-            statistics = new StatisticsPass(layout.Capacity);
-            constants = GpuBuffer.Constants<SolverConstants>("Study.Constants");
-            if (input.settings.deepWater == DeepWater.On)
-                Coarse = this.variation.Create(layout, input);
-            using var cmd = new CommandBuffer { name = "Study.Clear" };
-            particleUpload.Clear(cmd, Particles);
-            Graphics.ExecuteCommandBuffer(cmd);
         }
 
-        public SolverLayout Layout { get; }
-        public ParticleBuffers Particles { get; }
-        public NeighborSearch Search { get; }
-        public NeighborLists Lists => constraint.Lists;
-        /// <summary>Null without deep water.</summary>
-        public CoarseCorrection Coarse { get; }
+        protected override float CoarseCellSize(in StepInput input) => variation.CellSize > 0 ? variation.CellSize : base.CoarseCellSize(input);
 
-        public void Add(NativeArray<float4> positions, NativeArray<float4> velocities)
+        protected override CoarseCorrection MakeCoarse(float cellSize)
         {
-            using NativeArray<float4> scaledPositions = InSpacings(positions);
-            using NativeArray<float4> scaledVelocities = InSpacings(velocities);
-            particleUpload.Append(Particles, Layout.Capacity, scaledPositions, scaledVelocities);
-            particleUpload.Trim();
+            CoarseCorrection coarse = base.MakeCoarse(cellSize);
+            variation.Apply(coarse);
+            return coarse;
         }
 
-        public void Step(CommandBuffer cmd)
+        protected override void RecordCorrection(in StepContext step)
         {
-            stepIndex++;
-            UploadConstants(cmd);
-            StepContext step = Context(cmd, input, constants);
-            for (int substep = 0; substep < input.settings.substeps; substep++)
-            {
-                if (Coarse != null)
-                    variation.RecordStart(cmd, Coarse);
-                Coarse?.RecordProjection(step);
-                Search.RecordSort(step, takesProjection: Coarse != null);
-                method.Record(cmd, this, input);
-                if (!method.EndsInPackagePass)
-                    RecordDisplacements(cmd);
-                velocityUpdate.Record(step);
-                Particles.Advance();
-            }
+            if (step.Colliders != null || step.Input.material.artificialPressure > 0f)
+                throw new ArgumentException("The methods of the study know no colliders and no artificial pressure: take them out of the scene.");
+            method.Record(step, this);
+            if (step.Coarse != null)
+                variation.RecordEnd(step);
+            if (!method.EndsInPackagePass)
+                RecordDisplacements(step);
         }
 
         /// <summary>Records the neighbor list, the density correction and so many of the package's own passes.</summary>
-        public void RecordPackagePasses(CommandBuffer cmd, float relaxation, int passes)
+        public void RecordPackagePasses(in StepContext step, float relaxation, int passes)
         {
-            StepInput other = input;
-            other.settings.iterations = passes;
-            constraint.Record(Context(cmd, other, ConstantsFor(relaxation)));
+            StepInput input = step.Input;
+            input.settings.iterations = passes;
+            base.RecordCorrection(new StepContext(step.Commands, ConstantsFor(step, relaxation), step.Particles, step.Search, step.Lists, Layout,
+                input, step.Coarse));
         }
-
-        StepContext Context(CommandBuffer cmd, in StepInput input, GraphicsBuffer constants)
-            => new StepContext(cmd, constants, Particles, Search, Lists, Layout, input, Coarse);
 
         /// <summary>Records the step's constants, with another relaxation, as what a shader reads.</summary>
-        public void BindConstants(CommandBuffer cmd, ComputeShader shader, float relaxation) =>
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, ConstantsFor(relaxation), 0, constants.stride);
-
-        public void BindConstants(CommandBuffer cmd, ComputeShader shader) => BindConstants(cmd, shader, input.settings.relaxation);
+        public void BindConstants(in StepContext step, ComputeShader shader, float relaxation) =>
+            step.Commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, ConstantsFor(step, relaxation), 0, step.Constants.stride);
 
         /// <summary>Records a kernel over the particles of this substep.</summary>
-        public void DispatchParticles(CommandBuffer cmd, ComputeShader shader, int kernel)
+        public static void DispatchParticles(in StepContext step, ComputeShader shader, int kernel)
         {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, Particles.Counters);
-            cmd.DispatchCompute(shader, kernel, Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Commands.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
-        // What the package's last pass leaves for the viscosity.
-        void RecordDisplacements(CommandBuffer cmd)
+        public override void Dispose()
         {
-            int kernel = displacements.FindKernel("PackDisplacements");
-            BindConstants(cmd, displacements);
-            cmd.SetComputeBufferParam(displacements, kernel, "_StartPositions", Particles.Start);
-            cmd.SetComputeBufferParam(displacements, kernel, "_Corrected", Particles.Predicted);
-            DispatchParticles(cmd, displacements, kernel);
-        }
-
-        public void RecordStatistics(CommandBuffer cmd)
-        {
-            UploadConstants(cmd);
-            statistics.Record(Context(cmd, input, constants));
-        }
-
-        public FluidStatistics FetchStatistics()
-        {
-            statistics.Request();
-            AsyncGPUReadback.WaitAllRequests();
-            return FluidStatistics.From(statistics.Latest, Layout, input.material.density, input.gravity, input.timeStep);
-        }
-
-        public long Bytes => 0;     // memory is not what the study compares
-
-        public void Dispose()
-        {
+            base.Dispose();
             method.Dispose();
-            Particles.Dispose();
-            Search.Dispose();
-            constraint.Dispose();
-            particleUpload.Dispose();
-            statistics.Dispose();
-            Coarse?.Dispose();
-            constants.Release();
             foreach (GraphicsBuffer buffer in constantsByRelaxation.Values)
                 buffer.Release();
         }
 
-        // Those of another relaxation are made once: nothing else in them changes that a pass reads.
-        GraphicsBuffer ConstantsFor(float relaxation)
+        // What the package's last pass leaves for the viscosity.
+        void RecordDisplacements(in StepContext step)
         {
-            if (relaxation == input.settings.relaxation)
-                return constants;
+            int kernel = displacements.FindKernel("PackDisplacements");
+            step.BindConstants(displacements);
+            step.Commands.SetComputeBufferParam(displacements, kernel, "_StartPositions", step.Particles.Start);
+            step.Commands.SetComputeBufferParam(displacements, kernel, "_Corrected", step.Particles.Predicted);
+            DispatchParticles(step, displacements, kernel);
+        }
+
+        // Those of another relaxation are made once: nothing else in them changes that a pass reads.
+        GraphicsBuffer ConstantsFor(in StepContext step, float relaxation)
+        {
+            if (relaxation == step.Input.settings.relaxation)
+                return step.Constants;
             if (!constantsByRelaxation.TryGetValue(relaxation, out GraphicsBuffer buffer))
             {
-                SolverConstants values = Constants();
+                SolverConstants values = SolverConstants.For(Layout, step.Input, 0);
                 values.relaxation = relaxation;
                 constantsByRelaxation.Add(relaxation, buffer = GpuBuffer.Constants<SolverConstants>("Study.ScheduledConstants"));
                 buffer.SetData(new[] { values });
             }
             return buffer;
-        }
-
-        SolverConstants Constants() => SolverConstants.For(Layout, input, stepIndex);
-
-        void UploadConstants(CommandBuffer cmd) => cmd.SetBufferData(constants, new[] { Constants() });
-
-        NativeArray<float4> InSpacings(NativeArray<float4> metres)
-        {
-            var scaled = new NativeArray<float4>(metres.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            for (int i = 0; i < metres.Length; i++)
-                scaled[i] = metres[i] / Layout.Spacing;
-            return scaled;
         }
 
         static class Ids
