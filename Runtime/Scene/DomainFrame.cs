@@ -56,7 +56,7 @@ namespace Rill
         }
     }
 
-    /// <summary>Where an object is in a domain, d, and which way its axes point there.</summary>
+    /// <summary>Where an object is in a domain, d, and where its axes point there.</summary>
     struct PoseInDomain
     {
         public float3 position, axisX, axisY, axisZ;

@@ -100,7 +100,7 @@ namespace Rill
         /// <summary>What lets water at rest sleep; null while the settings do without.</summary>
         public RestingRegions Resting => restingRegions;
 
-        /// <summary>What stands in the fluid's way; null while nothing does.</summary>
+        /// <summary>The colliders that the fluid meets; null without any.</summary>
         public Colliders Colliders => colliders;
 
         /// <summary>What the fluid does to colliders; null where none wants to know.</summary>

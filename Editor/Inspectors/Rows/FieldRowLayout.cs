@@ -59,7 +59,7 @@ namespace Rill.Editor
         /// <summary>The value, with its label beside it unless that stands above.</summary>
         public Rect FieldIn(Rect row) => new Rect(row.x, row.y + labelHeight, row.width - unitWidth, valueHeight);
 
-        /// <summary>Behind the first line of the value; of no width where there is no unit.</summary>
+        /// <summary>After the first line of the value; of no width where there is no unit.</summary>
         public Rect UnitIn(Rect row) => new Rect(row.xMax - unitWidth + Gap, row.y + labelHeight, Mathf.Max(unitWidth - Gap, 0f), lineHeight);
     }
 }

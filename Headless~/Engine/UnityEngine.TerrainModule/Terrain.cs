@@ -23,9 +23,9 @@ namespace UnityEngine
     /// <summary>Heights of a terrain as fractions of its height, kept in steps of 1/32766 as in Unity's heightmap.</summary>
     public sealed class TerrainData : Object
     {
-        const int Steps = 32766, LeastResolution = 33, MostResolution = 4097;
+        const int Steps = 32766, MinResolution = 33, MaxResolution = 4097;
 
-        float[,] heights = new float[LeastResolution, LeastResolution];
+        float[,] heights = new float[MinResolution, MinResolution];
         bool[,] ground;     // null where there are no holes
         Vector3 scale = new Vector3(1f, 600f, 1f);
 
@@ -36,8 +36,8 @@ namespace UnityEngine
             get => heights.GetLength(0);
             set
             {
-                int resolution = LeastResolution;
-                while (resolution < value && resolution < MostResolution)
+                int resolution = MinResolution;
+                while (resolution < value && resolution < MaxResolution)
                     resolution = 2 * resolution - 1;
                 heights = new float[resolution, resolution];
                 ground = null;

@@ -11,8 +11,8 @@ namespace Host.Tests
         [Test]
         public void What_another_run_beats_in_one_cost_and_equals_in_the_others_is_not_on_the_front()
         {
-            double[] cheap = Run(1, 5), exact = Run(5, 1), dear = Run(6, 1), poor = Run(1, 6);
-            Assert.That(ParetoFront.Of(new[] { cheap, exact, dear, poor }, run => run), Is.EquivalentTo(new[] { cheap, exact }));
+            double[] cheap = Run(1, 5), exact = Run(5, 1), expensive = Run(6, 1), poor = Run(1, 6);
+            Assert.That(ParetoFront.Of(new[] { cheap, exact, expensive, poor }, run => run), Is.EquivalentTo(new[] { cheap, exact }));
         }
 
         [Test]

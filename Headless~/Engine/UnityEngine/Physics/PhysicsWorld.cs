@@ -49,7 +49,7 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>After the fixed steps of a frame.</summary>
-        /// <param name="share">Of a fixed step that has passed since the last.</param>
+        /// <param name="fraction">Of a fixed step that has passed since the last.</param>
         public static void Show(float fraction)
         {
             foreach (Rigidbody body in Bodies)

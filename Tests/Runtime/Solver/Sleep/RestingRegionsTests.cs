@@ -12,7 +12,7 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f, SleepSpeed = 0.02f, TimeStep = 1f / 60f;
         const uint Asleep = (uint)RegionState.Asleep, AtEdge = (uint)RegionState.AsleepAtEdge, Awake = (uint)RegionState.Awake;
-        const float Way = SleepSpeed * TimeStep / Spacing;      // d
+        const float SleepDisplacement = SleepSpeed * TimeStep / Spacing;      // d
 
         static readonly int StepsToSleep = (int)math.ceil(RestingRegions.Delay / TimeStep);
 
@@ -28,7 +28,7 @@ namespace Rill.Tests
             int total = counts.x * counts.y * counts.z;
             ParticleState state = Jittering(new float3(x, y, z), counts, 20);
             for (int i = mover * 20; i < mover * 20 + 20; i++)
-                state.velocities[i].xyz += new float3(0f, meanDisplacement * Way / TimeStep, 0f);
+                state.velocities[i].xyz += new float3(0f, meanDisplacement * SleepDisplacement / TimeStep, 0f);
             bool moves = meanDisplacement > 1f;
             using (var stage = new Stage(state))
             {
@@ -41,7 +41,7 @@ namespace Rill.Tests
                     return;
 
                 for (int i = mover * 20; i < mover * 20 + fastParticles; i++)
-                    state.velocities[i] = new float4((i % 2 == 0 ? 1.2f : -1.2f) * RestingRegions.JitterRatio * Way / TimeStep, 0f, 0f, 0f);
+                    state.velocities[i] = new float4((i % 2 == 0 ? 1.2f : -1.2f) * RestingRegions.JitterRatio * SleepDisplacement / TimeStep, 0f, 0f, 0f);
                 stage.Set(state);
                 Assert.That(stage.Run(1), Is.EqualTo(Enumerable.Range(0, total).Select(region => Around(region, mover, counts)).ToArray()),
                     "fast particles whose velocities cancel");
@@ -253,7 +253,7 @@ namespace Rill.Tests
             var state = new ParticleState(box, places.ToArray());
             for (int i = 0; i < state.Count; i += 2)
             {
-                float3 velocity = random.NextFloat3Direction() * (0.5f * RestingRegions.JitterRatio * Way / TimeStep);
+                float3 velocity = random.NextFloat3Direction() * (0.5f * RestingRegions.JitterRatio * SleepDisplacement / TimeStep);
                 state.velocities[i] = new float4(velocity, 1f);
                 state.velocities[i + 1] = new float4(-velocity, 1f);
             }

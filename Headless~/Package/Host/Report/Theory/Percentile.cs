@@ -5,7 +5,7 @@ namespace Host.Report
     static class Percentile
     {
         /// <summary>The value that a fraction of all values does not exceed, linear between the two nearest ranks. Sorts the values.</summary>
-        /// <param name="share">0 (the least) to 1 (the largest).</param>
+        /// <param name="fraction">0 (the least) to 1 (the largest).</param>
         public static double Of(float[] values, double fraction)
         {
             if (values.Length == 0)

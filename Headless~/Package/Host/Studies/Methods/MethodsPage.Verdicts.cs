@@ -35,7 +35,7 @@ namespace Host.Studies.Methods
                     group.Key.study, group.Key.series, Standing(group), Values(group.Where(row => front.Contains(row))),
                     Values(group.Where(row => AgainstPackage(row) > 0)), Values(group.Where(row => AgainstPackage(row) < 0)), Best(group),
                 }));
-            page.Line($"The front of the {scene}, from cheap to dear:");
+            page.Line($"The front of the {scene}, from the cheapest to the most expensive:");
             page.Line();
             page.Table(new[] { "method", "study", "value", "substeps x iterations", "ω", "C+", "interior", "volume", "noise, m/s", CostName },
                 front.OrderBy(Cost).Select(row => new[]
