@@ -17,7 +17,9 @@ namespace Host.Check
         {
             new Target { Name = "Metal", Supported = true, Translation = Translation.Metal, Limits = ApiLimits.Metal },
             // Desktop devices give at least what Direct3D 11 does; Vulkan's own minimum is that of OpenGL ES 3.1.
-            new Target { Name = "Vulkan", Supported = true, Translation = Translation.Vulkan,
+            // The tests run these programs on Vulkan as they are, so that a text in GLSL would prove nothing more; to read one back took half of
+            // this rule's time.
+            new Target { Name = "Vulkan", Supported = true,
                 Limits = new ApiLimits { Threads = 1024, SharedBytes = 32768 } },
             new Target { Name = "Mobile", Limits = ApiLimits.Mobile },
             new Target { Name = "WebGPU", Limits = ApiLimits.WebGpu },

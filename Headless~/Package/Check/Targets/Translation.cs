@@ -12,7 +12,6 @@ namespace Host.Check
         public readonly string[] ReadBack;
 
         public static readonly Translation Metal = new(new[] { "--msl", "--msl-version", "20100" }, null);
-        public static readonly Translation Vulkan = new(new[] { "-V" }, new[] { "-V", "--target-env", "vulkan1.1" });
         public static readonly Translation OpenGlEs31 = new(new[] { "--version", "310", "--es" }, Array.Empty<string>());
 
         Translation(string[] options, string[] readBack)

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
-using System.Text;
 using System.Threading.Tasks;
 using Host.Shaders;
 using UnityEngine.Headless;
@@ -13,7 +12,7 @@ namespace Host.Check
     /// <summary>Runs spirv-cross and glslangValidator; what they said is kept by content. Thread-safe.</summary>
     sealed class Translator
     {
-        const string Version = "3";     // of how the tools are run: another makes what was kept worthless
+        const string Version = "4";     // of how the tools are run: another makes what was kept worthless
 
         readonly string cache, cross, glslang;
 
@@ -59,12 +58,7 @@ namespace Host.Check
             {
                 string input = Path.Combine(folder, "program.spv"), output = Path.Combine(folder, "program." + Translation.Suffix(program.Stage));
                 File.WriteAllBytes(input, program.Spirv);
-                // SPIRV-Cross does not say itself what a vertex program needs for SV_RenderTargetArrayIndex.
-                bool layers = translation.ReadBack != null && program.Stage == ShaderStage.Vertex
-                    && Encoding.ASCII.GetString(program.Spirv).Contains("SPV_EXT_shader_viewport_index_layer");
-                IEnumerable<string> options = layers
-                    ? translation.Options.Append("--extension").Append("GL_ARB_shader_viewport_layer_array") : translation.Options;
-                string problem = Run(cross, folder, options.Concat(new[] { "--output", output, input }));
+                string problem = Run(cross, folder, translation.Options.Concat(new[] { "--output", output, input }));
                 if (problem == null && translation.ReadBack != null)
                     problem = Run(glslang, folder, translation.ReadBack.Append(output));
                 return problem ?? "";
