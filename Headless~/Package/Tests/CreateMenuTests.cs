@@ -14,7 +14,7 @@ namespace Host.Tests
     /// <summary>That what GameObject > Rill makes runs as it is.</summary>
     public class CreateMenuTests : InspectorFixture
     {
-        const int FramesToRun = 30;
+        const int FramesToRun = 16;
         const float CoarseSpacing = 0.1f;       // m: an eighth of the particles
 
         static IEnumerable<string> Items => Methods.Select(item => item.Key);

@@ -9,6 +9,7 @@ using UnityEngine.TestTools;
 namespace Rill.Tests
 {
     /// <summary>Colliders as components: where they are in a simulation's frame, how they move, what is logged of bad ones.</summary>
+    [Category("LongRun")]
     public class FluidColliderTests
     {
         GameObject water;

@@ -11,6 +11,7 @@ using Object = UnityEngine.Object;
 namespace Rill.Tests
 {
     /// <summary>What the garbage collector gets of a playing fluid: nothing.</summary>
+    [Category("LongRun")]
     public class AllocationTests
     {
         const int WarmUp = 30, Frames = 300;

@@ -4,6 +4,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>What a thousand steps add up to. The report's page has a hundred thousand.</summary>
+    [Category("LongRun")]
     public class LongRunTests
     {
         const float Spacing = 0.05f;

@@ -6,6 +6,7 @@ using UnityEngine;
 namespace Rill.Tests
 {
     /// <summary>Open cups of meshes that are shaken: what leaves them goes over the rim.</summary>
+    [Category("LongRun")]
     public class OpenCupTests
     {
         const float Spacing = 0.05f;

@@ -5,6 +5,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>Particles nearer to each other than a fluid can be, with the correction for deep water and without.</summary>
+    [Category("LongRun")]
     public class CrowdingTests
     {
         const float Spacing = 0.05f;
