@@ -4,12 +4,14 @@ using System.Threading;
 
 namespace Rill
 {
-    /// <summary>The checksum of long data by several threads: each sums parts of it, and the sums of the parts are joined to that of the
-    /// whole. The caller can do something else between <see cref="Begin"/> and <see cref="End"/>. Used by one thread at a time.</summary>
-    /// <remarks>Allocates only for data that are longer than all before. The threads are started with the first data of several parts.</remarks>
+    /// <summary>The checksum of long data by several threads: each sums parts of it, and the sums of the parts are joined to that of
+    /// the whole. Between <see cref="Begin"/> and <see cref="End"/> the caller can do something else. Used by one thread at a
+    /// time.</summary>
+    /// <remarks>Allocates only for data that are longer than all before. The threads begin with the first data of several parts.</remarks>
     sealed class ChecksumThreads : IDisposable
     {
-        /// <summary>Length of a part but the last, bytes: long beside what handing it over takes, short beside a frame of 100,000 particles.</summary>
+        /// <summary>Length of a part but the last, bytes: its sum takes long beside handing it over, and a frame of 100,000 particles has
+        /// several.</summary>
         public const int PartBytes = 1 << 18;
 
         const int MaxHelpers = 3;       // four sum a frame faster than a disk takes it
@@ -34,7 +36,8 @@ namespace Rill
         public void Begin(uint[] data, int bytes)
         {
             if (bytes < 0 || bytes > (long)sizeof(uint) * data.Length)
-                throw new ArgumentOutOfRangeException(nameof(bytes), bytes, $"There are {(long)sizeof(uint) * data.Length:N0} bytes to sum.");
+                throw new ArgumentOutOfRangeException(nameof(bytes), bytes,
+                    $"There are {(long)sizeof(uint) * data.Length:N0} bytes to sum.");
             lock (gate)
             {
                 if (summed < parts)

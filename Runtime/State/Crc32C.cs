@@ -3,9 +3,10 @@ using System.Buffers.Binary;
 
 namespace Rill
 {
-    /// <summary>The CRC-32C checksum (Castagnoli's polynomial, as of iSCSI, RFC 3720): finds every change of up to 32 bits in a row.</summary>
-    /// <remarks>Sixteen bytes at a time by sixteen tables, after Kounavis and Berry, "Novel Table Lookup-Based Algorithms for High-Performance
-    /// CRC Generation", 2008. Unity has no instructions for it: System.Runtime.Intrinsics is not in .NET Standard 2.1.</remarks>
+    /// <summary>The CRC-32C checksum (Castagnoli's polynomial, as of iSCSI, RFC 3720): finds every change of up to 32 bits in a
+    /// row.</summary>
+    /// <remarks>Sixteen bytes at a time by sixteen tables, after Kounavis and Berry, "Novel Table Lookup-Based Algorithms for
+    /// High-Performance CRC Generation", 2008. .NET Standard 2.1 does not reach the instructions that processors have for it.</remarks>
     static class Crc32C
     {
         const uint Polynomial = 0x82F63B78u;                // reflected: the highest bit stands for x^0

@@ -4,7 +4,8 @@ using UnityEngine.Timeline;
 
 namespace Rill
 {
-    /// <summary>Sets the time of the playback that is bound to a track, by the clips alone: what is shown does not depend on what was before.</summary>
+    /// <summary>Sets the time of the playback that is bound to a track, by the clips alone: what is shown does not depend on what was
+    /// shown before.</summary>
     sealed class FluidPlaybackMixer : PlayableBehaviour
     {
         FluidPlayback driven;

@@ -24,8 +24,8 @@ namespace Rill
         public override Playable CreateTrackMixer(PlayableGraph graph, GameObject go, int inputCount)
         {
             TimelineClip[] clips = GetClips().Where(clip => clip.asset is FluidPlaybackClip).ToArray();
-            if (go.TryGetComponent(out PlayableDirector director) && director.GetGenericBinding(this) is FluidPlayback playback && playback != null
-                && playback.TryFindDuration(out double seconds))
+            if (go.TryGetComponent(out PlayableDirector director) && director.GetGenericBinding(this) is FluidPlayback playback
+                && playback != null && playback.TryFindDuration(out double seconds))
                 foreach (TimelineClip clip in clips)
                     ((FluidPlaybackClip)clip.asset).RecordingDuration = seconds;
             ScriptPlayable<FluidPlaybackMixer> mixer = ScriptPlayable<FluidPlaybackMixer>.Create(graph, inputCount);

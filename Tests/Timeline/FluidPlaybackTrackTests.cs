@@ -9,7 +9,8 @@ using UnityEngine.Timeline;
 
 namespace Rill.Tests
 {
-    /// <summary>A track of a Timeline shows the frames of a recording by time, clip, clip-in and speed, however the time was reached.</summary>
+    /// <summary>A track of a Timeline shows the frames of a recording by time, clip, clip-in and speed, however the time was
+    /// reached.</summary>
     public class FluidPlaybackTrackTests
     {
         const int Frames = 16;
@@ -215,7 +216,8 @@ namespace Rill.Tests
             var asset = (FluidPlaybackClip)Lay(0, 4, begin: 3).asset;
             foreach (double begin in new[] { -1.0, double.NaN, double.PositiveInfinity })
             {
-                LogAssert.Expect(LogType.Warning, new Regex("FluidPlaybackClip 'FluidPlaybackClip': begin .* is no time since the first frame"));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex("FluidPlaybackClip 'FluidPlaybackClip': begin .* is no time since the first frame"));
                 asset.Begin = begin;
                 Assert.That(asset.Begin, Is.Zero);
             }

@@ -36,7 +36,8 @@ namespace UnityEngine.Playables
 
         public static Playable Null => default;
 
-        public static Playable Create(PlayableGraph graph, int inputCount = 0) => new Playable(new PlayableNode(graph.Valid, null, inputCount));
+        public static Playable Create(PlayableGraph graph, int inputCount = 0)
+            => new Playable(new PlayableNode(graph.Valid, null, inputCount));
 
         public PlayableHandle GetHandle() => handle;
         public bool Equals(Playable other) => handle == other.handle;
@@ -67,8 +68,8 @@ namespace UnityEngine.Playables
         {
             PlayableNode node = playable.GetHandle().Node;
             if (node != null && !(node.Behaviour is T))
-                throw new InvalidCastException($"Incompatible handle: Trying to assign a playable data of type `{node.Behaviour?.GetType()}` " +
-                    $"that is not compatible with the PlayableBehaviour of type `{typeof(T)}`.");
+                throw new InvalidCastException($"Incompatible handle: Trying to assign a playable data of type " +
+                    $"`{node.Behaviour?.GetType()}` that is not compatible with the PlayableBehaviour of type `{typeof(T)}`.");
             return new ScriptPlayable<T>(playable.GetHandle());
         }
     }
@@ -77,9 +78,11 @@ namespace UnityEngine.Playables
     {
         public static bool IsNull<U>(this U playable) where U : struct, IPlayable => playable.GetHandle().Node == null;
 
-        public static bool IsValid<U>(this U playable) where U : struct, IPlayable => playable.GetHandle().Node is PlayableNode node && !node.IsDestroyed;
+        public static bool IsValid<U>(this U playable) where U : struct, IPlayable
+            => playable.GetHandle().Node is PlayableNode node && !node.IsDestroyed;
 
-        public static PlayableGraph GetGraph<U>(this U playable) where U : struct, IPlayable => new PlayableGraph(PlayableHandle.Valid(playable).Graph);
+        public static PlayableGraph GetGraph<U>(this U playable) where U : struct, IPlayable
+            => new PlayableGraph(PlayableHandle.Valid(playable).Graph);
 
         public static PlayState GetPlayState<U>(this U playable) where U : struct, IPlayable
             => PlayableHandle.Valid(playable).IsPlaying ? PlayState.Playing : PlayState.Paused;
@@ -88,11 +91,14 @@ namespace UnityEngine.Playables
         public static void Pause<U>(this U playable) where U : struct, IPlayable => PlayableHandle.Valid(playable).IsPlaying = false;
 
         public static double GetTime<U>(this U playable) where U : struct, IPlayable => PlayableHandle.Valid(playable).Time;
-        public static void SetTime<U>(this U playable, double value) where U : struct, IPlayable => PlayableHandle.Valid(playable).SetTime(value);
+        public static void SetTime<U>(this U playable, double value) where U : struct, IPlayable
+            => PlayableHandle.Valid(playable).SetTime(value);
         public static double GetDuration<U>(this U playable) where U : struct, IPlayable => PlayableHandle.Valid(playable).Duration;
-        public static void SetDuration<U>(this U playable, double value) where U : struct, IPlayable => PlayableHandle.Valid(playable).Duration = value;
+        public static void SetDuration<U>(this U playable, double value) where U : struct, IPlayable
+            => PlayableHandle.Valid(playable).Duration = value;
         public static double GetSpeed<U>(this U playable) where U : struct, IPlayable => PlayableHandle.Valid(playable).Speed;
-        public static void SetSpeed<U>(this U playable, double value) where U : struct, IPlayable => PlayableHandle.Valid(playable).Speed = value;
+        public static void SetSpeed<U>(this U playable, double value) where U : struct, IPlayable
+            => PlayableHandle.Valid(playable).Speed = value;
 
         public static void SetPropagateSetTime<U>(this U playable, bool value) where U : struct, IPlayable
             => PlayableHandle.Valid(playable).PropagatesSetTime = value;
@@ -101,7 +107,8 @@ namespace UnityEngine.Playables
             => PlayableHandle.Valid(playable).IsPassthrough = mode == PlayableTraversalMode.Passthrough;
 
         public static int GetInputCount<U>(this U playable) where U : struct, IPlayable => PlayableHandle.Valid(playable).Inputs.Count;
-        public static void SetInputCount<U>(this U playable, int value) where U : struct, IPlayable => PlayableHandle.Valid(playable).SetInputCount(value);
+        public static void SetInputCount<U>(this U playable, int value) where U : struct, IPlayable
+            => PlayableHandle.Valid(playable).SetInputCount(value);
 
         public static Playable GetInput<U>(this U playable, int inputPort) where U : struct, IPlayable
             => new Playable(PlayableHandle.Valid(playable).Inputs[inputPort].playable);

@@ -72,7 +72,8 @@ namespace UnityEngine.Playables
         public static void SetUserData<U>(this U output, Object value) where U : struct, IPlayableOutput
             => output.GetHandle().Output.UserData = value;
 
-        public static void SetSourcePlayable<U, V>(this U output, V value, int port) where U : struct, IPlayableOutput where V : struct, IPlayable
+        public static void SetSourcePlayable<U, V>(this U output, V value, int port)
+            where U : struct, IPlayableOutput where V : struct, IPlayable
         {
             output.GetHandle().Output.Source = PlayableHandle.Valid(value);
             output.GetHandle().Output.Port = port;

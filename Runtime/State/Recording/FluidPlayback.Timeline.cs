@@ -8,7 +8,8 @@ namespace Rill
     {
         const double MaxFollowing = 0.1;    // s: steps up to which the surface goes on from that of the frame before
 
-        /// <summary>Whether a track of a Timeline says which time is shown. Time does not pass by itself meanwhile, also while it plays.</summary>
+        /// <summary>Whether a track of a Timeline says which time is shown. Time does not pass by itself meanwhile, also while it
+        /// plays.</summary>
         public bool IsDriven { get; private set; }
 
         /// <summary>Shows a time, and lets none pass by itself until <see cref="LetGo"/>. Short steps in a row count as playing, others as

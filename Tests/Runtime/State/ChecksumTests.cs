@@ -8,7 +8,8 @@ using Is = NUnit.Framework.Is;
 
 namespace Rill.Tests
 {
-    /// <summary>The checksum of files against its definition, bit by bit, however long the data are and however many threads sum it.</summary>
+    /// <summary>The checksum of files against its definition, bit by bit: for data of any length, summed by any number of
+    /// threads.</summary>
     public class ChecksumTests
     {
         const int Part = ChecksumThreads.PartBytes;
@@ -22,7 +23,8 @@ namespace Rill.Tests
         {
             Assert.That(Crc32C.Of(Encoding.ASCII.GetBytes("123456789")), Is.EqualTo(0xE3069283u));     // the check value of its definition
             Assert.That(Crc32C.Of(new byte[32]), Is.EqualTo(0x8A9136AAu));     // RFC 3720, B.4
-            Assert.That(Crc32C.Append(Crc32C.Of(Encoding.ASCII.GetBytes("1234")), Encoding.ASCII.GetBytes("56789")), Is.EqualTo(0xE3069283u));
+            Assert.That(Crc32C.Append(Crc32C.Of(Encoding.ASCII.GetBytes("1234")), Encoding.ASCII.GetBytes("56789")),
+                Is.EqualTo(0xE3069283u));
         }
 
         [Test]
@@ -30,7 +32,8 @@ namespace Rill.Tests
         {
             for (int begin = 0; begin < 17; begin++)
                 for (int length = 0; length < 70; length++)
-                    Assert.That(Crc32C.Of(Bytes.Slice(begin, length)), Is.EqualTo(BitByBit(Bytes.Slice(begin, length))), $"{length} bytes from {begin} on");
+                    Assert.That(Crc32C.Of(Bytes.Slice(begin, length)), Is.EqualTo(BitByBit(Bytes.Slice(begin, length))),
+                        $"{length} bytes from {begin} on");
             Assert.That(Crc32C.Of(Bytes), Is.EqualTo(BitByBit(Bytes)));
         }
 
@@ -39,7 +42,8 @@ namespace Rill.Tests
         {
             foreach (int first in new[] { 0, 1, 8, 999, 1000 })
             {
-                uint joined = Crc32C.Combine(Crc32C.Of(Bytes.Slice(0, first)), Crc32C.Of(Bytes.Slice(first, 1000 - first)), Crc32C.Shift(1000 - first));
+                uint joined = Crc32C.Combine(Crc32C.Of(Bytes.Slice(0, first)), Crc32C.Of(Bytes.Slice(first, 1000 - first)),
+                    Crc32C.Shift(1000 - first));
                 Assert.That(joined, Is.EqualTo(Crc32C.Of(Bytes.Slice(0, 1000))), $"{first} bytes and the rest");
             }
         }
@@ -63,7 +67,8 @@ namespace Rill.Tests
             {
                 const int Length = 3 * Part + 5;
                 uint right = BitByBit(Bytes.Slice(0, Length));
-                foreach (int at in new[] { 0, Part / 2, Part - 1, Part, Part + 1, 2 * Part - 1, 2 * Part + 3, 3 * Part - 1, 3 * Part, Length - 1 })
+                foreach (int at in new[] { 0, Part / 2, Part - 1, Part, Part + 1, 2 * Part - 1, 2 * Part + 3, 3 * Part - 1, 3 * Part,
+                    Length - 1 })
                 {
                     MemoryMarshal.AsBytes(changed.AsSpan())[at] ^= 0x10;
                     Assert.That(Of(threads, changed, Length), Is.Not.EqualTo(right), $"byte {at:N0}");
@@ -103,7 +108,8 @@ namespace Rill.Tests
         {
             using (var threads = new ChecksumThreads(0))
             {
-                Assert.That(() => threads.Begin(new uint[2], 9), Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("There are 8 bytes"));
+                Assert.That(() => threads.Begin(new uint[2], 9),
+                    Throws.TypeOf<ArgumentOutOfRangeException>().With.Message.Contains("There are 8 bytes"));
                 Assert.That(() => threads.Begin(new uint[2], -1), Throws.TypeOf<ArgumentOutOfRangeException>());
                 threads.Begin(new uint[2], 8);
                 Assert.That(() => threads.Begin(new uint[2], 8), Throws.InvalidOperationException.With.Message.Contains("call End first"));
