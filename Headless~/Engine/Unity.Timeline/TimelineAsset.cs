@@ -63,11 +63,14 @@ namespace UnityEngine.Timeline
         {
             double time = playable.GetTime();
             foreach (RuntimeClip one in Clips)
-                if (one.clip.start <= time && time < one.clip.end)
-                    Show(one, time);
-                else if (active.Remove(one))
+                if (!IsWithin(one.clip, time) && active.Remove(one))
                     Hide(one, time);
+            foreach (RuntimeClip one in Clips)
+                if (IsWithin(one.clip, time))
+                    Show(one, time);
         }
+
+        static bool IsWithin(TimelineClip clip, double time) => clip.start <= time && time < clip.end;
 
         void Show(RuntimeClip one, double time)
         {
@@ -79,7 +82,9 @@ namespace UnityEngine.Timeline
 
         static void Hide(RuntimeClip one, double time)
         {
-            one.playable.SetTime(Math.Max(one.clip.ToLocalTime(time), 0.0));
+            double local = one.clip.ToLocalTime(Math.Min(time, one.clip.end));
+            if (local >= 0.0)
+                one.playable.SetTime(local);
             one.playable.Pause();
             one.mixer.SetInputWeight(one.input, 0f);
         }
