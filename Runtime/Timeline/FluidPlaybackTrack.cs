@@ -10,7 +10,7 @@ namespace Rill
     /// <see cref="FluidPlaybackClip">clips</see> on it.
     /// </summary>
     /// <remarks>
-    /// At each time of the timeline the same frame is shown, however it was reached. Behind a clip its last frame stays, before the first
+    /// At each time of the timeline the same frame is shown, however it was reached. After a clip its last frame stays, before the first
     /// clip its first. Where clips overlap, the one that starts later is shown. Once the timeline stops, the playback goes on from what it
     /// shows: it plays where it played before.
     /// Without the package com.unity.timeline this type is not there.

@@ -95,7 +95,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Behind_a_clip_its_last_frame_stays_from_whichever_side_it_is_reached()
+        public void After_a_clip_its_last_frame_stays_from_whichever_side_it_is_reached()
         {
             Lay(2, 3);
             Lay(10, 2, begin: 9);

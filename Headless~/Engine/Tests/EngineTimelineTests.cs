@@ -52,7 +52,7 @@ namespace Host.Tests
             second.timeScale = 2.0;
             Assert.That(Mixed(0.5), Is.EqualTo("[0 at 0] [0 at 0]"));
             Assert.That(Mixed(1.0), Is.EqualTo("[1 at 0] [0 at 0]"));
-            Assert.That(Mixed(3.5), Is.EqualTo("[0 at 2] [0 at 0]"), "behind its end");
+            Assert.That(Mixed(3.5), Is.EqualTo("[0 at 2] [0 at 0]"), "after its end");
             Assert.That(Mixed(5.0), Is.EqualTo("[0 at 2] [1 at 2.25]"));
             Assert.That(Mixed(2.0), Is.EqualTo("[1 at 1] [0 at 2.25]"), "before its start a clip keeps its time");
             Assert.That(timeline.duration, Is.EqualTo(6.0).Within(1e-9).And.LessThan(6.0));
