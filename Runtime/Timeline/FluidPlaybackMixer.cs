@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine.Playables;
 using UnityEngine.Timeline;
 
@@ -11,14 +12,14 @@ namespace Rill
         FluidPlayback driven;
 
         /// <summary>All of the track, with assets of the type FluidPlaybackClip. They may be moved while the graph lives.</summary>
-        public TimelineClip[] Clips { get; set; } = Array.Empty<TimelineClip>();
+        public List<TimelineClip> Clips { get; set; }
 
         public override void ProcessFrame(Playable playable, FrameData info, object playerData)
         {
             var bound = playerData as FluidPlayback;
             if (!ReferenceEquals(bound, driven))
                 LetGo();
-            if (bound == null || Clips.Length == 0)
+            if (bound == null || Clips.Count == 0)
                 return;
             driven = bound;
             // The root's time is the timeline's own, whatever plays the track within it.

@@ -1,4 +1,4 @@
-using System.Linq;
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Playables;
 using UnityEngine.Timeline;
@@ -23,7 +23,10 @@ namespace Rill
         /// <summary>Makes the playable that sets the time of what is bound.</summary>
         public override Playable CreateTrackMixer(PlayableGraph graph, GameObject go, int inputCount)
         {
-            TimelineClip[] clips = GetClips().Where(clip => clip.asset is FluidPlaybackClip).ToArray();
+            var clips = new List<TimelineClip>();
+            foreach (TimelineClip clip in GetClips())
+                if (clip.asset is FluidPlaybackClip)
+                    clips.Add(clip);
             if (go.TryGetComponent(out PlayableDirector director) && director.GetGenericBinding(this) is FluidPlayback playback
                 && playback != null && playback.TryFindDuration(out double seconds))
                 foreach (TimelineClip clip in clips)
