@@ -63,18 +63,21 @@ namespace Host.UnityApi
             return Read(packed, supplement);
         }
 
-        /// <summary>Of the render pipelines' packages: which version of them an editor version ships is in the README beside the file.</summary>
-        public static UnityApiLists LoadPipelines()
+        /// <summary>Of packages that not every project has: the render pipelines, where the README beside the file says which version an
+        /// editor version ships, and Timeline.</summary>
+        public static UnityApiLists LoadOptional()
         {
             using var packed = new StreamReader(new GZipStream(Resource("render-pipelines.gz"), CompressionMode.Decompress));
-            return Read(packed);
+            using var timeline = new StreamReader(Resource("timeline.txt"));
+            return Read(packed, timeline);
         }
 
         static Stream Resource(string name) => typeof(UnityApiLists).Assembly.GetManifestResourceStream(name);
 
         /// <summary>What tools/pack-unity-api packs: the lists' names, then types, below each its members with the bits of the lists that
         /// hold them.</summary>
-        /// <param name="supplement">A list as it is before packing, "type | signature", that counts for every version; or null.</param>
+        /// <param name="supplement">A list as it is before packing, "type | signature", that counts for every version; or null. Lines that
+        /// begin with # say where it is from.</param>
         public static UnityApiLists Read(TextReader text, TextReader supplement = null)
         {
             string head = text.ReadLine() ?? "";
@@ -111,6 +114,8 @@ namespace Host.UnityApi
             }
             for (string line; (line = supplement?.ReadLine()) != null;)
             {
+                if (line.StartsWith('#'))
+                    continue;
                 int bar = line.IndexOf(" | ", StringComparison.Ordinal);
                 if (bar < 0)
                     throw new InvalidDataException($"A line of the supplement to the API lists is not \"type | signature\": \"{line}\"");

@@ -17,7 +17,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Playback")]
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
-    public sealed class FluidPlayback : MonoBehaviour, IUsesStages, IHasProblems
+    public sealed partial class FluidPlayback : MonoBehaviour, IUsesStages, IHasProblems, IRunsInEditMode
     {
         const float MaxSpeed = 100f;
         const double Tolerance = 1e-5;      // s: by which a time that is meant to be a frame's may fall short of it
@@ -158,7 +158,7 @@ namespace Rill
             if (!isActiveAndEnabled)
                 throw new InvalidOperationException($"FluidPlayback '{name}' is disabled: enable it before you open a recording.");
             Close();
-            var next = new RecordingReader(OpenFile(Path.Combine(Application.streamingAssetsPath, file)));
+            var next = new RecordingReader(OpenFile(PathOf(file)));
             if (next.FrameCount == 0)
             {
                 next.Dispose();
@@ -179,7 +179,7 @@ namespace Rill
                 simulation.Playback = null;
             frames.Dispose();
             (frames, reader, opened) = (null, null, null);
-            (ShownFrame, Lag, IsPlaying) = (-1, 0.0, false);
+            (ShownFrame, Lag, IsPlaying, IsDriven) = (-1, 0.0, false, false);
             shownSolver = checkedSolver = null;
             refused = null;
         }
@@ -198,6 +198,8 @@ namespace Rill
         /// <summary>Lets time stand still in the recording.</summary>
         public void Pause() => IsPlaying = false;
 
+        bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => TryGetComponent(out FluidSimulation own) && own == fluid;
+
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped);
@@ -212,7 +214,7 @@ namespace Rill
         {
             frame = null;
             bool isShown = ShownFrame >= 0 && solver == shownSolver && solver.Generation == shownGeneration;
-            bool hasWrapped = IsPlaying && Pass(seconds);
+            bool hasWrapped = IsPlaying && !IsDriven && Pass(seconds);
             follows = isShown && !hasJumped && !hasWrapped;
             if (!Fits(solver))
                 return false;
@@ -246,9 +248,7 @@ namespace Rill
             {
                 Open(recording);
             }
-            catch (Exception refusal) when (refusal is IOException || refusal is InvalidDataException
-                || refusal is UnauthorizedAccessException || refusal is InvalidOperationException || refusal is ArgumentException
-                || refusal is NotSupportedException)
+            catch (Exception refusal) when (IsOfFile(refusal) || refusal is InvalidOperationException)
             {
                 Say($"does not play '{recording}': {refusal.Message}");
             }
@@ -268,6 +268,12 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidPlayback '{name}': {clamped}", this);
             shaders.Follow(StageSet.Recording);
         }
+
+        static string PathOf(string file) => Path.Combine(Application.streamingAssetsPath, file);
+
+        // What opening a file and reading its index throws.
+        static bool IsOfFile(Exception refusal) => refusal is IOException || refusal is InvalidDataException
+            || refusal is UnauthorizedAccessException || refusal is ArgumentException || refusal is NotSupportedException;
 
         // Whether it began again.
         bool Pass(float seconds)

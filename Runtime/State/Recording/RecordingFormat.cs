@@ -70,8 +70,9 @@ namespace Rill
             return new RecordingHeader(new FrameLayout((RecordingFields)fields, bits == FrameLayout.WideBits), (int)capacity, spacing, size);
         }
 
-        /// <param name="particles">Of <see cref="RecordedFrame.words"/>, as bytes.</param>
-        public static void WriteFrameHeader(RecordedFrame frame, ReadOnlySpan<byte> particles, Span<byte> to)
+        /// <param name="length">Of the particles, bytes.</param>
+        /// <param name="checksum">Of the particles.</param>
+        public static void WriteFrameHeader(RecordedFrame frame, int length, uint checksum, Span<byte> to)
         {
             Put(to, 0, FrameMark);
             Put(to, 4, (uint)frame.number);
@@ -79,8 +80,8 @@ namespace Rill
             Put(to, 12, frame.nextId);
             PutDouble(to, 16, frame.time);
             Put(to, 24, (uint)frame.step);
-            Put(to, 28, (uint)particles.Length);
-            Put(to, 32, Crc32C.Of(particles));
+            Put(to, 28, (uint)length);
+            Put(to, 32, checksum);
             Seal(to, FrameHeaderBytes);
         }
 

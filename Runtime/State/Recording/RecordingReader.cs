@@ -10,6 +10,7 @@ namespace Rill
     sealed class RecordingReader : IDisposable
     {
         readonly Stream stream;
+        readonly ChecksumThreads checksums = new ChecksumThreads();
         readonly byte[] headerBytes = new byte[RecordingFormat.FrameHeaderBytes];
         readonly IndexEntry[] entries;
         readonly long end;      // of the frames
@@ -78,11 +79,16 @@ namespace Rill
             frame.Reserve(length / sizeof(uint));
             Span<byte> bytes = MemoryMarshal.AsBytes(frame.words.AsSpan()).Slice(0, length);
             ReadAt(particlesAt, bytes);
-            if (Crc32C.Of(bytes) != checksum)
+            checksums.Begin(frame.words, length);
+            if (checksums.End() != checksum)
                 throw DamagedFrame(number);
         }
 
-        public void Dispose() => stream.Dispose();
+        public void Dispose()
+        {
+            checksums.Dispose();
+            stream.Dispose();
+        }
 
         static InvalidDataException DamagedFrame(int number) => new InvalidDataException($"Frame {number:N0} of the recording was " +
             $"changed since it was written: its checksum is another. Copy the file again, or record again.");

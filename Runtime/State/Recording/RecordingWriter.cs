@@ -7,7 +7,7 @@ using System.Threading;
 namespace Rill
 {
     /// <summary>Writes frames to a stream on a thread of its own, from a ring of buffers that does not grow. Nothing but <see cref="Join"/>
-    /// waits for the disk.</summary>
+    /// waits for the disk. While a frame is written, other threads make the checksum of the next.</summary>
     sealed class RecordingWriter
     {
         readonly object gate = new object();
@@ -125,23 +125,13 @@ namespace Rill
             RecordingFormat.WriteHeader(header, headerBytes);
             stream.Write(headerBytes, 0, RecordingFormat.HeaderBytes);
             long at = RecordingFormat.HeaderBytes;
-            while (TryTake(out RecordedFrame frame))
-            {
-                frame.number = index.Count;
-                Span<byte> particles = MemoryMarshal.AsBytes(frame.words.AsSpan())
-                    .Slice(0, (int)(sizeof(uint) * header.Layout.Words(frame.particles)));
-                RecordingFormat.WriteFrameHeader(frame, particles, headerBytes);
-                stream.Write(headerBytes, 0, RecordingFormat.FrameHeaderBytes);
-                stream.Write(particles);
-                index.Add(new IndexEntry { position = at, time = frame.time, particles = frame.particles, step = frame.step });
-                at += RecordingFormat.FrameHeaderBytes + particles.Length;
-                lock (gate)
+            using (var checksums = new ChecksumThreads())
+                for (RecordedFrame frame = Begin(checksums, true), next; frame != null; frame = next ?? Begin(checksums, true))
                 {
-                    written++;
-                    bytes = at;
-                    free.Push(frame);
+                    uint checksum = checksums.End();
+                    next = Begin(checksums, false);
+                    at = WriteFrame(frame, checksum, at);
                 }
-            }
             byte[] last = RecordingFormat.WriteIndex(index.ToArray(), at);
             stream.Write(last, 0, last.Length);
             stream.Flush();
@@ -149,15 +139,41 @@ namespace Rill
                 bytes = at + last.Length;
         }
 
-        bool TryTake(out RecordedFrame frame)
+        // Where it ends in the file.
+        long WriteFrame(RecordedFrame frame, uint checksum, long at)
         {
+            int length = LengthOf(frame);
+            frame.number = index.Count;
+            RecordingFormat.WriteFrameHeader(frame, length, checksum, headerBytes);
+            stream.Write(headerBytes, 0, RecordingFormat.FrameHeaderBytes);
+            stream.Write(MemoryMarshal.AsBytes(frame.words.AsSpan()).Slice(0, length));
+            index.Add(new IndexEntry { position = at, time = frame.time, particles = frame.particles, step = frame.step });
+            at += RecordingFormat.FrameHeaderBytes + length;
             lock (gate)
             {
-                while (queue.Count == 0 && !isFinished)
-                    Monitor.Wait(gate);
-                frame = queue.Count > 0 ? queue.Dequeue() : null;
-                return frame != null;
+                written++;
+                bytes = at;
+                free.Push(frame);
             }
+            return at;
+        }
+
+        int LengthOf(RecordedFrame frame) => (int)(sizeof(uint) * header.Layout.Words(frame.particles));
+
+        // The next frame, of which the checksum is being made. Null where there is none: yet, or any more if this waits.
+        RecordedFrame Begin(ChecksumThreads checksums, bool waits)
+        {
+            RecordedFrame frame;
+            lock (gate)
+            {
+                while (waits && queue.Count == 0 && !isFinished)
+                    Monitor.Wait(gate);
+                if (queue.Count == 0)
+                    return null;
+                frame = queue.Dequeue();
+            }
+            checksums.Begin(frame.words, LengthOf(frame));
+            return frame;
         }
     }
 }

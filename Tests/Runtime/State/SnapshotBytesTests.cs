@@ -31,14 +31,6 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void The_checksum_is_CRC_32C()
-        {
-            Assert.That(Crc32C.Of(Encoding.ASCII.GetBytes("123456789")), Is.EqualTo(0xE3069283u));     // the check value of its definition
-            Assert.That(Crc32C.Of(new byte[32]), Is.EqualTo(0x8A9136AAu));     // RFC 3720, B.4
-            Assert.That(Crc32C.Append(Crc32C.Of(Encoding.ASCII.GetBytes("1234")), Encoding.ASCII.GetBytes("56789")), Is.EqualTo(0xE3069283u));
-        }
-
-        [Test]
         public void Bytes_there_and_back_are_the_same()
         {
             FluidSnapshot back = FluidSnapshot.FromBytes(bytes);

@@ -9,6 +9,8 @@ namespace UnityEngine.Headless
     {
         /// <summary>Cameras draw here.</summary>
         public static Action Render;
+        /// <summary>Between Update and LateUpdate, as Unity's DirectorUpdateAnimationBegin.</summary>
+        public static Action PlayDirectors;
         /// <summary>Asynchronous read-backs arrive here.</summary>
         public static Action BeginFrame;
         /// <summary>Put back to their first state by <see cref="Reset"/>: for parts that hold statics of their own.</summary>
@@ -42,6 +44,8 @@ namespace UnityEngine.Headless
             updates.Run();
             Invocations.Run();
             CoroutineScheduler.Resume(CoroutinePoint.Update);
+            if (!EditMode.IsOn)
+                Guarded(PlayDirectors);
             lateUpdates.Run();
             Destruction.RunPending();
             Guarded(Application.SayBeforeRender);

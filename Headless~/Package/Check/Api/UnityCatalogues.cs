@@ -12,13 +12,13 @@ namespace Host.Check.Api
         static readonly string[] Garbled = { "UnityEditor.TerrainTools.TerrainPaintUtilityEditor | static void DrawBrushPreview(",
             "UnityEngine.TerrainTools.TerrainPaintUtility | static void SetupTerrainToolMaterialProperties(" };
 
-        static readonly Lazy<IReadOnlyList<ApiCatalogue>> all = new(() => Make(UnityApiLists.Load(), UnityApiLists.LoadPipelines()));
+        static readonly Lazy<IReadOnlyList<ApiCatalogue>> all = new(() => Make(UnityApiLists.Load(), UnityApiLists.LoadOptional()));
 
         public static IReadOnlyList<ApiCatalogue> All => all.Value;
 
-        /// <param name="pipelines">The render pipelines' packages, or null.</param>
-        public static IReadOnlyList<ApiCatalogue> Make(UnityApiLists lists, UnityApiLists pipelines = null) =>
-            lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalogue(lists, version, pipelines)).ToList();
+        /// <param name="optional">Of packages that not every project has, or null.</param>
+        public static IReadOnlyList<ApiCatalogue> Make(UnityApiLists lists, UnityApiLists optional = null) =>
+            lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalogue(lists, version, optional)).ToList();
 
         /// <summary>Lines that say nothing to the check, but for those known.</summary>
         public static IEnumerable<string> Unreadable(IEnumerable<ApiCatalogue> catalogues) =>

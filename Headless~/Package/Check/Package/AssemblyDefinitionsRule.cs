@@ -82,7 +82,8 @@ namespace Host.Check
             // The engine itself is no reference in Unity; both test runners are one assembly here.
             Same("references", definition.References.Where(r => r != "UnityEditor.TestRunner"),
                 project.Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include").Value))
-                    .Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEngine.TerrainModule" or "UnityEditor")));
+                    .Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEngine.TerrainModule"
+                        or "UnityEngine.DirectorModule" or "UnityEditor")));
             foreach ((string property, string wanted) in new[] { ("AssemblyName", definition.Name),
                 ("RootNamespace", definition.RootNamespace), ("AllowUnsafeBlocks", definition.AllowUnsafeCode ? "true" : "false") })
                 if (project.Descendants(property).FirstOrDefault()?.Value is var value && value != wanted)

@@ -22,6 +22,8 @@ namespace Host.Bench
     {
         const string Stage = "Rill.Recording";
         const int First = 20, Last = 60;
+        const int Buffers = 12;         // as a FluidRecorder has
+        const int SumsAlone = 40;
 
         public static Command Create()
         {
@@ -84,10 +86,11 @@ namespace Host.Bench
                 if (!double.IsNaN(packing))
                     Row(output, "packing, device, ms", packing);
                 Row(output, "copy out of the readback, main thread, ms", Median(times.copies));
-                Row(output, "checksum alone, ms", Median(times.checksums));
-                Row(output, "checksum and writing, thread of its own, ms", times.writing / frames);
+                Row(output, "checksum alone, one thread, ms", Median(times.checksums));
+                Row(output, "checksum alone, several threads, ms", Median(times.sharedChecksums));
+                Row(output, "frame after frame, checksum and writing, ms", times.writing / frames);
                 Row(output, "the same, MB/s", times.bytes * 1e-3 / times.writing);
-                Row(output, "reading and checksum, thread of its own, ms", Median(read));
+                Row(output, "reading and checksum, threads of their own, ms", Median(read));
             }
             finally
             {
@@ -108,42 +111,57 @@ namespace Host.Bench
         struct Times
         {
             public long bytes;
-            public List<double> copies, checksums;
+            public List<double> copies, checksums, sharedChecksums;
             public double writing;      // of all frames, ms
         }
 
-        // The same frame again and again: first all copies, as the main thread makes them, then all writing, as its thread does.
+        // The same frame again and again: the main thread copies it as soon as a buffer is free, and the writer's threads do the rest.
         static Times Write(string path, RecordingHeader header, GraphicsBuffer packed, int frames)
         {
-            var times = new Times { copies = new List<double>(), checksums = new List<double>() };
+            var times = new Times { copies = new List<double>(), checksums = new List<double>(), sharedChecksums = new List<double>() };
             AsyncGPUReadback.Request(packed, request =>
             {
                 NativeArray<uint> words = request.GetData<uint>();
-                var writer = new RecordingWriter(File.Create(path), header, 2);
+                SumAlone(words.ToArray(), sizeof(uint) * (int)header.Layout.Words((int)words[0]), times);
+                var writer = new RecordingWriter(File.Create(path), header, Buffers);
+                var all = Stopwatch.StartNew();
                 var watch = new Stopwatch();
                 for (int i = 0; i < frames; i++)
                 {
-                    RecordedFrame frame = writer.TryReserve();
+                    RecordedFrame frame;
+                    while ((frame = writer.TryReserve()) == null)
+                        System.Threading.Thread.Sleep(0);
                     watch.Restart();
                     frame.particles = (int)words[0];
                     NativeArray<uint>.Copy(words, FrameLayout.PackedHeader, frame.words, 0, (int)header.Layout.Words(frame.particles));
                     times.copies.Add(watch.Elapsed.TotalMilliseconds);
                     (frame.step, frame.time) = (i, i / 60.0);
-                    watch.Restart();
-                    Crc32C.Of(MemoryMarshal.AsBytes(frame.words.AsSpan(0, (int)header.Layout.Words(frame.particles))));
-                    times.checksums.Add(watch.Elapsed.TotalMilliseconds);
-                    watch.Restart();
                     writer.Write(frame);
-                    while (writer.FramesWritten <= i)
-                        System.Threading.Thread.Yield();
-                    times.writing += watch.Elapsed.TotalMilliseconds;
                 }
                 writer.Finish();
                 writer.Join(System.Threading.Timeout.Infinite);
+                times.writing = all.Elapsed.TotalMilliseconds;
                 times.bytes = writer.BytesWritten;
             });
             AsyncGPUReadback.WaitAllRequests();
             return times;
+        }
+
+        static void SumAlone(uint[] words, int bytes, Times times)
+        {
+            using var threads = new ChecksumThreads();
+            var watch = new Stopwatch();
+            for (int i = 0; i < SumsAlone; i++)
+            {
+                watch.Restart();
+                uint one = Crc32C.Of(MemoryMarshal.AsBytes(words.AsSpan()).Slice(0, bytes));
+                times.checksums.Add(watch.Elapsed.TotalMilliseconds);
+                watch.Restart();
+                threads.Begin(words, bytes);
+                if (threads.End() != one)
+                    throw new HostException("The checksum of several threads is another than that of one.");
+                times.sharedChecksums.Add(watch.Elapsed.TotalMilliseconds);
+            }
         }
 
         static List<double> Read(string path)

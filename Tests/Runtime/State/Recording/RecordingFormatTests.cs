@@ -180,6 +180,44 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Long_frames_are_whole_and_a_changed_bit_is_found_in_each_part_of_them()
+        {
+            var header = new RecordingHeader(Header.Layout, 50_000, Header.Spacing, Header.DomainSize);
+            const int Frames = 3, Words = 850_000 / 4;      // four parts, see ChecksumThreads
+            var stream = new MemoryStream();
+            var writer = new RecordingWriter(stream, header, Frames);
+            for (int i = 0; i < Frames; i++)
+            {
+                RecordedFrame frame = writer.TryReserve();
+                (frame.particles, frame.step, frame.time) = (header.Capacity, i, i);
+                for (int k = 0; k < Words; k++)
+                    frame.words[k] = (uint)(k * 2_654_435_761L + i);
+                writer.Write(frame);
+            }
+            writer.Finish();
+            Assert.That(writer.Join(20_000));
+            byte[] file = stream.ToArray();
+            int begin = RecordingFormat.HeaderBytes + 2 * RecordingFormat.FrameHeaderBytes + 4 * Words;       // of the particles of frame 1
+            using (RecordingReader reader = Open(file))
+            {
+                var frame = new RecordedFrame();
+                for (int i = 0; i < Frames; i++)
+                {
+                    reader.Read(i, frame);
+                    Assert.That((frame.words[1], frame.words[Words - 1]), Is.EqualTo(((uint)(2_654_435_761L + i),
+                        (uint)((Words - 1) * 2_654_435_761L + i))), $"frame {i}");
+                }
+                for (int at = 0; at < 4 * Words; at += 130_001)
+                {
+                    file[begin + at] ^= 4;
+                    Assert.That(() => reader.Read(1, frame), Throws.TypeOf<InvalidDataException>(), $"byte {at:N0}");
+                    file[begin + at] ^= 4;
+                }
+                reader.Read(1, frame);
+            }
+        }
+
+        [Test]
         public void Coordinates_are_wide_only_in_boxes_of_more_than_1024_spacings()
         {
             Assert.That(FrameLayout.For(RecordingFields.None, new float3(10f, 1024f, 10f)).Bits, Is.EqualTo(16));
