@@ -13,7 +13,7 @@ namespace Rill
     /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
     /// <see cref="FluidCollider"/>, or whose Rigidbody has one, is left to that. Without the physics module this component is not there.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Physics Colliders")]
+    [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon)]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidSimulation))]
     public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages, IRunsInEditMode

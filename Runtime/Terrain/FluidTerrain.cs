@@ -10,7 +10,7 @@ namespace Rill
     /// </summary>
     /// <remarks>Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this
     /// component is not there.</remarks>
-    [AddComponentMenu("Rill/Fluid Terrain")]
+    [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon)]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
     public sealed class FluidTerrain : MonoBehaviour, IHasProblems, IRunsInEditMode

@@ -57,6 +57,9 @@ namespace UnityEditor
         public static void DisplayProgressBar(string title, string info, float progress) { }
         public static bool DisplayCancelableProgressBar(string title, string info, float progress) => false;
         public static void ClearProgressBar() { }
+        /// <summary>No desktop is there to open a file: it is logged.</summary>
+        public static void OpenWithDefaultApp(string fileName) => Debug.Log($"EditorUtility.OpenWithDefaultApp: {fileName}");
+
         /// <summary>Nobody is there to answer: what the dialog says goes to the log, and the answer is cancel.</summary>
         public static bool DisplayDialog(string title, string message, string ok) => DisplayDialog(title, message, ok, "");
 

@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using NUnit.Framework;
+using Rill;
+using Rill.Editor;
+using UnityEditor;
+using UnityEngine;
+
+namespace Host.Tests
+{
+    /// <summary>That a component is found in the menu, has an icon, and opens its page of the manual.</summary>
+    public class ManualPagesTests
+    {
+        static IEnumerable<Type> Components()
+            => new[] { "Rill", "Rill.Physics", "Rill.Terrain" }.SelectMany(name => Assembly.Load(name).GetTypes())
+                .Where(type => typeof(MonoBehaviour).IsAssignableFrom(type) && type.IsPublic && !type.IsAbstract)
+                .Append(typeof(SignedDistanceField)).Append(typeof(FluidSnapshotAsset));
+
+        [TestCaseSource(nameof(Components))]
+        public void A_component_or_asset_has_an_icon_and_opens_its_page(Type type)
+        {
+            if (typeof(MonoBehaviour).IsAssignableFrom(type))
+                Assert.That(type.GetCustomAttribute<AddComponentMenu>().componentMenu, Does.StartWith("Rill/"));
+            Assert.That(type.GetCustomAttribute<IconAttribute>()?.path, Is.EqualTo(PackagePaths.Icon));
+            Assert.That(File.Exists(InPackage(PackagePaths.Icon)));
+            Assert.That(ManualPages.PageOf(type), Is.Not.Null);
+            string page = File.ReadAllText(InPackage(ManualPages.Folder + ManualPages.PageOf(type)));
+            Assert.That(page, Does.Contain(ObjectNames.NicifyVariableName(type.Name)).Or.Contain(type.Name));
+            Assert.That(Items, Has.Member($"CONTEXT/{type.Name}/Open Manual Page"));
+        }
+
+        [Test]
+        public void Nothing_else_has_the_item() => Assert.That(Items, Is.EquivalentTo(Components().Select(type => $"CONTEXT/{type.Name}/Open Manual Page")));
+
+        static IEnumerable<string> Items => typeof(ManualPages).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+            .SelectMany(method => method.GetCustomAttributes<MenuItem>()).Select(item => item.menuItem);
+
+        static string InPackage(string path) => Path.Combine(PackageFolder.Path, path.Substring(PackagePaths.Root.Length));
+    }
+}
