@@ -265,6 +265,7 @@ namespace Rill
             pbf?.Dispose();
             pbf = null;
             colliders.Clear();
+            neighbors = null;
             ReleaseBudget();
             ReleaseSources();
             commands?.Dispose();
@@ -336,6 +337,7 @@ namespace Rill
         void Simulate(int steps, float duration)
         {
             CollectColliders(steps * FixedStep);
+            CollectConnections();
             PrepareInput(duration);
             commands.Clear();
             if (!TryRecordSteps(steps))
@@ -346,8 +348,10 @@ namespace Rill
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
+            NoteSteps(steps);
             Execute();
             ReadSources(steps);
+            ReadConnections();
             AfterSteps?.Invoke(true);
         }
 
@@ -357,6 +361,7 @@ namespace Rill
             RecordSurface();        // before statistics, which sort again
             int queries = RecordQueries();      // before statistics too
             RecordBatches();
+            pbf.RecordGhostRemoval(commands);
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending
             && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
@@ -387,6 +392,7 @@ namespace Rill
                     input.frameFrom = i / (float)steps;
                     input.frameTo = (i + 1) / (float)steps;
                     input.sources = TakeSources();
+                    input.connections = i == 0 && IsConnected ? neighbors : null;
                     LimitToDevice();
                     if (!RecordPasses())
                         return false;
@@ -434,6 +440,8 @@ namespace Rill
             NeedsDensity = false;
             NeedsFoam = null;
             LeaveOutMissing(ref input);
+            if (IsConnected)
+                input.settings.sleepSpeed = 0f;     // what sleeps does not feel what comes
             wanted = DeviceFeature.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);

@@ -21,6 +21,8 @@ namespace Rill
         public float frameFrom, frameTo;
         /// <summary>Emitters, drains and force fields; null for none.</summary>
         public StepSources sources;
+        /// <summary>Neighbors to take particles and ghosts from before this step; null for none.</summary>
+        public StepConnections connections;
         /// <summary>Whether a pass before the step may have marked particles to remove.</summary>
         public bool removesKilled;
         /// <summary>Whether particles have phases also where no emitter gives any.</summary>

@@ -44,6 +44,7 @@ namespace Rill
                 case "MeshSdf": return DeviceFeature.Baking;
                 case "ParticleAccess":
                 case "ParticleEdits":
+                case "ParticleTransfer":
                 case "Recording": return DeviceFeature.ParticleAccess;
                 case "Queries": return DeviceFeature.Queries;
                 case "RestingRegions": return DeviceFeature.Sleep;
