@@ -117,8 +117,10 @@ namespace Rill
             }
             attachedFirst = first;
             attachedSecond = second;
-            first.Connect(this);
-            second.Connect(this);
+            if (!first.Connect(this))
+                Say(TooManyProblem(first));
+            else if (!second.Connect(this))
+                Say(TooManyProblem(second));
         }
 
         void Detach()
@@ -132,6 +134,10 @@ namespace Rill
         }
 
         int Count(FluidSimulation taker, TransferWord word) => taker != null ? taker.Transferred(this, word) : 0;
+
+        static string TooManyProblem(FluidSimulation fluid)
+            => $"FluidSimulation '{fluid.name}' has {ParticleTransfer.MaxTransfers} connections, the most it takes, and leaves this one out. " +
+            $"Disable another and enable this again.";
 
         static string FullProblem(FluidSimulation fluid, int waiting) => waiting == 0 ? null
             : $"{waiting:N0} particles wait to flow into '{fluid.name}', whose capacity of {fluid.Capacity:N0} is full. Raise its " +

@@ -9,6 +9,7 @@ namespace Rill
         const float SameAngle = 0.1f;       // degrees
         const float SameFraction = 1e-4f;
         const float MinOpening = 2f;        // d, across
+        const float CoverTolerance = 0.5f;      // d: of a face that a box covers, what it may leave
 
         PbfSolver one, other;
         int oneGeneration, otherGeneration;
@@ -24,7 +25,8 @@ namespace Rill
                 return;
             one = a.Solver;
             other = b.Solver;
-            PbfSolver.PartFrom(one, toA, other, toB);
+            if (!one.IsRestored && !other.IsRestored)       // what was saved was parted
+                PbfSolver.PartFrom(one, toA, other, toB);
             oneGeneration = one.Generation;
             otherGeneration = other.Generation;
         }
@@ -90,6 +92,10 @@ namespace Rill
                 return false;
             float3 opening = high - low;
             opening[axis] = MinOpening;
+            bool isCovered = true;
+            for (int a = 0; a < 3; a++)
+                isCovered &= a == axis || size[a] - opening[a] < CoverTolerance;
+            region.openFaces = isCovered ? 1u << 2 * axis + (region.plane[axis] < 0f ? 1 : 0) : 0u;
             return math.all(opening >= MinOpening - 1e-3f);
         }
 

@@ -1,4 +1,4 @@
-using System.Collections.Generic;
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -6,25 +6,37 @@ namespace Rill
     // Neighbors: fluids that this one takes particles from, once a frame, before its steps.
     public sealed partial class FluidSimulation
     {
-        readonly List<FluidConnection> connections = new List<FluidConnection>();       // a connection's index is its transfer's number
+        readonly FluidConnection[] connections = new FluidConnection[ParticleTransfer.MaxTransfers];    // by their transfers' numbers
         StepConnections neighbors;
-        int steppedInFrame = -1, stepsInFrame;
+        int connectionCount, steppedInFrame = -1, stepsInFrame;
 
         /// <summary>Adds an end of a connection.</summary>
-        internal void Connect(FluidConnection connection) => connections.Add(connection);
+        /// <returns>False where there are too many.</returns>
+        internal bool Connect(FluidConnection connection)
+        {
+            int number = Array.IndexOf(connections, null);
+            if (number < 0)
+                return false;
+            connections[number] = connection;
+            connectionCount++;
+            return true;
+        }
 
         /// <summary>Takes it away.</summary>
         internal void Disconnect(FluidConnection connection)
         {
-            int number = connections.IndexOf(connection);
-            if (number >= 0)
-                connections.RemoveAt(number);
+            int number = Array.IndexOf(connections, connection);
+            if (number < 0)
+                return;
+            connections[number] = null;
+            connectionCount--;
+            pbf?.ForgetTransfer(number);
         }
 
         /// <summary>A number of what came over a connection, as far as it has come back.</summary>
         internal int Transferred(FluidConnection connection, TransferWord word)
         {
-            int number = connections.IndexOf(connection);
+            int number = Array.IndexOf(connections, connection);
             return pbf != null && number >= 0 ? pbf.Transferred(number, word) : 0;
         }
 
@@ -34,17 +46,17 @@ namespace Rill
         /// <summary>Finds the neighbors of the coming steps, where there are any that run.</summary>
         void CollectConnections()
         {
-            if (connections.Count == 0)
+            if (connectionCount == 0)
             {
                 neighbors = null;
                 return;
             }
             neighbors ??= new StepConnections();
-            neighbors.count = 0;
-            for (int number = 0; number < connections.Count && number < ParticleTransfer.MaxTransfers; number++)
+            neighbors.Clear();
+            for (int number = 0; number < connections.Length; number++)
             {
                 FluidConnection connection = connections[number];
-                FluidSimulation other = connection.Other(this);
+                FluidSimulation other = connection != null ? connection.Other(this) : null;
                 if (other == null || other.pbf == null || other.playback != null || !HasStages(StageSet.Transfer))
                     continue;
                 if (connection.Problem is string problem)
@@ -73,7 +85,8 @@ namespace Rill
             if (!IsConnected)
                 return;
             foreach (FluidConnection connection in connections)
-                connection.ReportWaiting();
+                if (connection != null)
+                    connection.ReportWaiting();
             pbf.RequestTransferred();
         }
     }

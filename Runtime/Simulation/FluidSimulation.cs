@@ -352,6 +352,7 @@ namespace Rill
             Execute();
             ReadSources(steps);
             ReadConnections();
+            ReadKept();
             AfterSteps?.Invoke(true);
         }
 
@@ -441,7 +442,10 @@ namespace Rill
             NeedsFoam = null;
             LeaveOutMissing(ref input);
             if (IsConnected)
+            {
                 input.settings.sleepSpeed = 0f;     // what sleeps does not feel what comes
+                input.openFaces = neighbors.openFaces;
+            }
             wanted = DeviceFeature.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);
@@ -463,6 +467,7 @@ namespace Rill
             Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
             ValidateCulling(ref problem);
+            ValidateKept(ref problem);
             clamped = problem;
             if (problem != null)
                 Debug.LogWarning($"Rill: FluidSimulation '{name}': {problem}", this);

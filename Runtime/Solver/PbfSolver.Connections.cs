@@ -19,6 +19,12 @@ namespace Rill
         /// <summary>Starts the readback of what was taken from neighbors.</summary>
         public void RequestTransferred() => transfer?.Request();
 
+        /// <summary>The number goes to another: nothing was transferred under it.</summary>
+        public void ForgetTransfer(int number) => transfer?.Forget(number);
+
+        /// <summary>Whether the state is a snapshot's, and no step was taken from it.</summary>
+        public bool IsRestored => isRestored;
+
         /// <summary>As two fluids are connected, at once: each gets what lies on its side, and of what both were filled with one is
         /// removed. Before a step of either.</summary>
         public static void PartFrom(PbfSolver one, in TransferRegion toOne, PbfSolver other, in TransferRegion toOther)

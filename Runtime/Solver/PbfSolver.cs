@@ -130,6 +130,7 @@ namespace Rill
             ClearSources();
             transfer?.Clear();
             hasGhosts = false;
+            ReleaseKept();
             refusals?.Clear();
             markedAfter = 0;
             restingRegions?.Wake();
@@ -272,7 +273,7 @@ namespace Rill
                 state,
                 ParticleAccess.Describe(access, step, noTags),
                 Drains.Describe(drains, step, TagsWithLifetimes),
-                ParticleTransfer.Describe(transfer, input.connections?.count ?? 0, tags != null),
+                ParticleTransfer.Describe(transfer, input.connections?.count ?? 0, tags != null, kept),
                 RestingRegions.Describe(restingRegions, input),
                 ForceFields.Describe(forceFields, input),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
@@ -310,6 +311,7 @@ namespace Rill
             ReleaseFoam();
             ReleaseSources();
             ReleaseConnections();
+            ReleaseKept();
             ReleaseStatistics();
             ReleaseQueries();
             ReleaseSurface();

@@ -9,6 +9,7 @@ static const uint kTransferMove = 0;
 static const uint kTransferCopies = 1;    // what goes stays too: ghosts
 static const uint kTransferOutside = 2;    // what is outside of the region goes
 static const uint kTransferKeepsIds = 4;    // ids stay what they are
+static const uint kTransferAll = 8;    // all that is left goes, wherever it is
 
 // Words of a transfer in _TransferStates.
 static const uint kTransferHanded = 0;    // particles moved, since the reset

@@ -18,6 +18,8 @@ namespace Rill
         Outside = 2,
         /// <summary>ids stay what they are</summary>
         KeepsIds = 4,
+        /// <summary>all that is left goes, wherever it is</summary>
+        All = 8,
     }
 
     /// <summary>Words of a transfer in _TransferStates.</summary>
@@ -77,6 +79,8 @@ namespace Rill
         public float lead;
         /// <summary>Steps of the fluid that takes less those of the one that gives.</summary>
         public uint stepsAhead;
+        /// <summary>End of the box of the fluid that takes which that of the other covers, see StepInput.openFaces; 0 for none.</summary>
+        public uint openFaces;
         /// <summary>Number of the words of this transfer, below <see cref="ParticleTransfer.MaxTransfers"/>.</summary>
         public int number;
     }
@@ -86,6 +90,8 @@ namespace Rill
     {
         /// <summary>Most that one fluid takes from: the number is in the ids of ghosts.</summary>
         public const int MaxTransfers = 16;
+
+        const int OwnTransfers = 3;     // of the fluid itself, behind those: see PbfSolver.Kept.cs
 
         /// <summary>words of a transfer in _TransferStates</summary>
         [SharedWithHlsl("ParticleTransfer", Prefix = "Transfer")] public const int Words = 4;
@@ -98,7 +104,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleTransfer");
         readonly int mark, markApart, writeMotion, commit, removeGhosts;
         readonly KernelVariants writeIds;       // with tags
-        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Transfer.States", MaxTransfers * Words));
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Transfer.States", (MaxTransfers + OwnTransfers) * Words));
         GraphicsBuffer goes, goneBefore;
         PrefixSum sum;
 
@@ -118,6 +124,13 @@ namespace Rill
         {
             BufferClear.Now(readback.Buffer);
             readback.Invalidate();
+        }
+
+        /// <summary>Nothing was transferred under a number.</summary>
+        public void Forget(int number)
+        {
+            readback.Buffer.SetData(new uint[Words], 0, number * Words, Words);
+            readback.Zero(number * Words, Words);
         }
 
         /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are pending.</summary>
@@ -178,12 +191,19 @@ namespace Rill
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="connections">Neighbors that the fluid takes from.</param>
         /// <param name="tagged">Whether particles have tags.</param>
-        public static StageDescription Describe(ParticleTransfer stage, int connections, bool tagged)
+        /// <param name="kept">Particles outside the box; null for none.</param>
+        public static StageDescription Describe(ParticleTransfer stage, int connections, bool tagged, KeptParticles kept)
         {
-            bool needed = connections > 0;
-            var description = new StageDescription("Connections", needed, needed
-                ? $"{connections} fluids hand particles over, once a frame" : "no connection");
+            bool needed = connections > 0 || kept != null;
+            var description = new StageDescription("Transfer", needed, !needed ? "no connection, and nothing is kept outside the box"
+                : $"{connections} fluids hand particles over, once a frame{(kept != null ? ", and some are kept outside the box" : "")}");
             if (!needed || stage == null)
+                return description;
+            kept?.Describe(description);
+            description.Buffer("Rill.Transfer.States", stage.readback.Buffer);
+            description.Buffer("Rill.Transfer.Goes", stage.goes);
+            description.Buffer("Rill.Transfer.GoneBefore", stage.goneBefore);
+            if (connections == 0)
                 return description;
             description.Kernel("ParticleTransfer", "MarkGoing", 2 * connections);
             description.Kernel("ParticleTransfer", "WriteMotion", 2 * connections);
@@ -191,9 +211,6 @@ namespace Rill
             description.Kernel("ParticleTransfer", "Commit", 2 * connections);
             description.Kernel("ParticleTransfer", "RemoveGhosts", 1);
             stage.sum?.DescribeKernels(description, 2 * connections);
-            description.Buffer("Rill.Transfer.States", stage.readback.Buffer);
-            description.Buffer("Rill.Transfer.Goes", stage.goes);
-            description.Buffer("Rill.Transfer.GoneBefore", stage.goneBefore);
             return description;
         }
 

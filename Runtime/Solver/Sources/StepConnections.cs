@@ -16,6 +16,19 @@ namespace Rill
         public readonly StepConnection[] items = new StepConnection[ParticleTransfer.MaxTransfers];
         public int count;
 
-        public void Add(in StepConnection connection) => items[count++] = connection;
+        /// <summary>Ends of the box that neighbors cover, see StepInput.openFaces.</summary>
+        public uint openFaces;
+
+        public void Clear()
+        {
+            count = 0;
+            openFaces = 0;
+        }
+
+        public void Add(in StepConnection connection)
+        {
+            items[count++] = connection;
+            openFaces |= connection.region.openFaces;
+        }
     }
 }
