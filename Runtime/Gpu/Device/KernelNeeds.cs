@@ -88,6 +88,7 @@ namespace Rill
                 case "FIND":
                 case "FIRST":
                 case "FLOW":
+                case "HIDE_GHOSTS":
                 case "LAST":
                 case "MESH":
                 case "MOVE":
@@ -102,6 +103,7 @@ namespace Rill
                 case "RESIDUAL":
                 case "RILL_BUILD_LIST":
                 case "RILL_RAW":
+                case "ROOM":
                 case "ROWS":
                 case "SHAPE":
                 case "SHIFT":
