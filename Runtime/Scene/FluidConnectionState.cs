@@ -20,6 +20,11 @@ namespace Rill
         /// <summary>Before a step of either: parts what both were filled with, where they have not met or one began again.</summary>
         public void Meet(FluidSimulation a, FluidSimulation b, in TransferRegion toA, in TransferRegion toB)
         {
+            if (one == b.Solver)
+            {
+                Meet(b, a, toB, toA);
+                return;
+            }
             bool hasMet = one == a.Solver && other == b.Solver && oneGeneration == one.Generation && otherGeneration == other.Generation;
             if (hasMet)
                 return;

@@ -99,6 +99,7 @@ namespace Rill
                 neighbor.tags ??= new ParticleTags(neighbor.Layout.Capacity);
             }
             hasLifetimes |= neighbor.hasLifetimes;
+            Transfer.Reserve(neighbor.Layout.Capacity);
             maxParticles = Layout.Capacity;
             if (!math.all(neighbor.minAdded <= neighbor.maxAdded))
                 return;

@@ -36,6 +36,7 @@ namespace Rill
                 kept.NeedTags();
             else if (kept.HasTags)
                 tags = new ParticleTags(Layout.Capacity);
+            Transfer.Reserve(math.max(Layout.Capacity, kept.Capacity));
             ParticleSet fluid = particles.AsSet(tags);
             using (var cmd = new CommandBuffer { name = "Rill.Keep" })
             {

@@ -71,6 +71,7 @@ namespace Rill
                 positions = GpuBuffer.Structured<float4>("Rill.Kept.Positions", capacity);
                 velocities = GpuBuffer.Structured<float4>("Rill.Kept.Velocities", capacity);
                 ids = GpuBuffer.Structured<uint>("Rill.Kept.Ids", capacity);
+                BufferClear.Now(positions, velocities, ids);
                 counters = GpuBuffer.Structured<uint>("Rill.Kept.Counters", ParticleBuffers.CounterCount);
                 arguments = GpuBuffer.Arguments("Rill.Kept.Arguments");
                 Clear();

@@ -216,7 +216,6 @@ namespace Rill
 
         void RecordParameters(CommandBuffer cmd, in ParticleSet from, in ParticleSet to, in TransferRegion region, TransferRule rule)
         {
-            Reserve(from.Capacity);
             cmd.SetComputeVectorParam(shader, Ids.FrameOffset, new float4(region.offset, region.lead));
             cmd.SetComputeVectorParam(shader, Ids.FrameRotation, region.rotation.value);
             cmd.SetComputeVectorParam(shader, Ids.RegionSize, new float4(region.size, 0f));
@@ -267,8 +266,9 @@ namespace Rill
         void Dispatch(CommandBuffer cmd, int kernel, in ParticleSet set)
             => cmd.DispatchCompute(shader, kernel, set.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
+        /// <summary>Makes room to take from a set of so many, before anything is recorded: what is recorded keeps its buffers.</summary>
         // The sum leaves the marks 0 that it has read.
-        void Reserve(int capacity)
+        public void Reserve(int capacity)
         {
             if (goes != null && goes.count > capacity)
                 return;
