@@ -8,7 +8,7 @@ namespace Rill
     {
         readonly FluidConnection[] connections = new FluidConnection[ParticleTransfer.MaxTransfers];    // by their transfers' numbers
         StepConnections neighbors;
-        int connectionCount, steppedInFrame = -1, stepsInFrame;
+        int connectionCount, steppedInFrame = -1;
 
         /// <summary>Adds an end of a connection.</summary>
         /// <returns>False where there are too many.</returns>
@@ -41,7 +41,7 @@ namespace Rill
         }
 
         /// <summary>Whether it feels a neighbor.</summary>
-        bool IsConnected => neighbors != null && neighbors.count > 0;
+        bool IsConnected => neighbors != null && neighbors.isOpen;
 
         /// <summary>Finds the neighbors of the coming steps, where there are any that run.</summary>
         void CollectConnections()
@@ -66,17 +66,33 @@ namespace Rill
                 }
                 TransferRegion toThis = FluidConnectionState.RegionOf(other, this), toOther = FluidConnectionState.RegionOf(this, other);
                 connection.State.Meet(this, other, toThis, toOther);
+                neighbors.isOpen = true;
+                neighbors.openFaces |= toThis.openFaces;
+                if (!connection.State.IsFirst(Time.frameCount))
+                    continue;       // the other has taken for both
                 toThis.number = number;
-                toThis.lead = other.steppedInFrame == Time.frameCount ? other.stepsInFrame * FixedStep : 0f;
                 toThis.stepsAhead = pbf.StepIndex - other.pbf.StepIndex;
-                neighbors.Add(new StepConnection { neighbor = other.pbf, region = toThis });
+                toOther.number = Array.IndexOf(other.connections, connection);
+                toOther.stepsAhead = other.pbf.StepIndex - pbf.StepIndex;
+                // One that took no step with this one last time is paused, or slower: it takes when it steps.
+                bool isMutual = other.steppedInFrame == steppedInFrame && !other.paused && !other.isRecordingPasses;
+                neighbors.Add(new StepConnection
+                {
+                    neighbor = other.pbf, region = toThis, back = toOther, isMutual = isMutual, frame = Time.frameCount,
+                });
             }
         }
 
-        void NoteSteps(int steps)
+        void NoteSteps() => steppedInFrame = Time.frameCount;
+
+        // A frame without steps, though a neighbor has given ghosts for some.
+        void DropGhosts()
         {
-            steppedInFrame = Time.frameCount;
-            stepsInFrame = steps;
+            if (pbf == null || !pbf.HasGhosts)
+                return;
+            commands.Clear();
+            pbf.RecordGhostRemoval(commands);
+            Graphics.ExecuteCommandBuffer(commands);
         }
 
         // After the steps of a frame were executed: asks for what came over the connections, and tells what the last numbers say.

@@ -323,13 +323,18 @@ namespace Rill
             if (rate < 1f || !moves && !poseIsLost)
                 ClearMotions();
             if (rate <= 0f)
+            {
+                DropGhosts();
                 return;
+            }
             frameTime *= rate;
 
             BeginBudgetFrame(frameTime);
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
                 Simulate(steps, (float)clock.FrameInterval);
+            else
+                DropGhosts();
             budgeted?.EndFrame(steps);
         }
 
@@ -348,7 +353,7 @@ namespace Rill
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
-            NoteSteps(steps);
+            NoteSteps();
             Execute();
             ReadSources(steps);
             ReadConnections();

@@ -10,6 +10,7 @@ namespace Rill
     {
         ParticleTransfer transfer;
         bool hasGhosts;         // since the last removal
+        int ghostFrame;         // in which they came
 
         ParticleTransfer Transfer => transfer ??= new ParticleTransfer();
 
@@ -33,6 +34,9 @@ namespace Rill
             other.TakeApart(one, toOther);
         }
 
+        /// <summary>Whether there are ghosts that no step has removed.</summary>
+        public bool HasGhosts => hasGhosts;
+
         /// <summary>Records the removal of the ghosts, after what looks at the lists of the last step.</summary>
         public void RecordGhostRemoval(CommandBuffer cmd)
         {
@@ -43,12 +47,25 @@ namespace Rill
             markedAfter = stepIndex + 1;
         }
 
+        // Ghosts of an earlier frame, in which no step followed; those of this one stay, whichever neighbor they are of.
+        void RecordStaleRemoval(CommandBuffer cmd, int frame)
+        {
+            if (ghostFrame != frame)
+                RecordGhostRemoval(cmd);
+            ghostFrame = frame;
+        }
+
         void PrepareConnections(StepConnections connections)
         {
             if (connections == null)
                 return;
             for (int c = 0; c < connections.count; c++)
-                Meet(connections.items[c].neighbor, connections.items[c].region);
+            {
+                ref StepConnection connection = ref connections.items[c];
+                Meet(connection.neighbor, connection.region);
+                if (connection.isMutual)
+                    connection.neighbor.Meet(this, connection.back);
+            }
         }
 
         void RecordConnections(in StepContext step)
@@ -56,23 +73,45 @@ namespace Rill
             StepConnections connections = step.Input.connections;
             if (connections == null)
                 return;
+            CommandBuffer cmd = step.Commands;
+            RecordGhostsBefore(cmd, connections);
             for (int c = 0; c < connections.count; c++)
             {
                 ref StepConnection connection = ref connections.items[c];
-                ParticleSet from = connection.neighbor.particles.AsSet(connection.neighbor.tags);
-                Transfer.Record(step.Commands, from, particles.AsSet(tags), connection.region, TransferRule.Move);
-                connection.neighbor.NoteGone();
+                RecordTake(cmd, connection.neighbor, connection.region, TransferRule.Move);
+                if (connection.isMutual)
+                    connection.neighbor.RecordTake(cmd, this, connection.back, TransferRule.Move);
             }
             // After all of what is this fluid's: a ghost of one neighbor may be another's particle.
             for (int c = 0; c < connections.count; c++)
             {
                 ref StepConnection connection = ref connections.items[c];
-                TransferRegion whole = connection.region;
-                whole.plane = 0f;
-                ParticleSet from = connection.neighbor.particles.AsSet(connection.neighbor.tags);
-                Transfer.Record(step.Commands, from, particles.AsSet(tags), whole, TransferRule.Copies);
+                RecordTake(cmd, connection.neighbor, connection.region, TransferRule.Copies);
+                if (connection.isMutual)
+                    connection.neighbor.RecordTake(cmd, this, connection.back, TransferRule.Copies);
             }
-            hasGhosts = connections.count > 0;
+        }
+
+        // Of a neighbor that took no step since.
+        void RecordGhostsBefore(CommandBuffer cmd, StepConnections connections)
+        {
+            if (connections.count > 0)
+                RecordStaleRemoval(cmd, connections.items[0].frame);
+            for (int c = 0; c < connections.count; c++)
+                if (connections.items[c].isMutual)
+                    connections.items[c].neighbor.RecordStaleRemoval(cmd, connections.items[c].frame);
+        }
+
+        void RecordTake(CommandBuffer cmd, PbfSolver neighbor, TransferRegion region, TransferRule rule)
+        {
+            bool copies = rule == TransferRule.Copies;
+            if (copies)
+                region.plane = 0f;
+            Transfer.Record(cmd, neighbor.particles.AsSet(neighbor.tags), particles.AsSet(tags), region, rule);
+            if (copies)
+                hasGhosts = true;
+            else
+                neighbor.NoteGone();
         }
 
         void TakeApart(PbfSolver from, in TransferRegion region)

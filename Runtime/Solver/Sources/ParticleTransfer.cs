@@ -75,8 +75,6 @@ namespace Rill
         public float3 size;
         /// <summary>Normal, and in w the distance along it beyond which particles go, d; 0 for all of the box.</summary>
         public float4 plane;
-        /// <summary>How much older than the state that gives the one that takes is, s.</summary>
-        public float lead;
         /// <summary>Steps of the fluid that takes less those of the one that gives.</summary>
         public uint stepsAhead;
         /// <summary>End of the box of the fluid that takes which that of the other covers, see StepInput.openFaces; 0 for none.</summary>
@@ -216,7 +214,7 @@ namespace Rill
 
         void RecordParameters(CommandBuffer cmd, in ParticleSet from, in ParticleSet to, in TransferRegion region, TransferRule rule)
         {
-            cmd.SetComputeVectorParam(shader, Ids.FrameOffset, new float4(region.offset, region.lead));
+            cmd.SetComputeVectorParam(shader, Ids.FrameOffset, new float4(region.offset, 0f));
             cmd.SetComputeVectorParam(shader, Ids.FrameRotation, region.rotation.value);
             cmd.SetComputeVectorParam(shader, Ids.RegionSize, new float4(region.size, 0f));
             cmd.SetComputeVectorParam(shader, Ids.RegionPlane, region.plane);
