@@ -29,6 +29,7 @@ namespace Rill
         readonly FluidConnectionState state = new FluidConnectionState();
         FluidSimulation attachedFirst, attachedSecond;
         string said;
+        bool saidWaiting;
 
         /// <summary>One of the fluids.</summary>
         public FluidSimulation First { get => first; set { first = value; Attach(); } }
@@ -83,7 +84,15 @@ namespace Rill
         internal FluidSimulation Other(FluidSimulation fluid) => fluid == attachedFirst ? attachedSecond : attachedFirst;
 
         /// <summary>After numbers have come back.</summary>
-        internal void ReportWaiting() => Say(FullProblem(attachedFirst, WaitingForFirst) ?? FullProblem(attachedSecond, WaitingForSecond));
+        internal void ReportWaiting()
+        {
+            Say(null);
+            bool waits = WaitingForFirst > 0 || WaitingForSecond > 0;
+            if (waits && !saidWaiting)
+                Debug.LogWarning($"Rill: FluidConnection '{name}': " +
+                    $"{FullProblem(attachedFirst, WaitingForFirst) ?? FullProblem(attachedSecond, WaitingForSecond)}", this);
+            saidWaiting |= waits;
+        }
 
         void OnEnable()
         {

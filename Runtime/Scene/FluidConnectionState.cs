@@ -12,22 +12,17 @@ namespace Rill
         const float CoverTolerance = 0.5f;      // d: of a face that a box covers, what it may leave
 
         PbfSolver one, other;
-        int oneGeneration, otherGeneration, takenInFrame = -1;
+        int oneGeneration, otherGeneration;
 
         /// <summary>The fluids have not met.</summary>
         public void Close()
         {
             one = other = null;
-            takenInFrame = -1;
+            TakenInFrame = -1;
         }
 
-        /// <summary>Whether none of the two has taken in this frame yet; from then on one has.</summary>
-        public bool IsFirst(int frame)
-        {
-            bool isFirst = takenInFrame != frame;
-            takenInFrame = frame;
-            return isFirst;
-        }
+        /// <summary>Number of the frame in which one last took for both.</summary>
+        public int TakenInFrame { get; set; } = -1;
 
         /// <summary>Before a step of either: parts what both were filled with, where they have not met or one began again.</summary>
         public void Meet(FluidSimulation a, FluidSimulation b, in TransferRegion toA, in TransferRegion toB)

@@ -68,14 +68,16 @@ namespace Rill
                 connection.State.Meet(this, other, toThis, toOther);
                 neighbors.isOpen = true;
                 neighbors.openFaces |= toThis.openFaces;
-                if (!connection.State.IsFirst(Time.frameCount))
+                if (connection.State.TakenInFrame == Time.frameCount)
                     continue;       // the other has taken for both
                 toThis.number = number;
                 toThis.stepsAhead = pbf.StepIndex - other.pbf.StepIndex;
                 toOther.number = Array.IndexOf(other.connections, connection);
                 toOther.stepsAhead = other.pbf.StepIndex - pbf.StepIndex;
                 // One that took no step with this one last time is paused, or slower: it takes when it steps.
-                bool isMutual = other.steppedInFrame == steppedInFrame && !other.paused && !other.isRecordingPasses;
+                bool isMutual = other.steppedInFrame == steppedInFrame && !other.paused;
+                if (isMutual)
+                    connection.State.TakenInFrame = Time.frameCount;
                 neighbors.Add(new StepConnection
                 {
                     neighbor = other.pbf, region = toThis, back = toOther, isMutual = isMutual, frame = Time.frameCount,
