@@ -108,7 +108,7 @@ namespace Rill
             new KernelNeed("SurfaceParticles", "Shape", "SHAPE RILL_SLEEP", 128, 0, 10, 3, 0),
             new KernelNeed("SurfaceParticles", "Shape", "SHAPE RILL_TWO_LISTS", 128, 0, 9, 3, 0),
             new KernelNeed("SurfaceParticles", "Shape", "SHAPE RILL_TWO_LISTS RILL_SLEEP", 128, 0, 11, 3, 0),
-            new KernelNeed("SurfaceParticles", "HideGhosts", "HIDE_GHOSTS", 128, 0, 3, 1, 0),
+            new KernelNeed("SurfaceParticles", "HideGhosts", "HIDE_GHOSTS", 128, 0, 3, 2, 0),
             new KernelNeed("DensityConstraint", "BuildList", "RILL_BUILD_LIST", 128, 0, 6, 4, 0),
             new KernelNeed("DensityConstraint", "BuildList", "RILL_BUILD_LIST RILL_SLEEP", 128, 0, 8, 4, 0),
             new KernelNeed("DensityConstraint", "BuildList", "RILL_BUILD_LIST RILL_TWO_LISTS", 128, 0, 7, 5, 0),

@@ -124,14 +124,14 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator A_drain_where_the_boxes_overlap_takes_no_ghosts()
         {
-            (FluidSimulation left, FluidSimulation right) = Pair(Vector3.zero, new Vector3(2f, 0.6f, 0.5f));
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.6f, 0.5f), Vector3.zero);
             Connect(left, right);
             var hole = new GameObject("Hole");
             made.Add(hole);
             hole.SetActive(false);
-            hole.transform.position = new Vector3(0.2f, -0.4f, 0f);
+            hole.transform.position = new Vector3(-0.2f, -0.4f, 0f);      // where the water of the other is
             var drain = hole.AddComponent<FluidDrain>();
-            drain.Simulation = left;
+            drain.Simulation = right;
             drain.Size = new Vector3(0.3f, 0.4f, 0.5f);
             hole.SetActive(true);
             yield return Frames(1);
@@ -140,6 +140,7 @@ namespace Rill.Tests
             FluidStatistics onLeft = FluidAssert.Measure(left), onRight = FluidAssert.Measure(right);
             Assert.That(onLeft.drained + onRight.drained + onLeft.particles + onRight.particles, Is.EqualTo(all));
             FluidAssert.NothingLost(left);
+            FluidAssert.NothingLost(right);
         }
 
         [UnityTest]
