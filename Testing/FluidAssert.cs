@@ -45,9 +45,9 @@ namespace Rill.Testing
                 why += Format($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the water flow off.");
             if (now.nonFinite > 0)
                 why += Format($" {now.nonFinite} were removed, since their position was not finite: look for NaN in what adds or pushes them.");
-            int missing = now.added + now.emitted - now.drained - now.nonFinite - now.particles;
+            int missing = now.added + now.emitted + now.handedIn - now.drained - now.handedOut - now.nonFinite - now.particles;
             if (missing != 0)
-                why += Format($" {missing} are not accounted for: {now.added} added and {now.emitted} emitted, {now.drained} drained, {now.nonFinite} not finite, {now.particles} alive.");
+                why += Format($" {missing} are not accounted for: {now.added} added and {now.emitted} emitted, {now.handedIn} handed in and {now.handedOut} out, {now.drained} drained, {now.nonFinite} not finite, {now.particles} alive.");
             if (why.Length > 0)
                 Fail(fluid, now, "particles were lost." + why);
         }

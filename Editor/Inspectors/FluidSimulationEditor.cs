@@ -59,6 +59,7 @@ namespace Rill.Editor
                 new InspectorField("maxStepsPerFrame"),
                 new InspectorField("paused"),
                 new InspectorField("keepStateOnDisable"),
+                new InspectorField("keptCapacity", "particles"),
                 new InspectorField("cullingMode"),
                 new InspectorField("cullingDistance", "m", When.IsNot("cullingMode", FluidCullingMode.AlwaysSimulate)),
                 new InspectorField("culledRate", "of the time", When.Is("cullingMode", FluidCullingMode.Slow)),

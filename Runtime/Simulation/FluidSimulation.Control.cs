@@ -59,7 +59,7 @@ namespace Rill
         }
 
         /// <summary>
-        /// Removes all particles and their foam at once. The fluid's time, its statistics and its emitters go on; what is removed counts as
+        /// Removes all particles, also those kept outside the box, and their foam at once. The fluid's time, its statistics and its emitters go on; what is removed counts as
         /// drained. <see cref="Restart"/> also sets time and statistics to 0 and fills the volumes. Does nothing in a player without a
         /// graphics device.
         /// </summary>
@@ -97,28 +97,34 @@ namespace Rill
 
         /// <summary>
         /// Moves the box, and leaves the water where it is in the world: for a box that follows a target. What then lies outside is removed and
-        /// counts as drained. Nothing is pushed, neither by the box nor by what moved in it in this frame. Foam begins again.
+        /// counts as drained, or is kept and comes back as the box covers its place again. Nothing is pushed, neither by the box nor by what
+        /// moved in it in this frame. Foam begins again.
         /// </summary>
         /// <remarks>
         /// Memory stays that of the box, however large the world. Setting the transform instead takes the water along. The part of the box that
         /// is new is empty: <see cref="Fill(FluidShape, Vector3, int, float)"/> of the whole box fills it and leaves the rest as it is.
         /// </remarks>
         /// <param name="position">Of this object, world space, m.</param>
+        /// <param name="leaving">What happens to particles that then lie outside. What was kept before comes back in any case.</param>
         /// <exception cref="ArgumentException">The position is not finite.</exception>
         /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
         /// in a pass of <see cref="BeforeStep"/>.</exception>
-        public void Recenter(Vector3 position)
+        public void Recenter(Vector3 position, LeavingParticles leaving = LeavingParticles.Remove)
         {
             if (!math.all(math.isfinite((float3)position)))
                 throw new ArgumentException($"A box at {position} is nowhere: give finite numbers.", nameof(position));
             bool isRunning = IsReadyTo("moving its box");
-            if (isRunning && !HasStages(StageSet.ParticleEdits))
+            bool keeps = leaving == LeavingParticles.Keep, transfers = isRunning && (keeps || pbf.KeepsParticles);
+            if (isRunning && !HasStages(StageSet.ParticleEdits) || transfers && !HasStages(StageSet.Transfer))
                 return;
             GetPose(out Vector3 before, out Quaternion rotation);
             transform.position = position;
             if (!isRunning)
                 return;
-            pbf.Shift((float3)(Quaternion.Inverse(rotation) * (before - position)) / particleSpacing);
+            if (transfers)
+                pbf.Shift(CornerAt(before, rotation), CornerAt(position, rotation), keptCapacity, keeps);
+            else
+                pbf.Shift((float3)(Quaternion.Inverse(rotation) * (before - position)) / particleSpacing);
             FollowTransform();
             StandStill();
             ClearMotions();

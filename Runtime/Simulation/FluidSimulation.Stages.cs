@@ -103,6 +103,7 @@ namespace Rill
                 case StageSet.Queries: return "probes and detectors";
                 case StageSet.ParticleAccess: return "the removal and the readback of particles by scripts";
                 case StageSet.ParticleEdits: return "Fill, RemoveInside and Recenter";
+                case StageSet.Transfer: return "connections, and what is kept outside the box";
                 case StageSet.Recording: return "recording and playback";
                 case StageSet.Surface: return "the water's surface";
                 default: return group.ToString();

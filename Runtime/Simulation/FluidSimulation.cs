@@ -265,6 +265,7 @@ namespace Rill
             pbf?.Dispose();
             pbf = null;
             colliders.Clear();
+            neighbors = null;
             ReleaseBudget();
             ReleaseSources();
             commands?.Dispose();
@@ -322,13 +323,18 @@ namespace Rill
             if (rate < 1f || !moves && !poseIsLost)
                 ClearMotions();
             if (rate <= 0f)
+            {
+                DropGhosts();
                 return;
+            }
             frameTime *= rate;
 
             BeginBudgetFrame(frameTime);
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
                 Simulate(steps, (float)clock.FrameInterval);
+            else
+                DropGhosts();
             budgeted?.EndFrame(steps);
         }
 
@@ -336,6 +342,7 @@ namespace Rill
         void Simulate(int steps, float duration)
         {
             CollectColliders(steps * FixedStep);
+            CollectConnections();
             PrepareInput(duration);
             commands.Clear();
             if (!TryRecordSteps(steps))
@@ -346,8 +353,11 @@ namespace Rill
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
+            NoteSteps();
             Execute();
             ReadSources(steps);
+            ReadConnections();
+            ReadKept();
             AfterSteps?.Invoke(true);
         }
 
@@ -357,6 +367,7 @@ namespace Rill
             RecordSurface();        // before statistics, which sort again
             int queries = RecordQueries();      // before statistics too
             RecordBatches();
+            pbf.RecordGhostRemoval(commands);
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending
             && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
@@ -387,6 +398,7 @@ namespace Rill
                     input.frameFrom = i / (float)steps;
                     input.frameTo = (i + 1) / (float)steps;
                     input.sources = TakeSources();
+                    input.connections = i == 0 && IsConnected ? neighbors : null;
                     LimitToDevice();
                     if (!RecordPasses())
                         return false;
@@ -434,6 +446,11 @@ namespace Rill
             NeedsDensity = false;
             NeedsFoam = null;
             LeaveOutMissing(ref input);
+            if (IsConnected)
+            {
+                input.settings.sleepSpeed = 0f;     // what sleeps does not feel what comes
+                input.openFaces = neighbors.openFaces;
+            }
             wanted = DeviceFeature.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);
@@ -455,6 +472,7 @@ namespace Rill
             Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
             ValidateCulling(ref problem);
+            ValidateKept(ref problem);
             clamped = problem;
             if (problem != null)
                 Debug.LogWarning($"Rill: FluidSimulation '{name}': {problem}", this);

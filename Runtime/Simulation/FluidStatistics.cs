@@ -59,6 +59,10 @@ namespace Rill
         public int emitted;
         /// <summary>Particles taken out by drains, by scripts or since their lifetime was over, since the reset.</summary>
         public int drained;
+        /// <summary>Particles that came from a connected fluid, or came back from outside the box, since the reset.</summary>
+        public int handedIn;
+        /// <summary>Particles that went to a connected fluid, or were kept as the box moved away, since the reset.</summary>
+        public int handedOut;
         /// <summary>Particles due from emitters and given up since they found no room for a second, since the reset.</summary>
         public int blocked;
         /// <summary>Particles due from emitters that have found no room so far.</summary>
@@ -140,11 +144,14 @@ namespace Rill
                 added = Counter(block, ParticleCounter.Added),
                 emitted = Counter(block, ParticleCounter.Emitted),
                 drained = Counter(block, ParticleCounter.Drained),
+                handedIn = Counter(block, ParticleCounter.HandedIn),
+                handedOut = Counter(block, ParticleCounter.HandedOut),
                 blocked = Counter(block, ParticleCounter.Blocked),
                 waiting = Counter(block, ParticleCounter.Waiting),
                 recycling = Counter(block, ParticleCounter.Recycling),
                 refused = Counter(block, ParticleCounter.Refused),
-                nonFinite = Counter(block, ParticleCounter.NonFinite),
+                // and those that the next sort leaves out: of what was removed since, it was taken back in advance
+                nonFinite = Counter(block, ParticleCounter.NonFinite) + Counter(block, ParticleCounter.Alive) - (int)count,
                 neighborOverflow = Counter(block, ParticleCounter.Overflow),
                 maxNeighbors = Counter(block, ParticleCounter.MaxNeighbors),
                 escaped = (int)Value(block, Quantity.Escaped),

@@ -5,7 +5,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Entries of the counter buffer. Since the reset, kAdded + kEmitted = kDrained + kNonFinite + kAlive at the end of a step.</summary>
+    /// <summary>Entries of the counter buffer. Since the reset, kAdded + kEmitted + kHandedIn = kDrained + kHandedOut +
+    /// kNonFinite + kAlive at the end of a step.</summary>
     [SharedWithHlsl("Counters")]
     enum ParticleCounter
     {
@@ -39,6 +40,10 @@ namespace Rill
         ViscosityBound,
         /// <summary>of the same, float bits: largest change of a velocity in its last pass, d/s</summary>
         ViscosityChange,
+        /// <summary>from a neighbor, or back from outside the box, since the reset</summary>
+        HandedIn,
+        /// <summary>to a neighbor, or kept outside the box, since the reset</summary>
+        HandedOut,
     }
 
     /// <summary>The state of the particles on the GPU. Lengths in d, in the domain's frame.</summary>
@@ -53,7 +58,7 @@ namespace Rill
         [SharedWithHlsl("Solver")] public const int Group = 128;
 
         /// <summary>words of the counter buffer</summary>
-        [SharedWithHlsl("Counters")] public const int CounterCount = 16;
+        [SharedWithHlsl("Counters")] public const int CounterCount = 18;
 
         /// <summary>
         /// Particles up to which kernels are dispatched for all of the capacity: the GPU waits less for a dispatch whose size is known, and
@@ -98,6 +103,11 @@ namespace Rill
             AliveArguments = GpuBuffer.Arguments("Rill.AliveArguments");
             SortedArguments = GpuBuffer.Arguments("Rill.SortedArguments");
         }
+
+        /// <summary>The same as a set that transfers give to and take from.</summary>
+        /// <param name="tags">Null for none.</param>
+        public ParticleSet AsSet(ParticleTags tags)
+            => new ParticleSet(Current, Velocities, Ids, tags?.Current, Counters, AliveArguments, capacity);
 
         /// <summary>Groups of <see cref="Group"/> threads that hold so many.</summary>
         public static int Groups(int count) => (count + Group - 1) / Group;

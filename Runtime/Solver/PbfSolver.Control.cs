@@ -18,11 +18,12 @@ namespace Rill
 
         ParticleEdits Edits => edits ??= new ParticleEdits();
 
-        /// <summary>Removes all particles at once, with their foam. Steps, counters, ids and what waits in emitters go on.</summary>
+        /// <summary>Removes all particles at once, with their foam and those kept outside. Steps, counters, ids and what waits in emitters go on.</summary>
         public void RemoveAll()
         {
             hasLists = hasNew = false;
             markedAfter = 0;
+            RemoveKept();
             InvalidateSurface();
             InvalidateParticles(true);
             foam?.Clear();

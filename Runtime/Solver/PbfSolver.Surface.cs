@@ -28,7 +28,7 @@ namespace Rill
             StepInput last = input;
             last.settings.substeps = Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
-            surface.Record(Context(cmd, last, hasSteps), hasSteps, hasNew, SurfaceVersion, substepsSinceSurface);
+            surface.Record(Context(cmd, last, hasSteps), hasSteps, hasNew, SurfaceVersion, substepsSinceSurface, hasGhosts);
             SurfaceIsCurrent = true;
             substepsSinceSurface = 0;
         }

@@ -76,6 +76,9 @@ namespace Rill
         /// <summary>float4 [capacity], xyz position at the start of the last substep, d; of those that took part in it.</summary>
         public GraphicsBuffer StartPositions => particles.Start;
 
+        /// <summary>Number of the last step since the reset.</summary>
+        public uint StepIndex => stepIndex;
+
         /// <summary>Substeps of the last step; 0 before the first.</summary>
         public int LastSubsteps => lastSubsteps;
 
@@ -126,6 +129,9 @@ namespace Rill
             ReleaseViscoelasticity();       // the next fluid is not stretched
             ReleaseExtrapolation();
             ClearSources();
+            transfer?.Clear();
+            hasGhosts = false;
+            ReleaseKept();
             refusals?.Clear();
             markedAfter = 0;
             restingRegions?.Wake();
@@ -181,6 +187,7 @@ namespace Rill
             InvalidateParticles(false);
             UploadConstants(cmd, input);
             PrepareSources(input);
+            PrepareConnections(input.connections);
             CoarseFor(input);
             RestingFor(input);
             CollidersFor(input);
@@ -192,6 +199,7 @@ namespace Rill
             StepContext step = Context(cmd, input);
             RecordKills(step);
             RecordDrains(step);
+            RecordConnections(step);
             for (int substep = 0; substep < step.Substeps; substep++)
             {
                 restingRegions?.Record(step);
@@ -264,6 +272,7 @@ namespace Rill
                 state,
                 ParticleAccess.Describe(access, step, noTags),
                 Drains.Describe(drains, step, TagsWithLifetimes),
+                ParticleTransfer.Describe(transfer, input.connections?.count ?? 0, tags != null, kept),
                 RestingRegions.Describe(restingRegions, input),
                 ForceFields.Describe(forceFields, input),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
@@ -300,6 +309,8 @@ namespace Rill
             ReleaseVorticity();
             ReleaseFoam();
             ReleaseSources();
+            ReleaseConnections();
+            ReleaseKept();
             ReleaseStatistics();
             ReleaseQueries();
             ReleaseSurface();

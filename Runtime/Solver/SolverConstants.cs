@@ -66,7 +66,8 @@ namespace Rill
         public float accelerationFraction;
         /// <summary>change of velocity in a substep up to which it is, d/s</summary>
         public float maxExtrapolation;
-        public float unused;
+        /// <summary>bit 2 a + b: along axis a the lower (b 0) or upper end of the box is no wall to the coarse grid</summary>
+        public uint openFaces;
 
         /// <summary>Longest correction of one pass, d: what keeps a pass from throwing particles past their neighbors.</summary>
         public const float MaxCorrection = 0.5f;
@@ -121,6 +122,7 @@ namespace Rill
                 extrapolation = VelocityExtrapolation.WeightFor(input),
                 accelerationFraction = atOnce,
                 maxExtrapolation = VelocityExtrapolation.Longest(input, layout.Spacing),
+                openFaces = input.openFaces,
             };
         }
     }

@@ -32,9 +32,11 @@ namespace Rill
         ParticleEdits = 1 << 18,
         /// <summary>What packs frames of a recording, and shows them.</summary>
         Recording = 1 << 19,
+        /// <summary>What hands particles over between fluids, and keeps them outside of a box that moves.</summary>
+        Transfer = 1 << 20,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         OfFluids = All & ~MeshBaking,
-        All = (1 << 20) - 1,
+        All = (1 << 21) - 1,
     }
 
     static class StageSets
@@ -99,6 +101,7 @@ namespace Rill
                 case StageSet.ParticleEdits: return "ParticleEdits";
                 case StageSet.Queries: return "Queries";
                 case StageSet.Recording: return "Recording";
+                case StageSet.Transfer: return "ParticleTransfer";
                 default: return null;
             }
         }

@@ -28,6 +28,7 @@ namespace Rill
             if (pbf == null)
                 throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before you take a snapshot.");
             var contents = new SnapshotContents();
+            SayKeptIsLeftOut();
             SnapshotCapture capture = pbf.Capture(contents);
             SaveScene(contents);
             var request = new FluidSnapshotRequest();

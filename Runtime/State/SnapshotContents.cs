@@ -54,7 +54,8 @@ namespace Rill
 
             uint[] counters = Values<uint>(SnapshotSection.Counters).ToArray();
             foreach (ParticleCounter counter in new[] { ParticleCounter.Refused, ParticleCounter.NonFinite, ParticleCounter.Emitted,
-                ParticleCounter.Drained, ParticleCounter.Blocked, ParticleCounter.Waiting, ParticleCounter.Recycling })
+                ParticleCounter.Drained, ParticleCounter.Blocked, ParticleCounter.Waiting, ParticleCounter.Recycling, ParticleCounter.HandedIn,
+                ParticleCounter.HandedOut })
                 counters[(int)counter] = 0;
             counters[(int)ParticleCounter.Added] = counters[(int)ParticleCounter.Alive];
             fluid.SetValues<uint>(SnapshotSection.Counters, counters);

@@ -13,7 +13,7 @@ namespace Rill
     /// </remarks>
     static class SnapshotFormat
     {
-        const int HeaderBytes = 24, EntryBytes = 24, ChecksumBytes = 4;
+        const int HeaderBytes = 24, EntryBytes = 24, ChecksumBytes = 4, VersionOneCounters = 16;
         const string What = "These bytes are no snapshot that can be read: ";
 
         static readonly byte[] Magic = Encoding.ASCII.GetBytes("RillSnap");
@@ -70,12 +70,25 @@ namespace Rill
                     + "their checksum is another, so they were changed since they were written. Read the file again, or use an older one.");
             if (version == 0)
                 throw Damaged("their version is 0");
-            return ReadSections(bytes.Slice(0, end));
+            SnapshotContents contents = ReadSections(bytes.Slice(0, end));
+            if (version == 1)
+                AddHandOver(contents);
+            return contents;
         }
 
         /// <summary>Sections that a right checksum does not make right.</summary>
         public static InvalidDataException Damaged(string how)
             => new InvalidDataException(What + how + ". They were not written by FluidSnapshot.ToBytes; use others.");
+
+        // Version 1 knew of no particles that are handed over.
+        static void AddHandOver(SnapshotContents contents)
+        {
+            if (!contents.Has(SnapshotSection.Counters) || contents.Values<uint>(SnapshotSection.Counters).Length != VersionOneCounters)
+                return;
+            uint[] counters = contents.Values<uint>(SnapshotSection.Counters).ToArray();
+            Array.Resize(ref counters, ParticleBuffers.CounterCount);
+            contents.SetValues<uint>(SnapshotSection.Counters, counters);
+        }
 
         static SnapshotContents ReadSections(ReadOnlySpan<byte> bytes)
         {

@@ -100,6 +100,28 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void FindTheWaterAgain(FluidSimulation fluid, Transform target)
+        {
+            #region Find the water again
+            fluid.KeptCapacity = 200000;                                                // particles outside at most
+            fluid.Recenter(target.position, LeavingParticles.Keep);
+            int outside = fluid.KeptParticleCount;                                      // two or three frames old
+            #endregion
+            _ = outside;
+        }
+
+        static void ConnectTwoFluids(GameObject gameObject, FluidSimulation lake, FluidSimulation basin)
+        {
+            #region Connect two fluids
+            FluidConnection opening = gameObject.AddComponent<FluidConnection>();
+            opening.First = lake;
+            opening.Second = basin;
+            bool flows = opening.IsOpen;
+            int gone = opening.HandedToSecond, waiting = opening.WaitingForSecond;      // two or three frames old
+            #endregion
+            _ = (flows, gone, waiting);
+        }
+
         static void DisableAndEnable(FluidSimulation fluid, GameObject pooled, bool keeps)
         {
             #region Keep or drop the water of a disabled fluid

@@ -25,7 +25,7 @@ namespace Host.Tests
             "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
             "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
-            "Queries", "QueryBatch" };
+            "Queries", "QueryBatch", "ParticleTransfer", "Rill.Transfer", "Rill.Kept" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so,
         // at least one.

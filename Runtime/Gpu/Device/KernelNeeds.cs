@@ -44,6 +44,7 @@ namespace Rill
                 case "MeshSdf": return DeviceFeature.Baking;
                 case "ParticleAccess":
                 case "ParticleEdits":
+                case "ParticleTransfer":
                 case "Recording": return DeviceFeature.ParticleAccess;
                 case "Queries": return DeviceFeature.Queries;
                 case "RestingRegions": return DeviceFeature.Sleep;
@@ -87,6 +88,7 @@ namespace Rill
                 case "FIND":
                 case "FIRST":
                 case "FLOW":
+                case "HIDE_GHOSTS":
                 case "LAST":
                 case "MESH":
                 case "MOVE":
@@ -101,6 +103,7 @@ namespace Rill
                 case "RESIDUAL":
                 case "RILL_BUILD_LIST":
                 case "RILL_RAW":
+                case "ROOM":
                 case "ROWS":
                 case "SHAPE":
                 case "SHIFT":

@@ -32,7 +32,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
         readonly KernelVariants estimate;     // that leave out what lies deep
-        readonly int addNew, storeDrawn, smooth, shape;
+        readonly int addNew, storeDrawn, smooth, shape, hideGhosts;
         readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore;
@@ -45,6 +45,7 @@ namespace Rill
             storeDrawn = shader.FindKernel("StoreDrawn");
             smooth = shader.FindKernel("Smooth");
             shape = shader.FindKernel("Shape");
+            hideGhosts = shader.FindKernel("HideGhosts");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             try
@@ -89,7 +90,8 @@ namespace Rill
         /// <param name="hasNew">Whether particles may have come since the last step.</param>
         /// <param name="version">One more than that of the surface before; more than one where that has nothing to do with this one.</param>
         /// <param name="substepsSince">Substeps since the surface before.</param>
-        public void Record(in StepContext step, bool hasSteps, bool hasNew, int version, int substepsSince)
+        /// <param name="hasGhosts">Whether some of the particles are ghosts.</param>
+        public void Record(in StepContext step, bool hasSteps, bool hasNew, int version, int substepsSince, bool hasGhosts = false)
         {
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
@@ -109,6 +111,8 @@ namespace Rill
                 RecordSmoothing(step);
                 RecordShape(step, version, substepsSince);
             }
+            if (hasGhosts)
+                RecordHiding(step);
             cmd.EndSample(Marker);
         }
 
@@ -208,6 +212,15 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, shape, Ids.ParticleIds, step.Particles.Ids);
             cmd.SetComputeBufferParam(shader, shape, Ids.PlanesBefore, planesBefore);
             cmd.DispatchCompute(shader, shape, arguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void RecordHiding(in StepContext step)
+        {
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, hideGhosts, Ids.ParticleIds, step.Particles.Ids);
+            cmd.SetComputeBufferParam(shader, hideGhosts, Ids.Surface, surface);
+            cmd.SetComputeBufferParam(shader, hideGhosts, Ids.SurfaceCounters, counters);
+            cmd.DispatchCompute(shader, hideGhosts, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void BindNeighbors(in StepContext step, int kernel)

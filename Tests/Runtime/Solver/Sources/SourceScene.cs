@@ -84,9 +84,10 @@ namespace Rill.Tests
         {
             FluidStatistics s = Measure();
             ParticleState state = Read();
-            string counts = $"added {s.added}, emitted {s.emitted}, drained {s.drained}, not finite {s.nonFinite}, alive " +
-                $"{state.Count}, refused {s.refused}, blocked {s.blocked}, waiting {s.waiting}, recycling {s.recycling}";
-            Assert.That(s.added + s.emitted - s.drained - s.nonFinite - state.Count, Is.Zero, counts);
+            string counts = $"added {s.added}, emitted {s.emitted}, handed in {s.handedIn} and out {s.handedOut}, drained {s.drained}, " +
+                $"not finite {s.nonFinite}, alive {state.Count}, refused {s.refused}, blocked {s.blocked}, waiting {s.waiting}, " +
+                $"recycling {s.recycling}";
+            Assert.That(s.added + s.emitted + s.handedIn - s.drained - s.handedOut - s.nonFinite - state.Count, Is.Zero, counts);
             Assert.That(s.particles, Is.EqualTo(state.Count), counts);
             Assert.That(state.ids.Distinct().Count(), Is.EqualTo(state.Count), "different ids");
             Assert.That(s.escaped, Is.Zero, "escaped");

@@ -1,0 +1,155 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// Lets the water of two fluids flow from one box into the other where the boxes overlap. Each particle belongs to the fluid on whose
+    /// side of the middle of the overlap it is; each fluid feels the other's particles in its own box.
+    /// </summary>
+    /// <remarks>
+    /// Both fluids have the same spacing, material, step rate and orientation. A particle that is handed over keeps place, velocity, phase
+    /// and lifetime, and gets a new id. Where the capacity of its new fluid is full, it stays where it is and waits.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Connection")]
+    public sealed class FluidConnection : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode
+    {
+        /// <summary>Spacings that the boxes overlap by at least: two support radii, for what is felt of the other fluid.</summary>
+        public const float MinOverlap = 4f;
+
+        [Tooltip("One of the fluids.")]
+        [SerializeField] FluidSimulation first;
+
+        [Tooltip("The other fluid, whose box overlaps the first's by at least 4 particle spacings; 8 are better.")]
+        [SerializeField] FluidSimulation second;
+
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
+
+        readonly FluidConnectionState state = new FluidConnectionState();
+        FluidSimulation attachedFirst, attachedSecond;
+        string said;
+        bool saidWaiting;
+
+        /// <summary>One of the fluids.</summary>
+        public FluidSimulation First { get => first; set { first = value; Attach(); } }
+
+        /// <summary>The other fluid.</summary>
+        public FluidSimulation Second { get => second; set { second = value; Attach(); } }
+
+        /// <summary>Whether water can flow: both fluids run and nothing is wrong.</summary>
+        public bool IsOpen => isActiveAndEnabled && attachedFirst != null && attachedSecond != null && attachedFirst.IsRunning
+            && attachedSecond.IsRunning && Problem == null;
+
+        /// <summary>Particles that went from the first fluid to the second since the connection opened, as far as the GPU has told: two or
+        /// three frames ago.</summary>
+        public int HandedToSecond => Count(attachedSecond, TransferWord.Handed);
+
+        /// <summary>And from the second to the first.</summary>
+        public int HandedToFirst => Count(attachedFirst, TransferWord.Handed);
+
+        /// <summary>Particles that are on the second fluid's side and wait in the first, since the second's capacity is full; as old.</summary>
+        public int WaitingForSecond => Count(attachedSecond, TransferWord.Held);
+
+        /// <summary>And those that wait in the second for the first.</summary>
+        public int WaitingForFirst => Count(attachedFirst, TransferWord.Held);
+
+        internal FluidConnectionState State => state;
+
+        internal string Problem => FluidConnectionState.ProblemOf(attachedFirst != null ? attachedFirst : first,
+            attachedSecond != null ? attachedSecond : second);
+
+        StageSet IUsesStages.UsedStages => StageSet.Transfer;
+
+        StageReferences IUsesStages.StageReferences => shaders;
+
+        bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => fluid != null && (fluid == first || fluid == second);
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(Problem);
+            problems.AddIfAny(FullProblem(attachedFirst, WaitingForFirst));
+            problems.AddIfAny(FullProblem(attachedSecond, WaitingForSecond));
+        }
+
+        /// <summary>Logs what is wrong once for as long as it stays; null where nothing is.</summary>
+        internal void Say(string problem)
+        {
+            if (problem != null && problem != said)
+                Debug.LogWarning($"Rill: FluidConnection '{name}': {problem}", this);
+            said = problem;
+        }
+
+        /// <summary>The fluid at the other end.</summary>
+        internal FluidSimulation Other(FluidSimulation fluid) => fluid == attachedFirst ? attachedSecond : attachedFirst;
+
+        /// <summary>After numbers have come back.</summary>
+        internal void ReportWaiting()
+        {
+            Say(null);
+            bool waits = WaitingForFirst > 0 || WaitingForSecond > 0;
+            if (waits && !saidWaiting)
+                Debug.LogWarning($"Rill: FluidConnection '{name}': " +
+                    $"{FullProblem(attachedFirst, WaitingForFirst) ?? FullProblem(attachedSecond, WaitingForSecond)}", this);
+            saidWaiting |= waits;
+        }
+
+        void OnEnable()
+        {
+            shaders.Hold();
+            Attach();
+        }
+
+        void OnDisable()
+        {
+            Detach();
+            shaders.Release();
+        }
+
+        void OnValidate()
+        {
+            shaders.Follow(StageSet.Transfer);
+            if (attachedFirst != first || attachedSecond != second)
+                Attach();
+        }
+
+        void Attach()
+        {
+            Detach();
+            if (!isActiveAndEnabled)
+                return;
+            said = null;
+            if (first == null || second == null || first == second)
+            {
+                Say(Problem);
+                return;
+            }
+            attachedFirst = first;
+            attachedSecond = second;
+            if (!first.Connect(this))
+                Say(TooManyProblem(first));
+            else if (!second.Connect(this))
+                Say(TooManyProblem(second));
+        }
+
+        void Detach()
+        {
+            if (!ReferenceEquals(attachedFirst, null))
+                attachedFirst.Disconnect(this);
+            if (!ReferenceEquals(attachedSecond, null))
+                attachedSecond.Disconnect(this);
+            attachedFirst = attachedSecond = null;
+            state.Close();
+        }
+
+        int Count(FluidSimulation taker, TransferWord word) => taker != null ? taker.Transferred(this, word) : 0;
+
+        static string TooManyProblem(FluidSimulation fluid)
+            => $"FluidSimulation '{fluid.name}' has {ParticleTransfer.MaxTransfers} connections, the most it takes, and leaves this one out. " +
+            $"Disable another and enable this again.";
+
+        static string FullProblem(FluidSimulation fluid, int waiting) => waiting == 0 ? null
+            : $"{waiting:N0} particles wait to flow into '{fluid.name}', whose capacity of {fluid.Capacity:N0} is full. Raise its " +
+            $"capacity, or let its water flow off.";
+    }
+}

@@ -1,0 +1,318 @@
+using System;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Bits of _TransferRule.</summary>
+    [Flags]
+    [SharedWithHlsl("ParticleTransfer", Prefix = "Transfer")]
+    enum TransferRule
+    {
+        Move = 0,
+        /// <summary>what goes stays too: ghosts</summary>
+        Copies = 1,
+        /// <summary>what is outside of the region goes</summary>
+        Outside = 2,
+        /// <summary>ids stay what they are</summary>
+        KeepsIds = 4,
+        /// <summary>all that is left goes, wherever it is</summary>
+        All = 8,
+    }
+
+    /// <summary>Words of a transfer in _TransferStates.</summary>
+    [SharedWithHlsl("ParticleTransfer", Prefix = "Transfer")]
+    enum TransferWord
+    {
+        /// <summary>particles moved, since the reset</summary>
+        Handed,
+        /// <summary>that would go and stay, for want of capacity</summary>
+        Held,
+        /// <summary>copied for this frame</summary>
+        Ghosts,
+        /// <summary>that the capacity left out</summary>
+        Missing,
+    }
+
+    /// <summary>Particles in buffers, of a fluid or outside of one.</summary>
+    readonly struct ParticleSet
+    {
+        /// <summary>float4, xyz d.</summary>
+        public readonly GraphicsBuffer Positions;
+        /// <summary>float4, xyz d/s.</summary>
+        public readonly GraphicsBuffer Velocities;
+        public readonly GraphicsBuffer Ids;
+        /// <summary>Null for none.</summary>
+        public readonly GraphicsBuffer Tags;
+        /// <summary>By <see cref="ParticleCounter"/>.</summary>
+        public readonly GraphicsBuffer Counters;
+        public readonly GraphicsBuffer AliveArguments;
+        public readonly int Capacity;
+
+        public ParticleSet(GraphicsBuffer positions, GraphicsBuffer velocities, GraphicsBuffer ids, GraphicsBuffer tags,
+            GraphicsBuffer counters, GraphicsBuffer aliveArguments, int capacity)
+        {
+            Positions = positions;
+            Velocities = velocities;
+            Ids = ids;
+            Tags = tags;
+            Counters = counters;
+            AliveArguments = aliveArguments;
+            Capacity = capacity;
+        }
+    }
+
+    /// <summary>What goes from one set to another, and where it comes to lie.</summary>
+    struct TransferRegion
+    {
+        /// <summary>Origin of the frame that gives in the frame that takes, d.</summary>
+        public float3 offset;
+        /// <summary>From the frame that gives to the one that takes.</summary>
+        public quaternion rotation;
+        /// <summary>Box of the fluid that takes, or whose outside is taken, d.</summary>
+        public float3 size;
+        /// <summary>Normal, and in w the distance along it beyond which particles go, d; 0 for all of the box.</summary>
+        public float4 plane;
+        /// <summary>Steps of the fluid that takes less those of the one that gives.</summary>
+        public uint stepsAhead;
+        /// <summary>End of the box of the fluid that takes which that of the other covers, see StepInput.openFaces; 0 for none.</summary>
+        public uint openFaces;
+        /// <summary>Number of the words of this transfer, below <see cref="ParticleTransfer.MaxTransfers"/>.</summary>
+        public int number;
+    }
+
+    /// <summary>Moves or copies particles from one set to the end of another, in their order. Made when first needed by what takes.</summary>
+    sealed class ParticleTransfer : IDisposable
+    {
+        /// <summary>Most that one fluid takes from: the number is in the ids of ghosts.</summary>
+        public const int MaxTransfers = 16;
+
+        const int OwnTransfers = 3;     // of the fluid itself, behind those: see PbfSolver.Kept.cs
+
+        /// <summary>words of a transfer in _TransferStates</summary>
+        [SharedWithHlsl("ParticleTransfer", Prefix = "Transfer")] public const int Words = 4;
+
+        const uint FirstGhost = 0x80000000u;
+        const int GhostNumberShift = 24;        // a rank is below the most particles of a simulation
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.HandOver");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("ParticleTransfer");
+        readonly int mark, markApart, writeMotion, commit, removeGhosts;
+        readonly KernelVariants writeIds;       // with tags
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Transfer.States", (MaxTransfers + OwnTransfers) * Words));
+        GraphicsBuffer goes, goneBefore;
+        PrefixSum sum;
+
+        public ParticleTransfer()
+        {
+            mark = shader.FindKernel("MarkGoing");
+            markApart = shader.FindKernel("MarkGoingApart");
+            writeMotion = shader.FindKernel("WriteMotion");
+            writeIds = new KernelVariants(shader, "WriteIds", "WriteIdsTagged");
+            commit = shader.FindKernel("Commit");
+            removeGhosts = shader.FindKernel("RemoveGhosts");
+            Clear();
+        }
+
+        /// <summary>Nothing was transferred.</summary>
+        public void Clear()
+        {
+            BufferClear.Now(readback.Buffer);
+            readback.Invalidate();
+        }
+
+        /// <summary>Nothing was transferred under a number.</summary>
+        public void Forget(int number)
+        {
+            readback.Buffer.SetData(new uint[Words], 0, number * Words, Words);
+            readback.Zero(number * Words, Words);
+        }
+
+        /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are pending.</summary>
+        public void Request() => readback.Request();
+
+        /// <summary>A number of a transfer, as far as it has come back.</summary>
+        public int Latest(int number, TransferWord word) => readback.HasResult ? (int)readback.Latest[number * Words + (int)word] : 0;
+
+        /// <summary>Records a transfer. Tags go along where both sets have some.</summary>
+        public void Record(CommandBuffer cmd, in ParticleSet from, in ParticleSet to, in TransferRegion region, TransferRule rule)
+        {
+            cmd.BeginSample(Marker);
+            RecordParameters(cmd, from, to, region, rule);
+            cmd.SetComputeBufferParam(shader, mark, Ids.From, from.Positions);
+            cmd.SetComputeBufferParam(shader, mark, Ids.FromVelocities, from.Velocities);
+            cmd.SetComputeBufferParam(shader, mark, Ids.FromIds, from.Ids);
+            cmd.SetComputeBufferParam(shader, mark, Ids.FromCounters, from.Counters);
+            cmd.SetComputeBufferParam(shader, mark, Ids.Goes, goes);
+            Dispatch(cmd, mark, from);
+            RecordWrites(cmd, from, to);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records a first transfer between two fluids: of what both were filled with, the one that takes keeps its own, and the
+        /// other's is removed.</summary>
+        /// <param name="taker">What takes, its particles listed by cell as they are.</param>
+        public void RecordApart(in StepContext taker, in ParticleSet from, in ParticleSet to, in TransferRegion region)
+        {
+            CommandBuffer cmd = taker.Commands;
+            RecordParameters(cmd, from, to, region, TransferRule.Move);
+            taker.BindConstants(shader);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.From, from.Positions);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.FromIds, from.Ids);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.FromCounters, from.Counters);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.Goes, goes);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.To, to.Positions);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.CellStarts, taker.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.Order, taker.Search.Order);
+            Dispatch(cmd, markApart, from);
+            RecordWrites(cmd, from, to);
+        }
+
+        /// <summary>Records the removal of all ghosts.</summary>
+        public void RecordRemoval(CommandBuffer cmd, in ParticleSet fluid)
+        {
+            cmd.SetComputeBufferParam(shader, removeGhosts, Ids.From, fluid.Positions);
+            cmd.SetComputeBufferParam(shader, removeGhosts, Ids.FromIds, fluid.Ids);
+            cmd.SetComputeBufferParam(shader, removeGhosts, Ids.FromCounters, fluid.Counters);
+            Dispatch(cmd, removeGhosts, fluid);
+        }
+
+        public void Dispose()
+        {
+            readback.Dispose();
+            ReleaseScratch();
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        /// <param name="connections">Neighbors that the fluid takes from.</param>
+        /// <param name="tagged">Whether particles have tags.</param>
+        /// <param name="kept">Particles outside the box; null for none.</param>
+        public static StageDescription Describe(ParticleTransfer stage, int connections, bool tagged, KeptParticles kept)
+        {
+            bool needed = connections > 0 || kept != null;
+            var description = new StageDescription("Transfer", needed, !needed ? "no connection, and nothing is kept outside the box"
+                : $"{connections} fluids hand particles over, once a frame{(kept != null ? ", and some are kept outside the box" : "")}");
+            if (!needed || stage == null)
+                return description;
+            kept?.Describe(description);
+            description.Buffer("Rill.Transfer.States", stage.readback.Buffer);
+            description.Buffer("Rill.Transfer.Goes", stage.goes);
+            description.Buffer("Rill.Transfer.GoneBefore", stage.goneBefore);
+            if (connections == 0)
+                return description;
+            description.Kernel("ParticleTransfer", "MarkGoing", 2 * connections);
+            description.Kernel("ParticleTransfer", "WriteMotion", 2 * connections);
+            description.Kernel("ParticleTransfer", stage.writeIds.For(tagged).Name, 2 * connections);
+            description.Kernel("ParticleTransfer", "Commit", 2 * connections);
+            description.Kernel("ParticleTransfer", "RemoveGhosts", 1);
+            stage.sum?.DescribeKernels(description, 2 * connections);
+            return description;
+        }
+
+        void RecordParameters(CommandBuffer cmd, in ParticleSet from, in ParticleSet to, in TransferRegion region, TransferRule rule)
+        {
+            cmd.SetComputeVectorParam(shader, Ids.FrameOffset, new float4(region.offset, 0f));
+            cmd.SetComputeVectorParam(shader, Ids.FrameRotation, region.rotation.value);
+            cmd.SetComputeVectorParam(shader, Ids.RegionSize, new float4(region.size, 0f));
+            cmd.SetComputeVectorParam(shader, Ids.RegionPlane, region.plane);
+            cmd.SetComputeIntParam(shader, Ids.TransferRule, (int)rule);
+            cmd.SetComputeIntParam(shader, Ids.FromCapacity, from.Capacity);
+            cmd.SetComputeIntParam(shader, Ids.ToCapacity, to.Capacity);
+            cmd.SetComputeIntParam(shader, Ids.StatesAt, region.number * Words);
+            cmd.SetComputeIntParam(shader, Ids.GhostIds, (int)(FirstGhost | (uint)region.number << GhostNumberShift));
+            cmd.SetComputeIntParam(shader, Ids.StepsAhead, (int)region.stepsAhead);
+        }
+
+        void RecordWrites(CommandBuffer cmd, in ParticleSet from, in ParticleSet to)
+        {
+            sum.Record(cmd, goes, goneBefore, from.Capacity + 1);
+
+            bool tagged = from.Tags != null && to.Tags != null;
+            int ids = writeIds.For(tagged).Index;
+            cmd.SetComputeBufferParam(shader, ids, Ids.FromIds, from.Ids);
+            cmd.SetComputeBufferParam(shader, ids, Ids.FromCounters, from.Counters);
+            cmd.SetComputeBufferParam(shader, ids, Ids.GoneBefore, goneBefore);
+            cmd.SetComputeBufferParam(shader, ids, Ids.ToIds, to.Ids);
+            cmd.SetComputeBufferParam(shader, ids, Ids.ToCounters, to.Counters);
+            if (tagged)
+            {
+                cmd.SetComputeBufferParam(shader, ids, Ids.FromTags, from.Tags);
+                cmd.SetComputeBufferParam(shader, ids, Ids.ToTags, to.Tags);
+            }
+            Dispatch(cmd, ids, from);
+
+            cmd.SetComputeBufferParam(shader, writeMotion, Ids.From, from.Positions);
+            cmd.SetComputeBufferParam(shader, writeMotion, Ids.FromVelocities, from.Velocities);
+            cmd.SetComputeBufferParam(shader, writeMotion, Ids.FromCounters, from.Counters);
+            cmd.SetComputeBufferParam(shader, writeMotion, Ids.GoneBefore, goneBefore);
+            cmd.SetComputeBufferParam(shader, writeMotion, Ids.To, to.Positions);
+            cmd.SetComputeBufferParam(shader, writeMotion, Ids.ToVelocities, to.Velocities);
+            cmd.SetComputeBufferParam(shader, writeMotion, Ids.ToCounters, to.Counters);
+            Dispatch(cmd, writeMotion, from);
+
+            cmd.SetComputeBufferParam(shader, commit, Ids.FromCounters, from.Counters);
+            cmd.SetComputeBufferParam(shader, commit, Ids.GoneBefore, goneBefore);
+            cmd.SetComputeBufferParam(shader, commit, Ids.ToCounters, to.Counters);
+            cmd.SetComputeBufferParam(shader, commit, Ids.ToArguments, to.AliveArguments);
+            cmd.SetComputeBufferParam(shader, commit, Ids.TransferStates, readback.Buffer);
+            cmd.DispatchCompute(shader, commit, 1, 1, 1);
+        }
+
+        void Dispatch(CommandBuffer cmd, int kernel, in ParticleSet set)
+            => cmd.DispatchCompute(shader, kernel, set.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+
+        /// <summary>Makes room to take from a set of so many, before anything is recorded: what is recorded keeps its buffers.</summary>
+        // The sum leaves the marks 0 that it has read.
+        public void Reserve(int capacity)
+        {
+            if (goes != null && goes.count > capacity)
+                return;
+            ReleaseScratch();
+            goes = GpuBuffer.Structured<uint>("Rill.Transfer.Goes", capacity + 1);
+            BufferClear.Now(goes);
+            goneBefore = GpuBuffer.Structured<uint>("Rill.Transfer.GoneBefore", capacity + 1);
+            sum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), capacity + 1);
+        }
+
+        void ReleaseScratch()
+        {
+            GpuBuffer.Release(ref goes);
+            GpuBuffer.Release(ref goneBefore);
+            sum?.Dispose();
+            sum = null;
+        }
+
+        static class Ids
+        {
+            public static readonly int From = Shader.PropertyToID("_From");
+            public static readonly int FromVelocities = Shader.PropertyToID("_FromVelocities");
+            public static readonly int FromIds = Shader.PropertyToID("_FromIds");
+            public static readonly int FromTags = Shader.PropertyToID("_FromTags");
+            public static readonly int FromCounters = Shader.PropertyToID("_FromCounters");
+            public static readonly int Goes = Shader.PropertyToID("_Goes");
+            public static readonly int GoneBefore = Shader.PropertyToID("_GoneBefore");
+            public static readonly int To = Shader.PropertyToID("_To");
+            public static readonly int ToVelocities = Shader.PropertyToID("_ToVelocities");
+            public static readonly int ToIds = Shader.PropertyToID("_ToIds");
+            public static readonly int ToTags = Shader.PropertyToID("_ToTags");
+            public static readonly int ToCounters = Shader.PropertyToID("_ToCounters");
+            public static readonly int ToArguments = Shader.PropertyToID("_ToArguments");
+            public static readonly int TransferStates = Shader.PropertyToID("_TransferStates");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Order = Shader.PropertyToID("_Order");
+            public static readonly int FrameOffset = Shader.PropertyToID("_FrameOffset");
+            public static readonly int FrameRotation = Shader.PropertyToID("_FrameRotation");
+            public static readonly int RegionSize = Shader.PropertyToID("_RegionSize");
+            public static readonly int RegionPlane = Shader.PropertyToID("_RegionPlane");
+            public static readonly int TransferRule = Shader.PropertyToID("_TransferRule");
+            public static readonly int FromCapacity = Shader.PropertyToID("_FromCapacity");
+            public static readonly int ToCapacity = Shader.PropertyToID("_ToCapacity");
+            public static readonly int StatesAt = Shader.PropertyToID("_StatesAt");
+            public static readonly int GhostIds = Shader.PropertyToID("_GhostIds");
+            public static readonly int StepsAhead = Shader.PropertyToID("_StepsAhead");
+        }
+    }
+}

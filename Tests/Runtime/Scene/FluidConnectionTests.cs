@@ -1,0 +1,268 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+using Rill.Testing;
+
+namespace Rill.Tests
+{
+    /// <summary>Two fluids whose boxes overlap along x, and the water that flows between them.</summary>
+    public class FluidConnectionTests : PlayedFluidFixture
+    {
+        const float Spacing = 0.1f, Overlap = 8f * Spacing;
+
+        static readonly Vector3 Box = new Vector3(2f, 1.2f, 0.5f);
+
+        [UnityTest]
+        public IEnumerator Water_flows_into_an_empty_box_until_both_are_level_and_none_is_lost(
+            [Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.2f, 0.8f, 0.5f), Vector3.zero, deepWater);
+            FluidConnection connection = Connect(left, right);
+            int all = 12 * 8 * 5;
+            for (int frame = 0; frame < 240; frame++)
+            {
+                yield return null;
+                Assert.That(Own(left).Length + Own(right).Length, Is.EqualTo(all), $"particles of both in frame {frame}");
+            }
+            AsyncGPUReadback.WaitAllRequests();
+            FluidAssert.NothingLost(left);
+            FluidAssert.NothingLost(right);
+            FluidStatistics onLeft = FluidAssert.Measure(left), onRight = FluidAssert.Measure(right);
+            float levelLeft = Level(left, -1.4f, -0.2f), levelRight = Level(right, 0.2f, 1.4f);
+            TestContext.Out.WriteLine($"{onLeft.particles} left, {onRight.particles} right, {connection.HandedToSecond} over, " +
+                $"{connection.HandedToFirst} back; levels {levelLeft:0.000} and {levelRight:0.000} m, rms speed {onLeft.speed:0.000} and " +
+                $"{onRight.speed:0.000} m/s, density error {onLeft.densityError:0.0000} and {onRight.densityError:0.0000}");
+            Assert.That(onLeft.handedOut - onLeft.handedIn, Is.EqualTo(onRight.particles));
+            Assert.That(levelLeft, Is.EqualTo(levelRight).Within(Spacing));
+        }
+
+        [UnityTest]
+        public IEnumerator Water_at_rest_in_both_boxes_stays_level_and_calm(
+            [Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.8f, 0.5f), new Vector3(2f, 0.8f, 0.5f), deepWater);
+            Connect(left, right);
+            yield return Frames(1);
+            int all = Own(left).Length + Own(right).Length;
+            Assert.That(all, Is.EqualTo(32 * 8 * 5), "what both were filled with is there once");
+            yield return Frames(120);
+            FluidStatistics onLeft = FluidAssert.Measure(left), onRight = FluidAssert.Measure(right);
+            float levelLeft = Level(left, -1.4f, -0.2f), levelRight = Level(right, 0.2f, 1.4f), between = Level(left, -0.2f, 0f);
+            TestContext.Out.WriteLine($"{onLeft.particles} left, {onRight.particles} right; levels {levelLeft:0.000}, {between:0.000} and " +
+                $"{levelRight:0.000} m, rms speed {onLeft.speed:0.000} and {onRight.speed:0.000} m/s, density error " +
+                $"{onLeft.densityError:0.0000} and {onRight.densityError:0.0000}");
+            Assert.That(onLeft.particles + onRight.particles, Is.EqualTo(all));
+            Assert.That(levelLeft, Is.EqualTo(levelRight).Within(0.5f * Spacing));
+            Assert.That(math.max(onLeft.speed, onRight.speed), Is.LessThan(0.25f));
+        }
+
+        [UnityTest]
+        public IEnumerator A_particle_crosses_with_its_place_velocity_and_phase_and_gets_a_new_id()
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(Vector3.zero, Vector3.zero, setUp: Weightless);
+            FluidConnection connection = Connect(left, right);
+            yield return null;
+            float3 from = new float3(-0.3f, 0.2f, 0.1f), velocity = new float3(1.2f, -0.3f, 0.15f);
+            Add(right, new float3(1.5f, -0.2f, 0f), float3.zero);
+            using (var positions = new NativeArray<float3>(new[] { from }, Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(new[] { velocity }, Allocator.Persistent))
+                left.AddParticles(positions, velocities, 3);
+            for (int frame = 1; frame <= 40; frame++)
+            {
+                yield return null;
+                Vector3[] there = Own(left).Concat(Own(right).Where(p => p.x < 1.2f)).ToArray();
+                Assert.That(there.Length, Is.EqualTo(1), $"frame {frame}");
+                Assert.That(Vector3.Distance(there[0], from + velocity * (frame / 60f)), Is.LessThan(0.01f * Spacing), $"frame {frame}");
+            }
+            Assert.That(Own(left), Is.Empty);
+            ParticleState state = TestFluid.Read(right.Solver);
+            int i = Array.FindIndex(state.positions, p => p.x * Spacing < 1.4f);
+            Assert.That(math.distance(state.velocities[i].xyz * Spacing, velocity), Is.LessThan(1e-3f));
+            Assert.That(state.ids, Is.EquivalentTo(new[] { 0u, 1u }));
+            Assert.That(GpuTest.Read<uint>(right.Solver.Tags, 2)[i] >> ParticleTags.PhaseShift, Is.EqualTo(3u));
+            AsyncGPUReadback.WaitAllRequests();
+            yield return Frames(2);
+            AsyncGPUReadback.WaitAllRequests();
+            Assert.That((connection.HandedToSecond, connection.HandedToFirst, connection.WaitingForSecond), Is.EqualTo((1, 0, 0)));
+        }
+
+        [UnityTest]
+        public IEnumerator What_a_full_fluid_cannot_take_waits_before_it_and_is_told()
+        {
+            FluidSimulation left = null, right = null;
+            (left, right) = Pair(new Vector3(1.6f, 0.8f, 0.5f), Vector3.zero, setUp: fluid =>
+            {
+                if (fluid.transform.position.x > 0f)
+                    fluid.Configure(Box, Spacing, 60);
+            });
+            FluidConnection connection = Connect(left, right);
+            LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidConnection 'Opening': [0-9]+ particles wait to flow into 'Right', whose " +
+                "capacity of 60 is full. Raise its capacity"));
+            for (int frame = 0; frame < 90; frame++)
+            {
+                yield return null;
+                Assert.That(Own(left).Length + Own(right).Length, Is.EqualTo(16 * 8 * 5), $"particles of both in frame {frame}");
+            }
+            AsyncGPUReadback.WaitAllRequests();
+            yield return null;
+            Assert.That(connection.WaitingForSecond, Is.GreaterThan(0));
+            Assert.That(Own(right).Length, Is.InRange(1, 60));
+            Assert.That(FluidAssert.Measure(left).escaped, Is.Zero);
+            var problems = new List<string>();
+            ((IHasProblems)connection).ListProblems(problems);
+            Assert.That(problems, Has.Exactly(1).Contains("capacity of 60 is full"));
+        }
+
+        [UnityTest]
+        public IEnumerator A_drain_where_the_boxes_overlap_takes_no_ghosts()
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.6f, 0.5f), Vector3.zero);
+            Connect(left, right);
+            var hole = new GameObject("Hole");
+            made.Add(hole);
+            hole.SetActive(false);
+            hole.transform.position = new Vector3(-0.2f, -0.4f, 0f);      // where the water of the other is
+            var drain = hole.AddComponent<FluidDrain>();
+            drain.Simulation = right;
+            drain.Size = new Vector3(0.3f, 0.4f, 0.5f);
+            hole.SetActive(true);
+            yield return Frames(1);
+            int all = Own(left).Length + Own(right).Length;
+            yield return Frames(3);
+            FluidStatistics onLeft = FluidAssert.Measure(left), onRight = FluidAssert.Measure(right);
+            Assert.That(onLeft.drained + onRight.drained + onLeft.particles + onRight.particles, Is.EqualTo(all));
+            FluidAssert.NothingLost(left);
+            FluidAssert.NothingLost(right);
+        }
+
+        [UnityTest]
+        public IEnumerator Each_surface_ends_where_the_other_fluids_begins()
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.6f, 0.5f), new Vector3(2f, 0.6f, 0.5f));
+            Connect(left, right);
+            left.AskForSurface += () => left.NeedsSurface = true;
+            yield return Frames(3);
+            SurfaceParticles surface = left.Solver.Surface;
+            int drawn = (int)GpuTest.Read<uint>(surface.Counters, surface.Counters.count)[(int)SurfaceParticles.Counter.Drawn];
+            float[] alongX = GpuTest.Read<SurfaceParticles.Element>(surface.Particles, drawn).Select(e => math.asfloat(e.a.x)).ToArray();
+            float middle = (Box.x - 0.5f * Overlap) / Spacing;
+            Assert.That(alongX.Where(x => x > 0f).Max(), Is.InRange(middle - 1.5f, middle + 1.5f));
+            Assert.That(alongX.Count(x => x < 0f), Is.GreaterThan(20), "out of sight: what stands for the other fluid's water");
+        }
+
+        [UnityTest]
+        public IEnumerator The_same_scene_flows_the_same_to_the_bit()
+        {
+            var ends = new List<ParticleState>();
+            for (int run = 0; run < 2; run++)
+            {
+                (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.6f, 0.8f, 0.5f), Vector3.zero);
+                Connect(left, right);
+                yield return Frames(40);
+                ends.Add(TestFluid.Read(right.Solver));
+                ends.Add(TestFluid.Read(left.Solver));
+                left.gameObject.SetActive(false);
+                right.gameObject.SetActive(false);
+            }
+            Assert.That(ends[0].Count, Is.GreaterThan(20));
+            TestFluid.AssertSame(ends[2], ends[0]);
+            TestFluid.AssertSame(ends[3], ends[1]);
+        }
+
+        [UnityTest]
+        public IEnumerator What_keeps_two_fluids_apart_is_said_once_with_what_to_do([Values(0, 1, 2, 3, 4, 5)] int fault)
+        {
+            string[] expected = { "particle spacing of 0.1 m and 'Right' one of 0.05 m", "different materials", "120. Make their Step Rates equal",
+                "turned differently", "overlap by 0.2 m along x, less than 4 spacings of 0.1 m. Let them overlap by 0.8 m",
+                "have no end in each other" };
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.6f, 0.4f, 0.5f), Vector3.zero);
+            if (fault == 0)
+                right.ParticleSpacing = 0.05f;
+            else if (fault == 1)
+                right.Material = new FluidMaterial { density = 900f, velocitySmoothing = right.Material.velocitySmoothing,
+                    artificialPressureDistance = 0.2f, relaxationTime = right.Material.relaxationTime };
+            else if (fault == 2)
+                right.StepRate = 120f;
+            else if (fault == 3)
+                right.transform.rotation = Quaternion.Euler(0f, 20f, 0f);
+            else if (fault == 4)
+                right.transform.position += new Vector3(0.6f, 0f, 0f);
+            else
+                right.transform.position = left.transform.position;
+            FluidConnection connection = Connect(left, right);
+            LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidConnection 'Opening': .*" + Regex.Escape(expected[fault])));
+            yield return Frames(5);
+            Assert.That(connection.IsOpen, Is.False);
+            Assert.That(Own(right), Is.Empty);
+            LogAssert.NoUnexpectedReceived();
+        }
+
+        [Test]
+        public void A_connection_without_two_fluids_says_so()
+        {
+            (FluidSimulation left, _) = Pair(Vector3.zero, Vector3.zero);
+            LogAssert.Expect(LogType.Warning, new Regex("has no two fluids. Set First and Second"));
+            FluidConnection connection = Connect(left, null);
+            LogAssert.Expect(LogType.Warning, new Regex("both ends are 'Left'"));
+            connection.Second = left;
+        }
+
+        // ---- helpers
+
+        // One box on each side of x = 0, overlapping by 8 spacings around it; water from the outer end of each.
+        (FluidSimulation left, FluidSimulation right) Pair(Vector3 waterLeft, Vector3 waterRight, DeepWater deepWater = DeepWater.Off,
+            Action<FluidSimulation> setUp = null, int capacity = 4000)
+        {
+            void SetUp(FluidSimulation fluid, float side, Vector3 water)
+            {
+                fluid.StatisticsInterval = 0;
+                SolverSettings settings = fluid.Settings;
+                settings.deepWater = deepWater;
+                fluid.Settings = settings;
+                fluid.transform.position = new Vector3(side * 0.5f * (Box.x - Overlap), 0f, 0f);
+                if (water != Vector3.zero)
+                    AddWater(fluid, water, new Vector3(side * 0.5f * (Box.x - water.x), 0.5f * (water.y - Box.y), 0.5f * (water.z - Box.z)));
+                setUp?.Invoke(fluid);
+            }
+            return (Fluid("Left", Box, Spacing, capacity, Vector3.zero, fluid => SetUp(fluid, -1f, waterLeft)),
+                Fluid("Right", Box, Spacing, capacity, Vector3.zero, fluid => SetUp(fluid, 1f, waterRight)));
+        }
+
+        FluidConnection Connect(FluidSimulation first, FluidSimulation second)
+        {
+            var gameObject = new GameObject("Opening");
+            made.Add(gameObject);
+            gameObject.SetActive(false);
+            var connection = gameObject.AddComponent<FluidConnection>();
+            connection.First = first;
+            connection.Second = second;
+            gameObject.SetActive(true);
+            return connection;
+        }
+
+        static void Weightless(FluidSimulation fluid) => fluid.Gravity = Vector3.zero;
+
+        // Positions in world space of the particles that are a fluid's own.
+        static Vector3[] Own(FluidSimulation fluid)
+        {
+            ParticleState state = TestFluid.Read(fluid.Solver);
+            Matrix4x4 toWorld = fluid.DomainToWorld;
+            return state.positions.Where(p => math.all(math.isfinite(p.xyz))).Select(p => toWorld.MultiplyPoint3x4(p.xyz)).ToArray();
+        }
+
+        // Height of the water's surface over the floor between two places along x: twice that of its centre of mass.
+        static float Level(FluidSimulation fluid, float from, float to)
+        {
+            float[] heights = Own(fluid).Where(p => p.x >= from && p.x < to).Select(p => p.y + 0.5f * Box.y).ToArray();
+            return heights.Length == 0 ? 0f : 2f * heights.Average();
+        }
+    }
+}
