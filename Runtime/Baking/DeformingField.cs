@@ -64,7 +64,7 @@ namespace Rill
             if (mesh.RestChanges)
                 cmd.SetBufferData(rest, mesh.Rest);
             passes.Pose(rest, vertexBones, bones, mesh.VertexCount);
-            passes.Gather(0, mesh.TriangleCount);
+            passes.Gather(0, mesh.TriangleCount, mesh.IsMirrored);
             passes.Clear();
             done = 0;
         }

@@ -125,9 +125,11 @@ namespace Rill
             Run(poseVertices, GroupsFor(count), GatherMarker);
         }
 
-        public void Gather(int first, int count)
+        /// <param name="isMirrored">Whether all triangles were turned over since they were put in order.</param>
+        public void Gather(int first, int count, bool isMirrored = false)
         {
             Begin(first, count);
+            cmd.SetComputeIntParam(shader, Ids.IsMirrored, isMirrored ? 1 : 0);
             cmd.SetComputeVectorParam(shader, Ids.Min, new float4(grid.Min, 0f));
             cmd.SetComputeFloatParam(shader, Ids.PerMetre, 1f / grid.VoxelSize);
             Bind(gather, Ids.Vertices, vertices);
@@ -359,6 +361,7 @@ namespace Rill
             public static readonly int Stride = Shader.PropertyToID("_Stride");
             public static readonly int Level = Shader.PropertyToID("_Level");
             public static readonly int LevelCount = Shader.PropertyToID("_LevelCount");
+            public static readonly int IsMirrored = Shader.PropertyToID("_IsMirrored");
             public static readonly int IsClosed = Shader.PropertyToID("_IsClosed");
             public static readonly int HalfThickness = Shader.PropertyToID("_HalfThickness");
             public static readonly int VoxelSize = Shader.PropertyToID("_VoxelSize");

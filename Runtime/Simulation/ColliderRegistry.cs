@@ -85,7 +85,7 @@ namespace Rill
                 return;
             }
             if (motion.deforming != null)
-                Deform(ref motion, follows ? last[before].motion : motion, steps.clock);
+                Deform(ref motion, follows && !Jumped ? last[before].motion : motion, steps.clock);
             int index = Set.Count++;
             reordered |= before != index;
             changed |= before != index || !SameShape(motion, last[before].motion);

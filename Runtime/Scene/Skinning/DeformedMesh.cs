@@ -64,17 +64,10 @@ namespace Rill
         /// <param name="problem">Why there is none; null where there is.</param>
         public static DeformedMesh Of(Component owner, MeshSdfSign sign, out string problem)
         {
-            problem = null;
-            bool isSkinned = owner.TryGetComponent(out SkinnedMeshRenderer skin);
-            Mesh mesh = isSkinned ? skin.sharedMesh : owner.TryGetComponent(out MeshFilter filter) ? filter.sharedMesh : null;
-            if (isSkinned)
-                problem = SkinProblems.Of(skin, skin.bones);
-            else if (mesh == null)
-                problem = "it has no Skinned Mesh Renderer and no Mesh Filter with a mesh. Add one of them.";
-            else if (!mesh.isReadable)
-                problem = SkinProblems.NotReadable(mesh);
+            problem = ProblemOf(owner);
             if (problem != null)
                 return null;
+            Mesh mesh = owner.TryGetComponent(out SkinnedMeshRenderer skin) ? skin.sharedMesh : owner.GetComponent<MeshFilter>().sharedMesh;
             try
             {
                 return new DeformedMesh(owner, skin, mesh, sign);
@@ -84,6 +77,16 @@ namespace Rill
                 problem = refused.Message;
                 return null;
             }
+        }
+
+        /// <summary>Why there is no mesh to read; null where there is one.</summary>
+        public static string ProblemOf(Component owner)
+        {
+            if (owner.TryGetComponent(out SkinnedMeshRenderer skin))
+                return SkinProblems.Of(skin, skin.bones);
+            if (!owner.TryGetComponent(out MeshFilter filter) || filter.sharedMesh == null)
+                return "it has no Skinned Mesh Renderer and no Mesh Filter with a mesh. Add one of them.";
+            return filter.sharedMesh.isReadable ? null : SkinProblems.NotReadable(filter.sharedMesh);
         }
 
         public bool IsShell { get; }
@@ -106,6 +109,9 @@ namespace Rill
 
         /// <summary>Of each bone three rows of the matrix from the rest to the frame.</summary>
         public float4[] Rows => rows;
+
+        /// <summary>Whether the pose shows it in a mirror: by the first bone that carries anything.</summary>
+        public bool IsMirrored { get; private set; }
 
         /// <summary>Around the mesh as it is posed now, m; somewhat more than it takes.</summary>
         public Bounds Bounds { get; private set; }
@@ -130,7 +136,8 @@ namespace Rill
         /// <returns>Whether they are elsewhere than when it was baked last.</returns>
         public bool Follow(float tolerance)
         {
-            bool moved = FollowBones() && Differs(tolerance);
+            FollowBones();
+            bool moved = Differs(tolerance);
             if (skin == null)
             {
                 source.GetVertices(vertices);
@@ -153,24 +160,28 @@ namespace Rill
         public BakeGeometry GeometryFor(in SdfGrid grid)
             => new BakeGeometry(triangles, (uint[])order.Clone(), turned, grid, !IsShell && turnAll, splitsLarge: false);
 
-        bool FollowBones()
+        void FollowBones()
         {
             RigidPose pose = Pose;
             Matrix4x4 toFrame = Matrix4x4.TRS(pose.position, pose.rotation, Vector3.one).inverse;
             float3 low = float.PositiveInfinity, high = float.NegativeInfinity;
+            bool isFirst = true;
             for (int i = 0; i < bones.Length; i++)
             {
                 Matrix4x4 matrix = bones[i] == null ? toFrame * own.localToWorldMatrix
                     : toFrame * bones[i].localToWorldMatrix * (i < bindposes.Length ? bindposes[i] : Matrix4x4.identity);
                 for (int row = 0; row < 3; row++)
                     rows[3 * i + row] = matrix.GetRow(row);
-                if (carries[i])
-                    Include(matrix, boxes[i], ref low, ref high);
+                if (!carries[i])
+                    continue;
+                Include(matrix, boxes[i], ref low, ref high);
+                if (isFirst)
+                    IsMirrored = math.dot(rows[3 * i].xyz, math.cross(rows[3 * i + 1].xyz, rows[3 * i + 2].xyz)) < 0f;
+                isFirst = false;
             }
             var bounds = new Bounds();
             bounds.SetMinMax(low, high);
             Bounds = bounds;
-            return true;
         }
 
         bool Differs(float tolerance)

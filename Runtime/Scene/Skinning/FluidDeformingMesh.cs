@@ -24,13 +24,14 @@ namespace Rill
 
         const int MinTriangles = 100, MaxTriangles = 10000000;
         const int Padding = 2;                  // voxels around the mesh
+        const float MaxGrowth = 4f;             // of the box, in longest sides of the mesh
         const float StillVoxels = 1e-3f;        // what moves by less is not baked again
 
         [Tooltip("Voxels along the longest side of the box around the mesh, 16 to 64. A voxel must be smaller than the thinnest limb.")]
         [Range(MinResolution, MaxResolution)]
         [SerializeField] int resolution = 32;
 
-        [Tooltip("Triangles that a frame may bake, 100 to 10,000,000. A mesh with more takes several frames, and follows so much later.")]
+        [Tooltip("Triangles that a frame may bake, 100 to 10,000,000. A mesh with more takes several frames, and follows later.")]
         [SerializeField] int trianglesPerFrame = 50000;
 
         [Tooltip("Space kept around the mesh for its next poses, as a fraction of its longest side, 0 to 1. The box grows where it is too small.")]
@@ -49,13 +50,13 @@ namespace Rill
         DeformedMesh mesh;
         DeformingField field;
         SdfGrid grid;
-        Bounds box;             // that the grid holds, in the mesh's frame, m
+        Bounds box, limits;     // that the grid holds, and may hold, in the mesh's frame, m
         string clamped;         // what the newest validation changed
         string refusal;         // why there is no mesh
         ColliderShape shapeBefore;
         int lastFrame = -1, framesOfBake, framesOfLast, framesSince;
         float begun, poseTime;  // s
-        bool isStale;
+        bool isStale, isTooWide;
 
         /// <summary>Voxels along the longest side of the box around the mesh, 16 to 64. Another one begins anew.</summary>
         public int Resolution { get => resolution; set { resolution = value; OnValidate(); } }
@@ -94,6 +95,10 @@ namespace Rill
         /// <summary>Middle of the field now, world space, m.</summary>
         internal Vector3 WorldCenter => mesh != null && mesh.Problem == null ? (Vector3)CenterPose.position : transform.position;
 
+        /// <summary>From the middle of the field, m.</summary>
+        internal Matrix4x4 FieldToWorld => mesh != null && mesh.Problem == null
+            ? Matrix4x4.TRS(CenterPose.position, CenterPose.rotation, Vector3.one) : transform.localToWorldMatrix;
+
         internal SdfGrid Grid => grid;
 
         DeformingField IDeformingShape.Field => field;
@@ -119,6 +124,9 @@ namespace Rill
                 Debug.LogError($"Rill: FluidDeformingMesh '{name}' is no collider: {refusal}", this);
                 return;
             }
+            limits = mesh.Bounds;
+            limits.Expand((MaxGrowth - 1f) * math.cmax((float3)limits.size));
+            isTooWide = false;
             FitBox(mesh.Bounds);
         }
 
@@ -171,7 +179,8 @@ namespace Rill
         {
             problems.AddIfAny(clamped);
             problems.AddIfAny(refusal);
-            problems.AddIfAny(mesh?.Problem);
+            problems.AddIfAny(isTooWide ? TooWideProblem : null);
+            problems.AddIfAny(mesh != null ? mesh.Problem : refusal == null ? DeformedMesh.ProblemOf(this) : null);
         }
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => true;
@@ -222,8 +231,9 @@ namespace Rill
                     FieldAge = 0f;
                     return;
                 }
-                if (!Contains(box, mesh.Bounds))
-                    Grow();
+                Bounds posed = Limited(mesh.Bounds);
+                if (!Contains(box, posed))
+                    Grow(posed);
                 if (field == null && !TryMakeField())
                     return;
                 mesh.Bake();
@@ -267,19 +277,34 @@ namespace Rill
         }
 
         // With what it already holds, so that a motion that repeats makes it grow but once.
-        void Grow()
+        void Grow(Bounds wanted)
         {
-            Bounds wanted = box;
-            wanted.Encapsulate(mesh.Bounds);
+            wanted.Encapsulate(box);
             ReleaseField();
             FitBox(wanted);
         }
+
+        // Without what is so far away that a voxel would become too large for the rest.
+        Bounds Limited(Bounds wanted)
+        {
+            if (Contains(limits, wanted))
+                return wanted;
+            if (!isTooWide)
+                Debug.LogWarning($"Rill: FluidDeformingMesh '{name}' {TooWideProblem}", this);
+            isTooWide = true;
+            wanted.SetMinMax(Vector3.Max(wanted.min, limits.min), Vector3.Min(wanted.max, limits.max));
+            return wanted;
+        }
+
+        string TooWideProblem => $"reaches over more than {MaxGrowth} times its size, and what is beyond is left out. Bring its bones and " +
+            "vertices back, or call Refresh in its new pose.";
 
         void FitBox(Bounds around)
         {
             float longest = math.cmax((float3)around.size);
             box = around;
             box.Expand(2f * margin * longest);
+            limits.Encapsulate(box);
             var settings = MeshSdfSettings.Default;
             settings.resolution = resolution;
             settings.padding = Padding;

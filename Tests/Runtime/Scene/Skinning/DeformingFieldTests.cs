@@ -1,8 +1,10 @@
 using System;
 using System.Linq;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
 namespace Rill.Tests
@@ -82,6 +84,7 @@ namespace Rill.Tests
             broken[150] = new Vector3(1e30f, 0f, 0f);
             broken[100] = broken[101];
             made.vertices = broken;
+            LogAssert.Expect(LogType.Warning, new Regex("FluidDeformingMesh 'Thing' reaches over more than 4 times its size"));
             float[] distances = Bake(deforming);
             Assert.That(distances.All(d => !float.IsNaN(d) && math.abs(d) < 1e4f));
             Assert.That(distances.Min(), Is.LessThan(-0.15f), "the middle of the ball is still solid");
