@@ -186,12 +186,4 @@ namespace Rill
                 DestroyImmediate(gone);
         }
     }
-
-    /// <summary>Records what a fit changes, so that the user can undo it.</summary>
-    interface IFitUndo
-    {
-        void Changing(UnityEngine.Object what);
-        void Created(GameObject what);
-        void Destroy(UnityEngine.Object what);
-    }
 }

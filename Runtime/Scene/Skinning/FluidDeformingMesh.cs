@@ -56,6 +56,7 @@ namespace Rill
         ColliderShape shapeBefore;
         int lastFrame = -1, framesOfBake, framesOfLast, framesSince;
         float begun, poseTime;  // s
+        (int, float, MeshSdfSign, float) taken;      // settings that a change of begins anew
         bool isStale, isTooWide;
 
         /// <summary>Voxels along the longest side of the box around the mesh, 16 to 64. Another one begins anew.</summary>
@@ -118,6 +119,7 @@ namespace Rill
         {
             ReleaseField();
             isStale = false;
+            taken = (resolution, margin, sign, shellThickness);
             mesh = DeformedMesh.Of(this, sign, out refusal);
             if (mesh == null)
             {
@@ -151,7 +153,7 @@ namespace Rill
             if (mesh.Problem is string problem)
                 return problem;
             if (isStale)
-                Refit();
+                Refresh();
             pose = CenterPose;
             if (!Limit.IsPose(pose.position, pose.rotation))
                 return "its root bone is not finite. Set its transform to numbers.";
@@ -215,9 +217,9 @@ namespace Rill
         void OnValidate()
         {
             shaders.Follow(StageSet.MeshBaking);
-            isStale = mesh != null;
             if (!Validate(out clamped))
                 Debug.LogWarning($"Rill: FluidDeformingMesh '{name}': {clamped}", this);
+            isStale = mesh != null && taken != (resolution, margin, sign, shellThickness);
         }
 
         // Of this frame: a bake goes on, or begins where the mesh has moved.
@@ -268,14 +270,6 @@ namespace Rill
             }
         }
 
-        void Refit()
-        {
-            Bounds held = box;
-            Refresh();
-            if (mesh != null && Contains(held, mesh.Bounds))
-                FitBox(held);
-        }
-
         // With what it already holds, so that a motion that repeats makes it grow but once.
         void Grow(Bounds wanted)
         {
@@ -304,7 +298,6 @@ namespace Rill
             float longest = math.cmax((float3)around.size);
             box = around;
             box.Expand(2f * margin * longest);
-            limits.Encapsulate(box);
             var settings = MeshSdfSettings.Default;
             settings.resolution = resolution;
             settings.padding = Padding;
