@@ -15,6 +15,9 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f, Step = 1f / 60f;
 
+        // Frames that a bake is spread over, and frames a second: at 30 a frame has two steps.
+        static readonly int2[] Rates = { new int2(1, 60), new int2(3, 60), new int2(1, 30) };
+
         SkinnedArm arm;
         GameObject ballObject;
         Mesh ball;
@@ -30,9 +33,11 @@ namespace Rill.Tests
 
         // Particles that hang still in front of the lower arm, too far apart to feel each other.
         [UnityTest]
-        public IEnumerator What_a_swinging_arm_meets_moves_with_the_surface_that_pushes_it([Values(1, 3)] int framesPerBake)
+        public IEnumerator What_a_swinging_arm_meets_moves_with_the_surface_that_pushes_it([ValueSource(nameof(Rates))] int2 rates)
         {
-            const float turn = 2f;      // degrees a step: 2 rad/s
+            int framesPerBake = rates.x, steps = 60 / rates.y;
+            float turn = 2f * steps;        // degrees a frame: 2 rad/s
+            Time.captureDeltaTime = steps * Step;
             FluidDeformingMesh deforming = AddArm();
             deforming.TrianglesPerFrame = (deforming.TriangleCount + framesPerBake - 1) / framesPerBake;
             FluidSimulation fluid = Fluid("Still", new Vector3(3f, 3f, 1f), Spacing, 4000, Vector3.zero, f => f.Gravity = Vector3.zero);
@@ -45,12 +50,12 @@ namespace Rill.Tests
 
             int touching = 0;
             float deepest = float.PositiveInfinity, asked = 0f, found = 0f;
-            for (int i = 1; i <= 20; i++)
+            for (int i = 1; i <= 20 / steps; i++)
             {
                 arm.Bend(i * turn);
                 yield return null;
                 // A field that takes several frames is late by those in which it is baked, and by those in which it is moved to.
-                float angle = math.radians((i - 2 * (framesPerBake - 1)) * turn), rate = math.radians(turn) / Step;
+                float angle = math.radians((i - 2 * (framesPerBake - 1)) * turn), rate = math.radians(turn) / (steps * Step);
                 if (i < 3 * framesPerBake)
                     continue;
                 var axis = new float3(math.cos(angle), math.sin(angle), 0f);
