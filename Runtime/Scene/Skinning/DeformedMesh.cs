@@ -204,11 +204,13 @@ namespace Rill
             for (int i = 0; i < vertices.Count; i++)
             {
                 float3 vertex = vertices[i];
-                if (!math.all(math.isfinite(vertex)))
+                bool isPlace = math.all(math.isfinite(vertex));
+                if (!moved)
+                    moved = isPlace ? !(math.cmax(math.abs(vertex - (float3)seen[i])) <= tolerance) : math.all(math.isfinite((float3)seen[i]));
+                if (!isPlace)
                     continue;
                 low = math.min(low, vertex);
                 high = math.max(high, vertex);
-                moved = moved || math.cmax(math.abs(vertex - (float3)seen[i])) > tolerance;
             }
             if (!math.all(low <= high))
                 return moved;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
@@ -38,17 +39,17 @@ namespace Rill.Tests
             int framesPerBake = rates.x, steps = 60 / rates.y;
             float turn = 2f * steps;        // degrees a frame: 2 rad/s
             Time.captureDeltaTime = steps * Step;
-            FluidDeformingMesh deforming = AddArm();
+            FluidDeformingMesh deforming = AddArm(mesh => mesh.Resolution = 64);
             deforming.TrianglesPerFrame = (deforming.TriangleCount + framesPerBake - 1) / framesPerBake;
             FluidSimulation fluid = Fluid("Still", new Vector3(3f, 3f, 1f), Spacing, 4000, Vector3.zero, f => f.Gravity = Vector3.zero);
             yield return null;
-            for (int i = 0; i < 4; i++)
-                for (int k = 0; k < 3; k++)
-                    Add(fluid, new float3(0.72f + 0.06f * i, 0.24f + 0.12f * k, 0.02f), 0f);
+            for (int i = 0; i < 3; i++)
+                Add(fluid, new float3(0.66f + 0.12f * i, 0.24f, 0.02f), 0f);
             yield return null;
             Assert.That(deforming.BakedFields, Is.EqualTo(1));
 
             int touching = 0;
+            var met = new HashSet<uint>();      // before this frame: a particle that is met has not moved with the arm for all of a step
             float deepest = float.PositiveInfinity, asked = 0f, found = 0f;
             for (int i = 1; i <= 20 / steps; i++)
             {
@@ -67,7 +68,7 @@ namespace Rill.Tests
                     float3 from = place - along * axis;
                     float gap = math.length(from) - SkinnedArm.Radius;
                     deepest = math.min(deepest, gap);
-                    if (gap > 0.6f * Spacing || along < 0.15f)
+                    if (gap > 0.6f * Spacing || along < 0.15f || met.Add(state.ids[k]))
                         continue;
                     touching++;
                     float3 normal = math.normalize(from);
@@ -76,7 +77,8 @@ namespace Rill.Tests
                 }
             }
             Assert.That(deforming.FramesPerBake, Is.EqualTo(framesPerBake));
-            Assert.That(touching, Is.GreaterThan(20));
+            Assert.That(touching, Is.GreaterThan(10));
+            Debug.Log($"{found / asked} of the velocity of the surface, {touching} times");
             Assert.That(found, Is.EqualTo(asked).Within(0.1f * asked), "sum of the velocities along the surface's normal");
             Assert.That(deepest, Is.GreaterThan(-0.25f * Spacing), "nothing is in the arm");
         }
@@ -117,7 +119,7 @@ namespace Rill.Tests
             FluidDeformingMesh deforming = AddBall(sphere);
             FluidSimulation fluid = Fluid("Pool", new Vector3(1f, 1.3f, 1f), Spacing, 12000, new Vector3(1f, 0.9f, 1f),
                 f => f.transform.position = new Vector3(0f, 0.2f, 0f));
-            yield return Frames(15);
+            yield return Frames(50);
             int count = TestFluid.Read(fluid.Solver).Count;
             float before = Top(fluid), highest = 0f, deepest = float.PositiveInfinity;
             for (int i = 0; i <= 48; i++)
