@@ -9,7 +9,8 @@ namespace Rill.Editor
     sealed class FluidBoneCollidersEditor : RillEditor
     {
         static readonly GUIContent FitLabel =
-            new GUIContent("Fit to Bones", "Fits a capsule to each bone again. Keeps friction, events and other settings of those that are there.");
+            new GUIContent("Fit to Bones", "Fits a capsule to each bone again. Keeps friction, events and " +
+                "other settings of those that are there.");
         static readonly GUIContent ClearLabel = new GUIContent("Remove", "Removes the capsules that it has fitted.");
 
         static readonly InspectorSection[] AllSections =

@@ -84,8 +84,8 @@ namespace Rill
                 LeftOutCount++;
                 return;
             }
-            if (motion.deforming != null)
-                Deform(ref motion, follows && !Jumped ? last[before].motion : motion, steps.clock);
+            if (motion.deforming != null && !TryDeform(ref motion, follows && !Jumped ? last[before].motion : motion, steps.clock))
+                return;
             int index = Set.Count++;
             reordered |= before != index;
             changed |= before != index || !SameShape(motion, last[before].motion);
@@ -142,14 +142,18 @@ namespace Rill
                 motion.end = RigidPose.Between(before.end, before.seen, (float)(1.0 + reached / clock.LastFrameLag));
         }
 
-        // A surface that deforms goes on from where it was, to where it is between its two newest fields at the end of the steps.
-        static void Deform(ref ColliderMotion motion, in ColliderMotion before, FixedStepClock clock)
+        // A surface that deforms goes on from where it was, to where it is between its two newest fields at the end of the steps. False
+        // where it could not be baked.
+        static bool TryDeform(ref ColliderMotion motion, in ColliderMotion before, FixedStepClock clock)
         {
             double reached = (clock.FrameInterval - clock.FrameLag) / clock.FrameInterval;
             bool follows = ReferenceEquals(before.deforming, motion.deforming) && before.fieldVersion > 0;
             motion.blend = motion.deforming.Follow((float)math.saturate(reached));
-            motion.fieldVersion = motion.deforming.Field != null ? motion.deforming.Field.Version : 0;
+            if (motion.deforming.Field == null)
+                return false;
+            motion.fieldVersion = motion.deforming.Field.Version;
             motion.deforms = follows && (motion.blend != before.blend || motion.fieldVersion != before.fieldVersion);
+            return true;
         }
 
         // Whether it or its path comes near enough to be felt; what has no end, or holds the fluid, does.

@@ -126,8 +126,8 @@ namespace Rill
             {
                 if (own == null || frame == null || source == null || skin != null && skin.sharedMesh != source)
                     return "its mesh or its root bone is another one now. Call Refresh.";
-                return skin == null && source.vertexCount != VertexCount
-                    ? $"its mesh has {source.vertexCount} vertices now and had {VertexCount}. Call Refresh after a change of its triangles." : null;
+                return skin != null || source.vertexCount == VertexCount ? null : $"its mesh has {source.vertexCount} vertices now and " +
+                    $"had {VertexCount}. Call Refresh after a change of its triangles.";
             }
         }
 
@@ -206,7 +206,8 @@ namespace Rill
                 float3 vertex = vertices[i];
                 bool isPlace = math.all(math.isfinite(vertex));
                 if (!moved)
-                    moved = isPlace ? !(math.cmax(math.abs(vertex - (float3)seen[i])) <= tolerance) : math.all(math.isfinite((float3)seen[i]));
+                    moved = isPlace ? !(math.cmax(math.abs(vertex - (float3)seen[i])) <= tolerance)
+                        : math.all(math.isfinite((float3)seen[i]));
                 if (!isPlace)
                     continue;
                 low = math.min(low, vertex);
@@ -223,9 +224,8 @@ namespace Rill
         static void Include(in Matrix4x4 matrix, in Bounds box, ref float3 low, ref float3 high)
         {
             float3 center = matrix.MultiplyPoint3x4(box.center), extents = box.extents;
-            float3 x = math.abs((float3)(Vector3)matrix.GetColumn(0)) * extents.x, y = math.abs((float3)(Vector3)matrix.GetColumn(1)) * extents.y;
-            float3 z = math.abs((float3)(Vector3)matrix.GetColumn(2)) * extents.z;
-            float3 reach = x + y + z;
+            float3 reach = math.abs((float3)(Vector3)matrix.GetColumn(0)) * extents.x
+                + math.abs((float3)(Vector3)matrix.GetColumn(1)) * extents.y + math.abs((float3)(Vector3)matrix.GetColumn(2)) * extents.z;
             if (!math.all(math.isfinite(center + reach)))
                 return;
             low = math.min(low, center - reach);

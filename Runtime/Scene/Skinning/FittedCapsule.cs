@@ -60,7 +60,10 @@ namespace Rill
             float from = Quantile(low, weights, left), to = Quantile(high, weights, 1f - left);
             if (from > to)
                 from = to = 0.5f * (from + to);
-            return new FittedCapsule { center = middle + 0.5f * (from + to) * axis, axis = axis, radius = radius, height = to - from + 2f * radius };
+            return new FittedCapsule
+            {
+                center = middle + 0.5f * (from + to) * axis, axis = axis, radius = radius, height = to - from + 2f * radius
+            };
         }
 
         static float3 Middle(float3[] points, float[] weights)

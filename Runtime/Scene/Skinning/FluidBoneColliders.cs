@@ -36,7 +36,8 @@ namespace Rill
         string clamped;     // what the newest validation changed
         string refusal;     // why the newest fit made nothing
 
-        /// <summary>From which weight on a vertex belongs to a bone, 0.05 to 1. Counts at the next <see cref="Fit"/>, as all settings here.</summary>
+        /// <summary>From which weight on a vertex belongs to a bone, 0.05 to 1. Counts at the next <see cref="Fit"/>, as all settings
+        /// here.</summary>
         public float MinWeight { get => minWeight; set { minWeight = value; OnValidate(); } }
 
         /// <summary>Vertices that a bone must carry to get a capsule, 4 to 100,000.</summary>
@@ -112,8 +113,8 @@ namespace Rill
             for (int i = 0; i < bones.Length; i++)
                 if (bones[i] != null && points.Count(i) >= minVertices)
                     wanted.Add(i);
-            refusal = wanted.Count == 0 ? $"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight."
-                : wanted.Count > ColliderSet.Most ? $"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes " +
+            refusal = wanted.Count == 0
+                ? $"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight." : wanted.Count > ColliderSet.Most ? $"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes " +
                 $"{ColliderSet.Most} colliders. Raise Min Vertices."
                 : null;
             if (refusal != null)

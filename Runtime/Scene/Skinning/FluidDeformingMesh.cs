@@ -10,8 +10,8 @@ namespace Rill
     /// whose vertices scripts change. The mesh's signed distances are baked again on the GPU where it moved, within a budget.
     /// </summary>
     /// <remarks>
-    /// Water is pushed by the surface as it moves along its normal. Bones are those of this frame, seen by a camera or not. Blend shapes, cloth
-    /// and vertices that only the GPU knows are not followed. The mesh must be readable, and keeps its triangles: after a change of these
+    /// Water is pushed by the surface as it moves along its normal. Bones are those of this frame, seen by a camera or not. Blend shapes,
+    /// cloth and vertices that only the GPU knows are not followed. The mesh must be readable, and keeps its triangles: after a change of these
     /// call <see cref="Refresh"/>. Friction, events and forces are set at the collider.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Deforming Mesh")]
@@ -34,7 +34,8 @@ namespace Rill
         [Tooltip("Triangles that a frame may bake, 100 to 10,000,000. A mesh with more takes several frames, and follows later.")]
         [SerializeField] int trianglesPerFrame = 50000;
 
-        [Tooltip("Space kept around the mesh for its next poses, as a fraction of its longest side, 0 to 1. The box grows where it is too small.")]
+        [Tooltip("Space kept around the mesh for its next poses, as a fraction of its longest side, 0 to 1. " +
+            "The box grows where it is too small.")]
         [Range(0f, 1f)]
         [SerializeField] float margin = 0.1f;
 
@@ -290,8 +291,8 @@ namespace Rill
             return wanted;
         }
 
-        string TooWideProblem => $"reaches over more than {MaxGrowth} times its size, and what is beyond is left out. Bring its bones and " +
-            "vertices back, or call Refresh in its new pose.";
+        static string TooWideProblem => $"reaches over more than {MaxGrowth} times its size, and what is beyond is left out. Bring its bones " +
+            "and vertices back, or call Refresh in its new pose.";
 
         void FitBox(Bounds around)
         {

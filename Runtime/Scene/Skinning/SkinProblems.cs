@@ -5,7 +5,8 @@ namespace Rill
     /// <summary>Why a Skinned Mesh Renderer cannot be read.</summary>
     static class SkinProblems
     {
-        public static string NotReadable(Mesh mesh) => $"its mesh '{mesh.name}' cannot be read. Tick Read/Write in the import settings of the model.";
+        public static string NotReadable(Mesh mesh)
+            => $"its mesh '{mesh.name}' cannot be read. Tick Read/Write in the import settings of the model.";
 
         /// <param name="bones">Of the renderer.</param>
         /// <returns>Null where its mesh and weights can be used.</returns>

@@ -116,7 +116,8 @@ namespace Rill.Tests
             {
                 var mesh = DeformedMesh.Of(arm.Renderer, MeshSdfSign.Automatic, out string problem);
                 Assert.That(problem, Is.Null);
-                var grid = new SdfGrid(new Bounds(new Vector3(0.5f, 0f, 0f), new Vector3(1.2f, 1.2f, 1.2f)), MeshSdfSettings.Default, false);
+                var box = new Bounds(new Vector3(0.5f, 0f, 0f), new Vector3(1.2f, 1.2f, 1.2f));
+                var grid = new SdfGrid(box, MeshSdfSettings.Default, false);
                 using (var field = new DeformingField(mesh, grid))
                 {
                     field.Begin();
@@ -204,7 +205,8 @@ namespace Rill.Tests
             {
                 float3 at = ((float3)Place(grid, i) - (float3)baked.Bounds.min) / baked.VoxelSize - 0.5f;
                 int3 low = (int3)math.floor(at);
-                if (math.any(low < 0) || math.any(low + 1 >= new int3(size.x, size.y, size.z)) || math.abs(distances[i]) > 2f * grid.VoxelSize)
+                if (math.any(low < 0) || math.any(low + 1 >= new int3(size.x, size.y, size.z))
+                    || math.abs(distances[i]) > 2f * grid.VoxelSize)
                     continue;
                 float3 part = at - low;
                 float sum = 0f;

@@ -116,7 +116,8 @@ namespace Rill.Tests
             {
                 large.Renderer.bones = Enumerable.Repeat(large.Upper, many).ToArray();
                 large.Mesh.bindposes = Enumerable.Repeat(Matrix4x4.identity, many).ToArray();
-                large.Mesh.boneWeights = large.Mesh.vertices.Select((_, i) => new BoneWeight { boneIndex0 = i % many, weight0 = 1f }).ToArray();
+                large.Mesh.boneWeights = large.Mesh.vertices.Select((_, i) => new BoneWeight { boneIndex0 = i % many, weight0 = 1f })
+                    .ToArray();
                 var fitter = large.Object.AddComponent<FluidBoneColliders>();
                 fitter.MinVertices = 4;
                 LogAssert.Expect(LogType.Error, new Regex("257 bones carry 4 vertices and more, and a fluid takes 256 colliders"));

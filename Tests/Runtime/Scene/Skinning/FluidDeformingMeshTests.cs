@@ -130,7 +130,7 @@ namespace Rill.Tests
                 ParticleState now = TestFluid.Read(fluid.Solver);
                 highest = math.max(highest, Top(fluid));
                 for (int k = 0; k < now.Count; k++)
-                    deepest = math.min(deepest, ((Vector3)fluid.DomainToWorld.MultiplyPoint3x4(now.positions[k].xyz)).magnitude - 0.25f * radius);
+                    deepest = math.min(deepest, fluid.DomainToWorld.MultiplyPoint3x4(now.positions[k].xyz).magnitude - 0.25f * radius);
             }
             yield return Frames(15);
             Assert.That(deforming.BakedFields, Is.GreaterThan(40));
@@ -204,7 +204,8 @@ namespace Rill.Tests
         public IEnumerator What_cannot_be_baked_is_said_by_name()
         {
             GameObject bare = ballObject = new GameObject("Bare");
-            LogAssert.Expect(LogType.Error, new Regex("FluidDeformingMesh 'Bare' is no collider: it has no Skinned Mesh Renderer and no Mesh Filter"));
+            LogAssert.Expect(LogType.Error,
+                new Regex("FluidDeformingMesh 'Bare' is no collider: it has no Skinned Mesh Renderer and no Mesh Filter"));
             var deforming = bare.AddComponent<FluidDeformingMesh>();
             ball = new Mesh { name = "Drop", vertices = new[] { Vector3.zero, Vector3.right, Vector3.up }, triangles = new[] { 0, 1, 2 } };
             bare.AddComponent<MeshFilter>().sharedMesh = ball;
