@@ -37,7 +37,7 @@ namespace Rill.Tests
         public IEnumerator What_a_swinging_arm_meets_moves_with_the_surface_that_pushes_it([ValueSource(nameof(Rates))] int2 rates)
         {
             int framesPerBake = rates.x, steps = 60 / rates.y;
-            float turn = 2f * steps;        // degrees a frame: 2 rad/s
+            float turn = 5f * steps;        // degrees a frame: 1.8 m/s at the hand, 0.6 spacings a step
             Time.captureDeltaTime = steps * Step;
             FluidDeformingMesh deforming = AddArm(mesh => mesh.Resolution = 64);
             deforming.TrianglesPerFrame = (deforming.TriangleCount + framesPerBake - 1) / framesPerBake;
@@ -51,13 +51,13 @@ namespace Rill.Tests
             int touching = 0;
             var met = new HashSet<uint>();      // before this frame: a particle that is met has not moved with the arm for all of a step
             float deepest = float.PositiveInfinity, asked = 0f, found = 0f;
-            for (int i = 1; i <= 20 / steps; i++)
+            for (int i = 1; i <= 14 / steps; i++)
             {
                 arm.Bend(i * turn);
                 yield return null;
                 // A field that takes several frames is late by those in which it is baked, and by those in which it is moved to.
                 float angle = math.radians((i - 2 * (framesPerBake - 1)) * turn), rate = math.radians(turn) / (steps * Step);
-                if (i < 3 * framesPerBake)
+                if (i < 2 * framesPerBake + 1)
                     continue;
                 var axis = new float3(math.cos(angle), math.sin(angle), 0f);
                 ParticleState state = TestFluid.Read(fluid.Solver);
@@ -77,7 +77,7 @@ namespace Rill.Tests
                 }
             }
             Assert.That(deforming.FramesPerBake, Is.EqualTo(framesPerBake));
-            Assert.That(touching, Is.GreaterThan(10));
+            Assert.That(touching, Is.GreaterThan(3));
             Debug.Log($"{found / asked} of the velocity of the surface, {touching} times");
             Assert.That(found, Is.EqualTo(asked).Within(0.1f * asked), "sum of the velocities along the surface's normal");
             Assert.That(deepest, Is.GreaterThan(-0.25f * Spacing), "nothing is in the arm");
