@@ -17,8 +17,11 @@ namespace Rill.Editor
         static readonly Dictionary<string, string> Pages = new Dictionary<string, string>
         {
             { "DomainRenderer", "rendering.md" },
+            { "FluidBoneColliders", "colliders.md" },
             { "FluidBuoyancy", "floating.md" },
             { "FluidCollider", "colliders.md" },
+            { "FluidConnection", "control.md" },
+            { "FluidDeformingMesh", "colliders.md" },
             { "FluidDetector", "queries.md" },
             { "FluidDrain", "sources.md" },
             { "FluidEmitter", "sources.md" },
@@ -41,8 +44,11 @@ namespace Rill.Editor
         public static string PageOf(Type type) => Pages.TryGetValue(type.Name, out string page) ? page : null;
 
         [MenuItem("CONTEXT/DomainRenderer" + Item)]
+        [MenuItem("CONTEXT/FluidBoneColliders" + Item)]
         [MenuItem("CONTEXT/FluidBuoyancy" + Item)]
         [MenuItem("CONTEXT/FluidCollider" + Item)]
+        [MenuItem("CONTEXT/FluidConnection" + Item)]
+        [MenuItem("CONTEXT/FluidDeformingMesh" + Item)]
         [MenuItem("CONTEXT/FluidDetector" + Item)]
         [MenuItem("CONTEXT/FluidDrain" + Item)]
         [MenuItem("CONTEXT/FluidEmitter" + Item)]

@@ -60,7 +60,7 @@ namespace Rill.Editor
 
         // Whether one of them lacks the field of a mesh that it has.
         bool NeedsBake => targets.Cast<FluidCollider>().Any(collider => collider.Shape == ColliderShape.Mesh && collider.Field == null
-            && collider.GetComponentInChildren<MeshFilter>(true) != null);
+            && collider.Deforming == null && collider.GetComponentInChildren<MeshFilter>(true) != null);
 
         void OnSceneGUI() => ColliderHandles.Draw((FluidCollider)target);
     }

@@ -142,6 +142,10 @@ namespace Rill.Editor
                     Gizmos.matrix = Matrix4x4.Translate(collider.WorldCenter);
                     Gizmos.DrawWireCube(Vector3.zero, 2f * (Vector3)collider.Heights.Extents);
                     break;
+                case ColliderShape.Mesh when collider.Deforming != null:
+                    Gizmos.matrix = collider.Deforming.FieldToWorld;
+                    Gizmos.DrawWireCube(Vector3.zero, collider.Deforming.Grid.Bounds.size);
+                    break;
                 case ColliderShape.Mesh when collider.Field != null:
                     Gizmos.DrawWireCube(Vector3.zero, even * collider.Field.Bounds.size);
                     break;

@@ -54,7 +54,8 @@ namespace Rill
         /// <param name="order">Of the triangles that take part. It becomes <see cref="Order"/>.</param>
         /// <param name="turned">By triangle of the mesh: those to turn over; null for none.</param>
         /// <param name="turnAll">Whether all triangles face the wrong side.</param>
-        public BakeGeometry(TriangleMesh mesh, uint[] order, bool[] turned, in SdfGrid grid, bool turnAll)
+        /// <param name="splitsLarge">Whether large triangles are taken brick by brick: not where they deform.</param>
+        public BakeGeometry(TriangleMesh mesh, uint[] order, bool[] turned, in SdfGrid grid, bool turnAll, bool splitsLarge = true)
         {
             Mesh = mesh;
             Order = order;
@@ -73,7 +74,7 @@ namespace Rill
                     float3 a = vertices[corners[3 * t]], b = vertices[corners[3 * t + 1]], c = vertices[corners[3 * t + 2]];
                     // At least as many voxels as the box has.
                     float3 size = (math.max(a, math.max(b, c)) - math.min(a, math.min(b, c))) * perMetre + (2 * Band + 2);
-                    if (size.x * size.y * size.z > SmallBox)
+                    if (splitsLarge && size.x * size.y * size.z > SmallBox)
                     {
                         flags |= IsLarge;
                         (found[chunk] ??= new List<int>()).Add(i);

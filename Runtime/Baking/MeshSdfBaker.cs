@@ -90,7 +90,7 @@ namespace Rill
             geometry = new BakeGeometry(mesh, order, edges?.Turned, grid, turnAll: !isShell && edges.SignedVolume < 0);
             passes = new MeshSdfPasses(geometry, grid);
             int triangleParts = Parts(geometry.TriangleCount, size.triangles), voxelParts = Parts(grid.VoxelCount, size.voxels);
-            totalSteps = 2 + 3 * triangleParts + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts
+            totalSteps = 2 + 3 * triangleParts + 2 * Parts(geometry.PairCount, size.pairs) + Strides(grid.Resolution).Count * voxelParts
                 + (isShell ? voxelParts : passes.LevelCount + Parts(passes.BlockCount, size.blocks) + Parts(passes.BrickCount, size.bricks));
             work = Work(isShell, !isShell && edges.IsClosed);
         }
@@ -253,7 +253,7 @@ namespace Rill
                 passes.SplatNearest(slice);
                 yield return near;
             }
-            foreach (int stride in Strides())
+            foreach (int stride in Strides(grid.Resolution))
             {
                 for (int first = 0; first < voxels; first += size.voxels)
                 {
@@ -285,10 +285,10 @@ namespace Rill
         }
 
         // Halving from half the grid down to 1, and 1 once more, which halves the mean error; further rounds win little.
-        List<int> Strides()
+        internal static List<int> Strides(int3 resolution)
         {
             var strides = new List<int>();
-            for (int stride = math.ceilpow2(math.cmax(grid.Resolution)) / 2; stride > 0; stride /= 2)
+            for (int stride = math.ceilpow2(math.cmax(resolution)) / 2; stride > 0; stride /= 2)
                 strides.Add(stride);
             strides.Add(1);
             return strides;

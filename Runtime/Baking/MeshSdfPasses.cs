@@ -56,15 +56,19 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("MeshSdf");
         readonly int clear, gather, splatDistances, splatNearest, splatLargeDistances, splatLargeNearest, flood, buildLeaves, buildParents,
-            findSides, resolveSolid, resolveShell;
-        readonly CommandBuffer cmd = new CommandBuffer { name = "Rill.MeshSdf" };
+            findSides, resolveSolid, resolveShell, poseVertices;
+        readonly CommandBuffer cmd;
+        readonly bool executes;
         readonly SdfGrid grid;
         readonly int triangleCount;
         readonly uint2[] levels;
         GraphicsBuffer vertices, indices, order, large, triangles, spheres, levelTable, clusters, boxes, sides, distances, nearest;
 
-        public MeshSdfPasses(BakeGeometry geometry, in SdfGrid grid)
+        /// <param name="into">Where dispatches are recorded; null to execute each at once.</param>
+        public MeshSdfPasses(BakeGeometry geometry, in SdfGrid grid, CommandBuffer into = null)
         {
+            executes = into == null;
+            cmd = into ?? new CommandBuffer { name = "Rill.MeshSdf" };
             this.grid = grid;
             clear = shader.FindKernel("Clear");
             gather = shader.FindKernel("Gather");
@@ -78,6 +82,7 @@ namespace Rill
             findSides = shader.FindKernel("FindSides");
             resolveSolid = shader.FindKernel("ResolveSolid");
             resolveShell = shader.FindKernel("ResolveShell");
+            poseVertices = shader.FindKernel("PoseVertices");
 
             triangleCount = geometry.TriangleCount;
             levels = ClusterLevels.Of(triangleCount);
@@ -106,9 +111,25 @@ namespace Rill
         /// <summary>A <see cref="BrickSide"/> for each brick, once <see cref="FindSides"/> has run.</summary>
         public GraphicsBuffer Sides => sides;
 
-        public void Gather(int first, int count)
+        /// <summary>Moves the vertices, all of them, to where their bones are.</summary>
+        /// <param name="rest">float3 [vertices], before bones act on them.</param>
+        /// <param name="vertexBones"><see cref="DeformingField.VertexBones"/> [vertices].</param>
+        /// <param name="bones">float4 [3 a bone], rows of matrices to the grid's frame, m.</param>
+        public void Pose(GraphicsBuffer rest, GraphicsBuffer vertexBones, GraphicsBuffer bones, int count)
+        {
+            Begin(0, count);
+            Bind(poseVertices, Ids.RestVertices, rest);
+            Bind(poseVertices, Ids.VertexBones, vertexBones);
+            Bind(poseVertices, Ids.Bones, bones);
+            Bind(poseVertices, Ids.VerticesMade, vertices);
+            Run(poseVertices, GroupsFor(count), GatherMarker);
+        }
+
+        /// <param name="isMirrored">Whether all triangles were turned over since they were put in order.</param>
+        public void Gather(int first, int count, bool isMirrored = false)
         {
             Begin(first, count);
+            cmd.SetComputeIntParam(shader, Ids.IsMirrored, isMirrored ? 1 : 0);
             cmd.SetComputeVectorParam(shader, Ids.Min, new float4(grid.Min, 0f));
             cmd.SetComputeFloatParam(shader, Ids.PerMetre, 1f / grid.VoxelSize);
             Bind(gather, Ids.Vertices, vertices);
@@ -208,24 +229,26 @@ namespace Rill
         }
 
         /// <summary>Bricks of a solid.</summary>
-        public void ResolveSolid(int first, int count)
+        /// <param name="into">Bits of floats, m; null for <see cref="Distances"/>.</param>
+        public void ResolveSolid(int first, int count, GraphicsBuffer into = null)
         {
             Begin(first, count);
             BindTree(resolveSolid);
             Bind(resolveSolid, Ids.NearestBefore, nearest);
             Bind(resolveSolid, Ids.SidesRead, sides);
-            Bind(resolveSolid, Ids.Distances, distances);
+            Bind(resolveSolid, Ids.Distances, into ?? distances);
             Run(resolveSolid, count, ResolveMarker);
         }
 
         /// <summary>Voxels of a shell.</summary>
-        public void ResolveShell(int first, int count)
+        /// <param name="into">Bits of floats, m; null for <see cref="Distances"/>.</param>
+        public void ResolveShell(int first, int count, GraphicsBuffer into = null)
         {
             Begin(first, count);
             cmd.SetComputeFloatParam(shader, Ids.HalfThickness, 0.5f * grid.Thickness / grid.VoxelSize);
             Bind(resolveShell, Ids.Triangles, triangles);
             Bind(resolveShell, Ids.NearestBefore, nearest);
-            Bind(resolveShell, Ids.Distances, distances);
+            Bind(resolveShell, Ids.Distances, into ?? distances);
             Run(resolveShell, GroupsFor(count), ResolveMarker);
         }
 
@@ -238,7 +261,8 @@ namespace Rill
 
         public void Dispose()
         {
-            cmd.Dispose();
+            if (executes)
+                cmd.Dispose();
             GpuBuffer.Release(ref vertices);
             GpuBuffer.Release(ref indices);
             GpuBuffer.Release(ref order);
@@ -289,12 +313,14 @@ namespace Rill
 
         void Bind(int kernel, int id, GraphicsBuffer buffer) => cmd.SetComputeBufferParam(shader, kernel, id, buffer);
 
-        // Executed at once and not with others: a driver can then stop a device's watchdog between any two of them.
+        // Of a tool executed at once and not with others: a driver can then stop a device's watchdog between any two of them.
         void Run(int kernel, long groups, ProfilerMarker marker)
         {
             cmd.BeginSample(marker);
             ThreadGroups.Dispatch(cmd, shader, kernel, groups);
             cmd.EndSample(marker);
+            if (!executes)
+                return;
             Graphics.ExecuteCommandBuffer(cmd);
             cmd.Clear();
         }
@@ -303,6 +329,10 @@ namespace Rill
 
         static class Ids
         {
+            public static readonly int RestVertices = Shader.PropertyToID("_RestVertices");
+            public static readonly int VertexBones = Shader.PropertyToID("_VertexBones");
+            public static readonly int Bones = Shader.PropertyToID("_Bones");
+            public static readonly int VerticesMade = Shader.PropertyToID("_VerticesMade");
             public static readonly int Vertices = Shader.PropertyToID("_Vertices");
             public static readonly int Indices = Shader.PropertyToID("_Indices");
             public static readonly int Order = Shader.PropertyToID("_Order");
@@ -331,6 +361,7 @@ namespace Rill
             public static readonly int Stride = Shader.PropertyToID("_Stride");
             public static readonly int Level = Shader.PropertyToID("_Level");
             public static readonly int LevelCount = Shader.PropertyToID("_LevelCount");
+            public static readonly int IsMirrored = Shader.PropertyToID("_IsMirrored");
             public static readonly int IsClosed = Shader.PropertyToID("_IsClosed");
             public static readonly int HalfThickness = Shader.PropertyToID("_HalfThickness");
             public static readonly int VoxelSize = Shader.PropertyToID("_VoxelSize");

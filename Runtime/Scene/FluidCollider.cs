@@ -86,6 +86,9 @@ namespace Rill
         /// <summary>Heights of the ground; not saved with the scene. A <c>FluidTerrain</c> gives those of a Terrain.</summary>
         public HeightField Heights { get => heights; set => heights = value; }
 
+        /// <summary>Makes a mesh deform, instead of the field; null where it keeps its shape.</summary>
+        internal FluidDeformingMesh Deforming { get; set; }
+
         /// <summary>Whether the water is inside.</summary>
         public bool InsideOut { get => insideOut; set => insideOut = value; }
 
@@ -114,7 +117,7 @@ namespace Rill
         public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
 
         /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
-        public Vector3 WorldCenter => shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
+        public Vector3 WorldCenter => shape == ColliderShape.Mesh && Deforming != null ? Deforming.WorldCenter : shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
             : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
 
         /// <summary>What all simulations did to the collider in the newest steps that are known, a few frames ago.</summary>
@@ -225,6 +228,9 @@ namespace Rill
                 case ColliderShape.Box:
                     motion.size = 0.5f * (float3)size * scale;
                     problem ??= Positive("size", math.cmin(size));
+                    break;
+                case ColliderShape.Mesh when Deforming != null:
+                    problem ??= Deforming.Describe(ref motion, ref pose);
                     break;
                 case ColliderShape.Mesh:
                     problem ??= field == null ? "it is a mesh without a signed distance field. Bake one from the mesh and assign it."

@@ -48,6 +48,7 @@ namespace Rill
             (entries, last) = (last, entries);
             lastCount = Set.Count;
             Set.Count = 0;
+            Set.Frame++;
             FirstLeftOut = null;
             LeftOutCount = 0;
             changed = reordered = false;
@@ -83,6 +84,8 @@ namespace Rill
                 LeftOutCount++;
                 return;
             }
+            if (motion.deforming != null && !TryDeform(ref motion, follows && !Jumped ? last[before].motion : motion, steps.clock))
+                return;
             int index = Set.Count++;
             reordered |= before != index;
             changed |= before != index || !SameShape(motion, last[before].motion);
@@ -139,6 +142,20 @@ namespace Rill
                 motion.end = RigidPose.Between(before.end, before.seen, (float)(1.0 + reached / clock.LastFrameLag));
         }
 
+        // A surface that deforms goes on from where it was, to where it is between its two newest fields at the end of the steps. False
+        // where it could not be baked.
+        static bool TryDeform(ref ColliderMotion motion, in ColliderMotion before, FixedStepClock clock)
+        {
+            double reached = (clock.FrameInterval - clock.FrameLag) / clock.FrameInterval;
+            bool follows = ReferenceEquals(before.deforming, motion.deforming) && before.fieldVersion > 0;
+            motion.blend = motion.deforming.Follow((float)math.saturate(reached));
+            if (motion.deforming.Field == null)
+                return false;
+            motion.fieldVersion = motion.deforming.Field.Version;
+            motion.deforms = follows && (motion.blend != before.blend || motion.fieldVersion != before.fieldVersion);
+            return true;
+        }
+
         // Whether it or its path comes near enough to be felt; what has no end, or holds the fluid, does.
         static bool IsNear(in ColliderMotion motion, float3 size)
         {
@@ -151,7 +168,7 @@ namespace Rill
 
         static bool SameShape(in ColliderMotion a, in ColliderMotion b)
         {
-            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && math.all(a.mirrored == b.mirrored)
+            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && a.deforming == b.deforming && math.all(a.mirrored == b.mirrored)
                 && a.voxel == b.voxel && a.friction == b.friction
                 && a.bounciness == b.bounciness && a.insideOut == b.insideOut && a.contributesDensity == b.contributesDensity;
         }

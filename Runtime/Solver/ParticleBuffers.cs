@@ -107,7 +107,7 @@ namespace Rill
         /// <summary>The same as a set that transfers give to and take from.</summary>
         /// <param name="tags">Null for none.</param>
         public ParticleSet AsSet(ParticleTags tags)
-            => new ParticleSet(Current, Velocities, Ids, tags?.Current, Counters, AliveArguments, capacity);
+            => new ParticleSet(Positions, Velocities, Ids, tags?.Current, Counters, AliveArguments, capacity);
 
         /// <summary>Groups of <see cref="Group"/> threads that hold so many.</summary>
         public static int Groups(int count) => (count + Group - 1) / Group;

@@ -6,7 +6,7 @@ namespace Rill
 {
     // What goes to neighbors whose boxes overlap, and what is felt of them. Once a frame each takes the particles that crossed to its side,
     // and copies those that are left in its box as ghosts, which take part in the steps of that frame.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         ParticleTransfer transfer;
         bool hasGhosts;         // since the last removal

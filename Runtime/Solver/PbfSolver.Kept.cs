@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     // What is kept outside of a box that moves: particles that leave it, until it is there again.
-    sealed partial class PbfSolver
+    partial class PbfSolver
     {
         // Numbers of the transfers out of the box, back into it, and to its new frame, behind those from neighbors.
         const int Leaving = ParticleTransfer.MaxTransfers, Returning = Leaving + 1, Listing = Leaving + 2;

@@ -31,6 +31,7 @@ static const uint kInsideOut = 1;    // the fluid is in it
 static const uint kContributesDensity = 2;
 static const uint kReacts = 4;    // what the fluid does to it is summed
 static const uint kHoldsByViscosity = 8;    // friction is by ViscosityWalls.hlsl
+static const uint kDeforms = 16;    // its field changes in the substep
 
 // A collider in a substep; lengths in d, in the domain's frame.
 struct Collider
@@ -51,6 +52,10 @@ struct Collider
     float bounciness;    // fraction of the velocity into the surface that is given back
     float momentArm;    // by which moments about position are divided where they are summed, d
     float minFraction;    // of the height over a height field that is surely free on all sides
+    float fieldBefore;    // of a mesh that deforms, from its field to that of where the frame's steps start: fraction of the atlas along z
+    float blend;    // how far it has come from that field to this at the end of the substep, 0 to 1
+    float lastBlend;    // and at its start
+    float padding;
 };
 
 #endif

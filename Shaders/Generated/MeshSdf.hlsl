@@ -23,6 +23,13 @@ static const uint kMixed = 2;
 
 static const uint kFan = 4;    // triangles of a leaf and children of a cluster
 
+// The bones of a vertex.
+struct VertexBones
+{
+    uint4 bones;
+    float4 weights;
+};
+
 static const uint kNone = 0xFFFFFFFFu;    // where no triangle is known
 static const uint kGroup = 64;    // threads of every kernel
 

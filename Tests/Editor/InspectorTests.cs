@@ -16,6 +16,7 @@ namespace Rill.Editor.Tests
         {
             typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidProbe),
                 typeof(FluidDetector), typeof(FluidVolume), typeof(FluidCollider), typeof(FluidConnection),
+                typeof(FluidBoneColliders), typeof(FluidDeformingMesh),
             typeof(ParticleRenderer), typeof(DomainRenderer), typeof(FluidFoam), typeof(FluidRecorder), typeof(FluidPlayback),
         };
 

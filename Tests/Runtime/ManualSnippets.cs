@@ -176,6 +176,24 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void MakeCharacterSolid(SkinnedMeshRenderer character, bool isSeenClosely)
+        {
+            #region Make a character solid
+            if (isSeenClosely)
+            {
+                var skin = character.gameObject.AddComponent<FluidDeformingMesh>();     // follows the mesh itself
+                skin.Resolution = 64;
+                skin.TrianglesPerFrame = 20000;                                         // of 60,000: a field every third frame
+            }
+            else
+            {
+                var bones = character.gameObject.AddComponent<FluidBoneColliders>();    // a capsule for each limb
+                bones.MinVertices = 40;                                                 // none for fingers
+                bones.Fit();
+            }
+            #endregion
+        }
+
         static void ReadForce(FluidCollider gate)
         {
             #region Read the force on a collider

@@ -83,6 +83,7 @@ namespace Host.Tests
                 "+1 NeighborSearch.compute CountCellsAtRest", "+1 NeighborSearch.compute ScatterOrder", "+1 PrefixSum.compute *",
             }),
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
+            ("a mesh that deforms far away", null, s => AddDeforming(1000f * Vector3.right), new string[0]),
             ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false),
                 WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomWithColliders").ToArray()),
             ("a collider whose force is measured", null, s => AddCollider(s, true),
@@ -355,6 +356,13 @@ namespace Host.Tests
             collider.transform.position = simulation.transform.position;
             collider.Size = 3f * Spacing * Vector3.one;
             collider.MeasuresForce = measuresForce;
+        }
+
+        static void AddDeforming(Vector3 place)
+        {
+            GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            cube.transform.position = place;
+            cube.AddComponent<FluidDeformingMesh>();
         }
 
         static IEnumerable<string> InVariant(string keyword, params string[] kernels)

@@ -24,6 +24,13 @@ namespace Rill
         /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for
         /// other kinds.</summary>
         public Texture3D field;
+        /// <summary>Of a mesh that deforms, instead of <see cref="field"/>; null for others.</summary>
+        public IDeformingShape deforming;
+        /// <summary>How far it has come from the older to the newer of its fields at the end of the steps, 0 to 1, and which they are.</summary>
+        public float blend;
+        public int fieldVersion;
+        /// <summary>Whether it deforms in the steps.</summary>
+        public bool deforms;
         /// <summary>Axes of its own frame along which its field is looked up mirrored: those of a negative scale.</summary>
         public bool3 mirrored;
         /// <summary>Side of a voxel of the field, and one stored unit of distance; d.</summary>
@@ -49,6 +56,6 @@ namespace Rill
         /// <summary>By which moments are divided where they are summed, d: longer than the arm of any contact, but of a plane's.</summary>
         public float MomentArm => math.max(Radius, 1f) + 1f;
 
-        public bool Moves => math.any(start.position != end.position) || math.any(start.rotation.value != end.rotation.value);
+        public bool Moves => deforms || math.any(start.position != end.position) || math.any(start.rotation.value != end.rotation.value);
     }
 }

@@ -12,6 +12,9 @@ namespace Rill
         /// <summary>Grows when a collider came, went or changed: what rests has to wake.</summary>
         public int Version;
 
+        /// <summary>Grows each time that they are gathered for the steps of a frame.</summary>
+        public int Frame;
+
         /// <summary>Grows when they got other numbers.</summary>
         public int Order;
 

@@ -41,6 +41,13 @@ namespace Rill
         public float momentArm;
         /// <summary>of the height over a height field that is surely free on all sides</summary>
         public float minFraction;
+        /// <summary>of a mesh that deforms, from its field to that of where the frame's steps start: fraction of the atlas along z</summary>
+        public float fieldBefore;
+        /// <summary>how far it has come from that field to this at the end of the substep, 0 to 1</summary>
+        public float blend;
+        /// <summary>and at its start</summary>
+        public float lastBlend;
+        public float padding;
 
         /// <summary>the fluid is in it</summary>
         [SharedWithHlsl("Colliders")] const uint InsideOut = 1;
@@ -49,6 +56,8 @@ namespace Rill
         [SharedWithHlsl("Colliders")] const uint Reacts = 4;
         /// <summary>friction is by ViscosityWalls.hlsl</summary>
         [SharedWithHlsl("Colliders")] const uint HoldsByViscosity = 8;
+        /// <summary>its field changes in the substep</summary>
+        [SharedWithHlsl("Colliders")] const uint Deforms = 16;
 
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
 
@@ -86,7 +95,16 @@ namespace Rill
                     : 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationFraction),
                 bounciness = motion.bounciness,
                 momentArm = motion.MomentArm,
+                blend = 1f,
+                lastBlend = 1f,
             };
+            if (motion.shape == ColliderShape.Mesh && brick.Before != 0f)
+            {
+                state.flags |= Deforms;
+                state.fieldBefore = brick.Before;
+                state.blend = to;
+                state.lastBlend = from;
+            }
             if (motion.shape == ColliderShape.Mesh)
             {
                 state.size = motion.size - 0.5f * motion.voxel;       // to the centres of the outermost voxels

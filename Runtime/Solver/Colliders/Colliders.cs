@@ -101,6 +101,7 @@ namespace Rill
             ColliderSet set = input.colliders;
             bool changed = meshes.Hold(set) | heights.Hold(set) | Reserve((set.Count + WordBits - 1) / WordBits) | set.Count != recordedCount;
             recordedCount = set.Count;
+            meshes.RecordDeforming(cmd, set);
             float from = math.lerp(input.frameFrom, input.frameTo, substep / (float)step.Substeps);
             float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)step.Substeps);
             for (int i = 0; i < set.Count; i++)

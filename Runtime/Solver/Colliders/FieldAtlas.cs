@@ -14,11 +14,14 @@ namespace Rill
         public float3 Center;
         /// <summary>Of a voxel.</summary>
         public float3 VoxelFraction;
+        /// <summary>Along z, to the field of where the frame's steps start; 0 where it does not deform in them.</summary>
+        public float Before;
     }
 
     /// <summary>
     /// The fields of all colliders of one shape, distances of meshes or heights, in one texture, since a kernel cannot choose among
-    /// textures: each field once, one behind the other. Half floats: a distance is off by at most 1/2048 of itself.
+    /// textures: each field once, one behind the other. Half floats: a distance is off by at most 1/2048 of itself. A mesh that deforms has
+    /// two in turn: of where the steps of a frame start, and of where they end.
     /// </summary>
     sealed class FieldAtlas : IDisposable
     {
@@ -28,14 +31,25 @@ namespace Rill
         [SharedWithHlsl("FieldAtlas")] const int CopyGroup = 4;
 
         readonly ComputeShader shader;
-        readonly int copyField;
+        readonly int copyField, blendFields;
         readonly ColliderShape shape;
         readonly string name, contents;
         readonly List<Texture3D> fields = new List<Texture3D>();
         readonly List<uint> versions = new List<uint>();
         readonly List<int> firsts = new List<int>();
+        readonly List<Deforming> deforming = new List<Deforming>();
         RenderTexture texture;
         int3 size;
+
+        // A mesh that deforms, and which of its two fields the steps of a frame end with.
+        struct Deforming
+        {
+            public IDeformingShape shape;
+            public DeformingField field;
+            public int first, depth;
+            public int frame;       // in which it was written last
+            public bool isSecond, moves;
+        }
 
         /// <param name="shape">Of the colliders whose fields it holds. An atlas is as wide and as high as the largest of them: flat fields
         /// and deep ones in one would waste most of it.</param>
@@ -48,6 +62,7 @@ namespace Rill
             this.name = name;
             this.contents = contents;
             copyField = shader.FindKernel("CopyField");
+            blendFields = shader.FindKernel("BlendFields");
         }
 
         /// <summary>In the units of the fields, R16; null while there is none.</summary>
@@ -64,7 +79,9 @@ namespace Rill
             for (int i = 0; i < colliders.Count; i++)
                 if (IsFor(colliders.Items[i]))
                     Append(colliders.Items[i].field);
-            if (fields.Count == 0)
+                else if (IsDeforming(colliders.Items[i]))
+                    Append(colliders.Items[i].deforming);
+            if (size.z == 0)
                 return true;
             int3 needed = size;
             if (math.cmax(needed) > SystemInfo.maxTexture3DSize)
@@ -83,10 +100,35 @@ namespace Rill
             return true;
         }
 
+        /// <summary>Records where the meshes of the set that deform have come to, once in the steps of a frame.</summary>
+        public void RecordDeforming(CommandBuffer cmd, ColliderSet colliders)
+        {
+            for (int i = 0; i < colliders.Count && deforming.Count > 0; i++)
+            {
+                ref readonly ColliderMotion collider = ref colliders.Items[i];
+                if (!IsDeforming(collider))
+                    continue;
+                int index = IndexOf(collider.deforming);
+                Deforming own = deforming[index];
+                if (own.frame == colliders.Frame)
+                    continue;
+                bool isNew = own.frame < 0;
+                own.moves = collider.deforms && !isNew;
+                own.frame = colliders.Frame;
+                if (own.moves)
+                    own.isSecond = !own.isSecond;
+                if (own.moves || isNew)
+                    RecordBlend(cmd, own, collider);
+                deforming[index] = own;
+            }
+        }
+
         /// <param name="collider">Of the set that the atlas holds.</param>
         /// <returns>Of its field; default where it has none here.</returns>
         public FieldBrick Brick(in ColliderMotion collider)
         {
+            if (IsDeforming(collider))
+                return Brick(deforming[IndexOf(collider.deforming)]);
             if (!IsFor(collider))
                 return default;
             float3 own = Size(collider.field);
@@ -106,13 +148,37 @@ namespace Rill
 
         public void Dispose() => Release();
 
+        FieldBrick Brick(in Deforming own) => new FieldBrick
+        {
+            Center = (0.5f * (float3)own.field.Resolution + new float3(0f, 0f, own.first + (own.isSecond ? own.depth : 0))) / size,
+            VoxelFraction = 1f / (float3)size,
+            Before = !own.moves ? 0f : (own.isSecond ? -own.depth : own.depth) / (float)size.z,
+        };
+
         bool IsFor(in ColliderMotion collider) => collider.shape == shape && collider.field != null;
+
+        bool IsDeforming(in ColliderMotion collider) => collider.shape == shape && collider.deforming?.Field != null;
+
+        int IndexOf(IDeformingShape of)
+        {
+            for (int i = 0; i < deforming.Count; i++)
+                if (ReferenceEquals(deforming[i].shape, of))
+                    return i;
+            return -1;
+        }
 
         bool Holds(ColliderSet colliders)
         {
-            int seen = 0;       // the first so many fields, in the order in which they were appended
+            int seen = 0, moving = 0;       // the first so many fields, in the order in which they were appended
             for (int i = 0; i < colliders.Count; i++)
             {
+                if (IsDeforming(colliders.Items[i]))
+                {
+                    int at = IndexOf(colliders.Items[i].deforming);
+                    if (at < 0 || at > moving || !ReferenceEquals(deforming[at].field, colliders.Items[i].deforming.Field))
+                        return false;
+                    moving = math.max(moving, at + 1);
+                }
                 if (!IsFor(colliders.Items[i]))
                     continue;
                 Texture3D field = colliders.Items[i].field;
@@ -121,7 +187,16 @@ namespace Rill
                     return false;
                 seen = math.max(seen, index + 1);
             }
-            return seen == fields.Count;
+            return seen == fields.Count && moving == deforming.Count;
+        }
+
+        void Append(IDeformingShape moving)
+        {
+            if (IndexOf(moving) >= 0)
+                return;
+            int3 own = moving.Field.Resolution;
+            deforming.Add(new Deforming { shape = moving, field = moving.Field, first = size.z, depth = own.z, frame = -1 });
+            size = new int3(math.max(size.xy, own.xy), size.z + 2 * own.z);
         }
 
         void Append(Texture3D field)
@@ -144,6 +219,20 @@ namespace Rill
             cmd.SetComputeIntParams(shader, Ids.BrickSize, own.x, own.y, own.z);
             int3 groups = (own + CopyGroup - 1) / CopyGroup;
             cmd.DispatchCompute(shader, copyField, groups.x, groups.y, groups.z);
+        }
+
+        void RecordBlend(CommandBuffer cmd, in Deforming own, in ColliderMotion collider)
+        {
+            DeformingField field = collider.deforming.Field;
+            int3 resolution = field.Resolution;
+            cmd.SetComputeBufferParam(shader, blendFields, Ids.OlderField, field.Older);
+            cmd.SetComputeBufferParam(shader, blendFields, Ids.NewerField, field.Newer);
+            cmd.SetComputeTextureParam(shader, blendFields, Ids.Atlas, Texture);
+            cmd.SetComputeIntParams(shader, Ids.BrickFirst, 0, 0, own.first + (own.isSecond ? own.depth : 0));
+            cmd.SetComputeIntParams(shader, Ids.BrickSize, resolution.x, resolution.y, resolution.z);
+            cmd.SetComputeFloatParam(shader, Ids.Fraction, collider.blend);
+            int3 groups = (resolution + CopyGroup - 1) / CopyGroup;
+            cmd.DispatchCompute(shader, blendFields, groups.x, groups.y, groups.z);
         }
 
         static int3 Size(Texture3D field) => new int3(field.width, field.height, field.depth);
@@ -169,6 +258,7 @@ namespace Rill
             fields.Clear();
             versions.Clear();
             firsts.Clear();
+            deforming.Clear();
             size = 0;
             EngineObject.Release(ref texture);
         }
@@ -179,6 +269,9 @@ namespace Rill
             public static readonly int Atlas = Shader.PropertyToID("_Atlas");
             public static readonly int BrickFirst = Shader.PropertyToID("_BrickFirst");
             public static readonly int BrickSize = Shader.PropertyToID("_BrickSize");
+            public static readonly int OlderField = Shader.PropertyToID("_OlderField");
+            public static readonly int NewerField = Shader.PropertyToID("_NewerField");
+            public static readonly int Fraction = Shader.PropertyToID("_Fraction");
         }
     }
 }

@@ -239,21 +239,24 @@ static const float kShortestStep = 0.25;    // d, along a path
 static const uint kMaxSteps = 1024;        // a longer path ends there, as if it were stopped
 
 // Whether the path from a to b, in the collider's own frame, comes nearer than kContactOffset, and after which fraction of it. One that
-// starts nearer than that, 'start' away, may go on as long as it gets no nearer.
+// starts nearer than that, 'start' away, may go on as long as it gets no nearer. A surface that deforms comes towards it meanwhile: by no
+// more than it does at a, and twice the path, since no distance changes faster than by the path along it.
 bool Trace(Collider collider, float3 a, float3 b, out float fraction, out float start)
 {
     fraction = 0.0;
     float path = length(b - a);
-    float distance = MinDistance(collider, a);
+    float distance = MinDistanceAt(collider, a, collider.lastBlend);
     start = SurfaceDistance(collider, a, distance);
     float least = min(kContactOffset, start - kTouching);
+    if ((collider.flags & kDeforms) != 0)
+        path = 3.0 * path + abs(Advance(collider, a));
     if (distance >= kContactOffset + path)
         return false;
     for (uint i = 0; i < kMaxSteps; i++)
     {
         fraction = min(fraction + max(distance - kContactOffset, kShortestStep) / max(path, 1e-6), 1.0);
         float3 place = lerp(a, b, fraction);
-        distance = MinDistance(collider, place);
+        distance = MinDistanceAt(collider, place, lerp(collider.lastBlend, collider.blend, fraction));
         if (distance < least && SurfaceDistance(collider, place, distance) < least)
             return true;
         if (fraction >= 1.0)
@@ -274,6 +277,7 @@ uint FirstHit(float3 a, float3 b, bool moving, out float fraction, out float nea
     FOR_COLLIDERS_ALONG(a, path, samples, index)
         Collider collider = _Colliders[index];
         float3 start = moving ? ToLastCollider(collider, a) : ToCollider(collider, a);
+        collider.lastBlend = moving ? collider.lastBlend : collider.blend;
         float hit, distance;
         bool stops = Trace(collider, start, ToCollider(collider, b), hit, distance);
         nearest = min(nearest, distance);

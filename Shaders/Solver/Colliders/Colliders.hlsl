@@ -39,19 +39,6 @@ float3 FromLastCollider(Collider collider, float3 local)
     return collider.lastPosition + Rotate(collider.lastRotation, local);
 }
 
-// How the collider's matter that is at p at the end of the substep moved in it.
-float3 SurfaceMotion(Collider collider, float3 p)
-{
-    return p - FromLastCollider(collider, ToCollider(collider, p));
-}
-
-// How the collider's surface moves by a point: half of how matter came there in the substep and of how it would go on. What turns comes
-// along a chord, which ends inward of where it began, but its surface as a whole goes nowhere.
-float3 CentralMotion(Collider collider, float3 p)
-{
-    return 0.5 * (FromCollider(collider, ToLastCollider(collider, p)) - FromLastCollider(collider, ToCollider(collider, p)));
-}
-
 // ---- signed distances in a collider's own frame: xyz the direction in which the distance grows, w the distance
 
 float4 SphereDistance(float3 p, float radius)
@@ -83,9 +70,19 @@ float3 FieldPosition(Collider collider, float3 p)
     return collider.fieldCenter + p * collider.fieldScale;
 }
 
+// Of a mesh that deforms at a blend of two fields: 0 where the steps of a frame start, 1 where they end.
+float BlendedDistance(Collider collider, float3 p, float blend)
+{
+    float3 place = FieldPosition(collider, p);
+    float stored = _Fields.SampleLevel(sampler_LinearClamp, place, 0.0);
+    if ((collider.flags & kDeforms) != 0)
+        stored = lerp(_Fields.SampleLevel(sampler_LinearClamp, place + float3(0.0, 0.0, collider.fieldBefore), 0.0), stored, blend);
+    return stored * collider.fieldUnit;
+}
+
 float FieldDistance(Collider collider, float3 p)
 {
-    return _Fields.SampleLevel(sampler_LinearClamp, FieldPosition(collider, p), 0.0) * collider.fieldUnit;
+    return BlendedDistance(collider, p, collider.blend);
 }
 
 // Inside its volume by central differences. Outside it the surface is taken to be where the nearest place inside sees it.
@@ -150,15 +147,15 @@ float4 LocalDistance(Collider collider, float3 p)
     return (collider.flags & kInsideOut) != 0 ? -result : result;
 }
 
-// No further from the surface than this, signed: for steps along a path and for bins.
-float MinDistance(Collider collider, float3 p)
+// No further from the surface than this, signed, at a blend of its fields: for steps along a path.
+float MinDistanceAt(Collider collider, float3 p, float blend)
 {
     float3 q = clamp(p, -collider.size, collider.size);
     float outside = length(p - q);
     float distance;
     if (collider.shape == kMesh)
     {
-        distance = FieldDistance(collider, q);
+        distance = BlendedDistance(collider, q, blend);
         distance = outside > 0.0 ? max(outside, distance - outside) : distance;
         distance = (collider.flags & kInsideOut) != 0 ? -distance : distance;
     }
@@ -169,6 +166,20 @@ float MinDistance(Collider collider, float3 p)
     }
     else
         distance = LocalDistance(collider, p).w;
+    return distance;
+}
+
+float MinDistance(Collider collider, float3 p)
+{
+    return MinDistanceAt(collider, p, collider.blend);
+}
+
+// Over the whole substep: for bins.
+float MinDistanceOfSubstep(Collider collider, float3 p)
+{
+    float distance = MinDistance(collider, p);
+    if ((collider.flags & kDeforms) != 0)
+        distance = min(distance, MinDistanceAt(collider, p, collider.lastBlend));
     return distance;
 }
 
@@ -183,6 +194,45 @@ float4 DomainDistance(Collider collider, float3 p)
 {
     float4 local = LocalDistance(collider, ToCollider(collider, p));
     return float4(Rotate(collider.rotation, local.xyz), local.w);
+}
+
+// ---- motion
+
+// How far the surface near p, in the collider's own frame, comes out along its normal in the substep.
+float Advance(Collider collider, float3 p)
+{
+    float advance = 0.0;
+    if ((collider.flags & kDeforms) != 0)
+    {
+        float3 q = clamp(p, -collider.size, collider.size);
+        advance = BlendedDistance(collider, q, collider.lastBlend) - BlendedDistance(collider, q, collider.blend);
+        advance = (collider.flags & kInsideOut) != 0 ? -advance : advance;
+    }
+    return advance;
+}
+
+// The same as a vector in the domain's frame. Of what deforms only the motion along its normal is known.
+float3 Deformation(Collider collider, float3 p)
+{
+    float3 deformation = 0.0;
+    if ((collider.flags & kDeforms) != 0)
+        deformation = Rotate(collider.rotation, LocalDistance(collider, p).xyz * Advance(collider, p));
+    return deformation;
+}
+
+// How the collider's matter that is at p at the end of the substep moved in it.
+float3 SurfaceMotion(Collider collider, float3 p)
+{
+    float3 local = ToCollider(collider, p);
+    return p - FromLastCollider(collider, local) + Deformation(collider, local);
+}
+
+// How the collider's surface moves by a point: half of how matter came there in the substep and of how it would go on. What turns comes
+// along a chord, which ends inward of where it began, but its surface as a whole goes nowhere.
+float3 CentralMotion(Collider collider, float3 p)
+{
+    float3 local = ToCollider(collider, p);
+    return 0.5 * (FromCollider(collider, ToLastCollider(collider, p)) - FromLastCollider(collider, local)) + Deformation(collider, local);
 }
 
 #endif

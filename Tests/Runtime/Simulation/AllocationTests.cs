@@ -84,6 +84,37 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Sixty_frames_with_a_mesh_that_deforms_allocate_no_managed_memory()
+        {
+            FluidSimulation simulation = Dam();
+            using (var arm = new SkinnedArm())
+            {
+                var deforming = arm.Object.AddComponent<FluidDeformingMesh>();
+                deforming.Margin = 0.5f;
+                deforming.TrianglesPerFrame = 400;
+                arm.Object.SetActive(true);
+                int frames = 0;
+                TestDelegate frame = () =>
+                {
+                    arm.Bend(30f * Mathf.Sin(0.1f * frames++));
+                    simulation.Advance(Step);
+                };
+                yield return null;
+                for (int i = 0; i < WarmUp; i++)
+                {
+                    frame();
+                    yield return null;
+                }
+                for (int i = 0; i < 60; i++)
+                {
+                    Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
+                    yield return null;
+                }
+                Assert.That(deforming.BakedFields, NUnit.Framework.Is.GreaterThan(30));
+            }
+        }
+
+        [UnityTest]
         public IEnumerator Sixty_frames_with_passes_and_readbacks_of_a_script_allocate_no_managed_memory()
         {
             FluidSimulation simulation = Basin();

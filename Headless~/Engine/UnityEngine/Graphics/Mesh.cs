@@ -358,6 +358,8 @@ namespace UnityEngine
             tangentData = Array.Empty<Vector4>();
             colorData = Array.Empty<Color>();
             Array.Clear(uvData, 0, 8);
+            weightData = Array.Empty<BoneWeight>();
+            bindData = Array.Empty<Matrix4x4>();
             submeshes.Clear();
             subMeshCount = 1;
             bounds = default;
@@ -485,7 +487,7 @@ namespace UnityEngine
         internal override Object CloneNative()
         {
             var copy = new Mesh { positions = positions, normalData = normalData, tangentData = tangentData, colorData = colorData,
-                bounds = bounds, indexFormat = indexFormat, isReadable = isReadable };
+                bounds = bounds, indexFormat = indexFormat, isReadable = isReadable, weightData = weightData, bindData = bindData };
             Array.Copy(uvData, copy.uvData, 8);
             Array.Copy(uvSize, copy.uvSize, 8);
             copy.submeshes.Clear();

@@ -60,9 +60,12 @@ namespace UnityEngine
         public Vector4 lightmapScaleOffset { get; set; } = new Vector4(1, 1, 0, 0);
         public Transform probeAnchor { get; set; }
 
-        public Matrix4x4 localToWorldMatrix => transform.localToWorldMatrix;
-        public Matrix4x4 worldToLocalMatrix => transform.worldToLocalMatrix;
-        public Bounds localBounds { get => explicitLocalBounds ?? (MeshToDraw != null ? MeshToDraw.bounds : default);
+        internal virtual Matrix4x4 LocalToWorld => transform.localToWorldMatrix;
+        internal virtual Bounds OwnBounds => MeshToDraw != null ? MeshToDraw.bounds : default;
+
+        public Matrix4x4 localToWorldMatrix => LocalToWorld;
+        public Matrix4x4 worldToLocalMatrix => LocalToWorld.inverse;
+        public Bounds localBounds { get => explicitLocalBounds ?? OwnBounds;
             set => explicitLocalBounds = value; }
         public Bounds bounds { get => explicitBounds ?? Culling.Transform(localBounds, localToWorldMatrix); set => explicitBounds = value; }
         public void ResetBounds() => explicitBounds = null;

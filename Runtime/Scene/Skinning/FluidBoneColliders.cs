@@ -1,0 +1,190 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// Makes a skinned character solid for the fluid by capsules on its bones: one <see cref="FluidCollider"/> below each bone that carries
+    /// enough of the mesh. They follow the bones, and can be moved and edited as any other collider.
+    /// </summary>
+    /// <remarks>
+    /// A new one fits itself, in the Editor. <see cref="Fit"/> fits again: capsules that are still there keep their friction, events and
+    /// other settings and get new sizes, and only those that it made itself are changed. At run time this component does nothing.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Bone Colliders"), Icon(PackagePaths.Icon)]
+    [DisallowMultipleComponent]
+    [RequireComponent(typeof(SkinnedMeshRenderer))]
+    public sealed class FluidBoneColliders : MonoBehaviour, IHasProblems
+    {
+        const int MaxVertices = 100000;
+        const string CapsuleName = "Fluid Capsule";
+
+        [Tooltip("From which weight on a vertex belongs to a bone, 0.05 to 1. At 0.5 and below, one at a joint belongs to both bones.")]
+        [Range(0.05f, 1f)]
+        [SerializeField] float minWeight = 0.4f;
+
+        [Tooltip("Vertices that a bone must carry to get a capsule, 4 to 100,000. More leaves out fingers and other small bones.")]
+        [SerializeField] int minVertices = 12;
+
+        [Tooltip("Fraction of a bone's surface that its capsule shall hold, 0.5 to 1. More swallows what stands out, less leaves it out.")]
+        [Range(0.5f, 1f)]
+        [SerializeField] float coverage = 0.9f;
+
+        [SerializeField, HideInInspector] List<FluidCollider> capsules = new List<FluidCollider>();
+
+        string clamped;     // what the newest validation changed
+        string refusal;     // why the newest fit made nothing
+
+        /// <summary>From which weight on a vertex belongs to a bone, 0.05 to 1. Counts at the next <see cref="Fit"/>, as all settings
+        /// here.</summary>
+        public float MinWeight { get => minWeight; set { minWeight = value; OnValidate(); } }
+
+        /// <summary>Vertices that a bone must carry to get a capsule, 4 to 100,000.</summary>
+        public int MinVertices { get => minVertices; set { minVertices = value; OnValidate(); } }
+
+        /// <summary>Fraction of a bone's surface that its capsule shall hold, 0.5 to 1.</summary>
+        public float Coverage { get => coverage; set { coverage = value; OnValidate(); } }
+
+        /// <summary>The capsules that the newest fit made, below their bones. One that was destroyed since is null.</summary>
+        public IReadOnlyList<FluidCollider> Capsules => capsules;
+
+        /// <summary>Hears of changes before they are made, in the Editor; null in a player.</summary>
+        internal static IFitUndo Undo { get => undo; set => undo = value; }
+
+        [KeptBetweenPlays] static IFitUndo undo;
+
+        /// <summary>Fits capsules to the mesh in its bind pose and puts them below the bones. What cannot be fitted is logged, by name, and
+        /// the capsules of before then stay.</summary>
+        /// <returns>How many capsules there are now; 0 where nothing was fitted.</returns>
+        public int Fit()
+        {
+            int count = TryFit();
+            if (refusal != null)
+                Debug.LogError($"Rill: FluidBoneColliders '{name}' fits nothing: {refusal}", this);
+            return count;
+        }
+
+        /// <summary>Destroys the capsules that it made.</summary>
+        public void Clear()
+        {
+            Undo?.Changing(this);
+            foreach (FluidCollider capsule in capsules)
+                Destroy(capsule);
+            capsules.Clear();
+        }
+
+        /// <summary>Clamps what is out of range.</summary>
+        /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            Limit.Clamp("min weight", ref minWeight, 0.05f, 1f, 0.4f, ref problem);
+            Limit.Clamp("min vertices", ref minVertices, 4, MaxVertices, ref problem);
+            Limit.Clamp("coverage", ref coverage, 0.5f, 1f, 0.9f, ref problem);
+            return problem == null;
+        }
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            problems.AddIfAny(refusal);
+            problems.AddIfAny(refusal == null && capsules.Count == 0 ? "it has fitted no capsules. Choose Fit to Bones." : null);
+        }
+
+        // In the Editor, where the component was added or reset. The inspector says what was refused.
+        void Reset() => TryFit();
+
+        void OnValidate()
+        {
+            if (!Validate(out clamped))
+                Debug.LogWarning($"Rill: FluidBoneColliders '{name}': {clamped}", this);
+        }
+
+        int TryFit()
+        {
+            var renderer = GetComponent<SkinnedMeshRenderer>();
+            Transform[] bones = renderer.bones;
+            refusal = SkinProblems.Of(renderer, bones);
+            if (refusal != null)
+                return 0;
+            var points = new BonePoints(renderer.sharedMesh, bones.Length, minWeight);
+            var wanted = new List<int>();
+            for (int i = 0; i < bones.Length; i++)
+                if (bones[i] != null && points.Count(i) >= minVertices)
+                    wanted.Add(i);
+            refusal = wanted.Count == 0
+                ? $"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight." : wanted.Count > ColliderSet.Most ? $"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes " +
+                $"{ColliderSet.Most} colliders. Raise Min Vertices."
+                : null;
+            if (refusal != null)
+                return 0;
+            Undo?.Changing(this);
+            var made = new List<FluidCollider>();
+            foreach (int bone in wanted)
+                made.Add(FitBone(bones, bone, points));
+            foreach (FluidCollider capsule in capsules)
+                if (!made.Contains(capsule))
+                    Destroy(capsule);
+            capsules = made;
+            return made.Count;
+        }
+
+        FluidCollider FitBone(Transform[] bones, int bone, BonePoints points)
+        {
+            float3[] vertices = points.Of(bone, out float[] areas);
+            FittedCapsule fitted = FittedCapsule.Around(vertices, areas, coverage, Axes(bones, bone));
+            FluidCollider capsule = Find(bones[bone]) ?? Make(bones[bone]);
+            Undo?.Changing(capsule.transform);
+            Undo?.Changing(capsule);
+            capsule.transform.localPosition = fitted.center;
+            capsule.transform.localRotation = Quaternion.FromToRotation(Vector3.up, fitted.axis);
+            capsule.transform.localScale = Vector3.one;
+            capsule.Shape = ColliderShape.Capsule;
+            capsule.Center = Vector3.zero;
+            capsule.Radius = fitted.radius;
+            capsule.Height = fitted.height;
+            return capsule;
+        }
+
+        // Directions along which a limb may lie: to the next bones, and the bone's own axes.
+        static float3[] Axes(Transform[] bones, int bone)
+        {
+            var axes = new List<float3> { new float3(1f, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f) };
+            foreach (Transform other in bones)
+                if (other != null && other.parent == bones[bone])
+                    axes.Add(other.localPosition);
+            return axes.ToArray();
+        }
+
+        FluidCollider Find(Transform bone)
+        {
+            foreach (FluidCollider capsule in capsules)
+                if (capsule != null && capsule.transform.parent == bone)
+                    return capsule;
+            return null;
+        }
+
+        static FluidCollider Make(Transform bone)
+        {
+            var made = new GameObject(CapsuleName) { layer = bone.gameObject.layer };
+            made.transform.SetParent(bone, false);
+            var capsule = made.AddComponent<FluidCollider>();
+            Undo?.Created(made);
+            return capsule;
+        }
+
+        static void Destroy(FluidCollider capsule)
+        {
+            if (capsule == null)
+                return;
+            // An object that the user has put more on keeps what is not ours.
+            bool isPlain = capsule.transform.childCount == 0 && capsule.GetComponents<Component>().Length == 2;
+            UnityEngine.Object gone = isPlain ? (UnityEngine.Object)capsule.gameObject : capsule;
+            if (Undo != null)
+                Undo.Destroy(gone);
+            else
+                DestroyImmediate(gone);
+        }
+    }
+}
