@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Rill
 {
     /// <summary>A neighbor that a fluid takes particles from.</summary>

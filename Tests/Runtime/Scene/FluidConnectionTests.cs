@@ -187,8 +187,11 @@ namespace Rill.Tests
             if (fault == 0)
                 right.ParticleSpacing = 0.05f;
             else if (fault == 1)
-                right.Material = new FluidMaterial { density = 900f, velocitySmoothing = right.Material.velocitySmoothing,
-                    artificialPressureDistance = 0.2f, relaxationTime = right.Material.relaxationTime };
+                right.Material = new FluidMaterial
+                {
+                    density = 900f, velocitySmoothing = right.Material.velocitySmoothing,
+                    artificialPressureDistance = 0.2f, relaxationTime = right.Material.relaxationTime
+                };
             else if (fault == 2)
                 right.StepRate = 120f;
             else if (fault == 3)
