@@ -87,8 +87,8 @@ namespace Rill
         [Tooltip("Fluid time during which it lets fluid in, s. 0: for ever.")]
         [SerializeField] float duration;
 
-        [Tooltip("Number of the colour that the particle renderer may give its particles, 0 to 7. Other than 0 takes 8 bytes a " +
-            "particle of capacity.")]
+        [Tooltip("Number of a look: of Phase Looks of the Fluid Surface, or of Phase Colors of the Particle Renderer, 0 to 7. " +
+            "Other than 0 takes 8 bytes a particle of capacity.")]
         [Range(0, 7)]
         [SerializeField] int phase;
 
@@ -133,7 +133,7 @@ namespace Rill
         public float Delay { get => delay; set { delay = value; Validate(); } }
         /// <summary>Fluid time during which it lets fluid in, s; 0 for ever.</summary>
         public float Duration { get => duration; set { duration = value; Validate(); } }
-        /// <summary>Number of the colour that the particle renderer may give its particles, 0 to 7.</summary>
+        /// <summary>Number of the particles' look, 0 to 7: of the surface's phase looks, or of the particle renderer's phase colors.</summary>
         public int Phase { get => phase; set { phase = value; Validate(); } }
         /// <summary>Fluid time after which its particles are removed, s; 0 for never.</summary>
         public float Lifetime { get => lifetime; set { lifetime = value; Validate(); } }

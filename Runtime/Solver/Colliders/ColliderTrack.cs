@@ -6,7 +6,7 @@ namespace Rill
     /// <summary>Follows a collider through the steps in which the force on it is summed.</summary>
     struct ColliderTrack
     {
-        const float MemorySteps = 4f;       // substeps in which pushed water comes to move along: measured, see floating.md of the documentation
+        const float MemorySteps = 4f;       // substeps in which pushed water comes to move along: measured, see floating-study.md of the documentation
 
         RigidPose pose;
         SlipVelocity slip, angularSlip;

@@ -89,7 +89,7 @@ namespace Rill.Tests
             }
         }
 
-        // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see floating.md of the
+        // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see floating-study.md of the
         // documentation.
         [TestCase(DeepWater.Off, 4f, 5.5f)]
         [TestCase(DeepWater.On, 4f, 3.3f)]

@@ -76,7 +76,7 @@ namespace Host.Report.Obstacles
                 }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
-            page.Line("Where the periods come from was [looked into](floating.md#periods-of-heave).");
+            page.Line("Where the periods come from was [looked into](floating-study.md#periods-of-heave).");
             page.Line();
             string file = page.DataFile(Heights), smallest = table.Rows.First()["across"];
             IEnumerable<string> lines = table.Rows.Where(row => row["across"] == smallest).SelectMany((row, i) =>
