@@ -31,6 +31,7 @@ namespace Rill.Editor
         {
             ("Rill.Kill", "Kills by scripts"),
             ("Rill.Drain", "Drains"),
+            ("Rill.HandOver", "Hand-over between fluids"),
             ("Rill.Rest", "Water at rest"),
             ("Rill.Fields", "Force fields"),
             ("Rill.CoarseColliders", "Colliders on the coarse grid"),

@@ -117,7 +117,8 @@ namespace Rill
         public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
 
         /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
-        public Vector3 WorldCenter => shape == ColliderShape.Mesh && Deforming != null ? Deforming.WorldCenter : shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
+        public Vector3 WorldCenter => shape == ColliderShape.Mesh && Deforming != null ? Deforming.WorldCenter
+            : shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
             : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
 
         /// <summary>What all simulations did to the collider in the newest steps that are known, a few frames ago.</summary>

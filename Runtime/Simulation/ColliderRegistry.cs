@@ -168,7 +168,8 @@ namespace Rill
 
         static bool SameShape(in ColliderMotion a, in ColliderMotion b)
         {
-            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && a.deforming == b.deforming && math.all(a.mirrored == b.mirrored)
+            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && ReferenceEquals(a.deforming, b.deforming)
+                && math.all(a.mirrored == b.mirrored)
                 && a.voxel == b.voxel && a.friction == b.friction
                 && a.bounciness == b.bounciness && a.insideOut == b.insideOut && a.contributesDensity == b.contributesDensity;
         }
