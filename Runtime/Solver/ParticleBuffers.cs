@@ -139,7 +139,8 @@ namespace Rill
 
         public void Dispose()
         {
-            foreach (GraphicsBuffer buffer in new[] { Positions, Start, Predicted, Velocities, Ids, SortedIds, Counters, AliveArguments, SortedArguments })
+            foreach (GraphicsBuffer buffer in new[] { Positions, Start, Predicted, Velocities, Ids, SortedIds, Counters, AliveArguments,
+                SortedArguments })
             {
                 GraphicsBuffer released = buffer;
                 GpuBuffer.Release(ref released);

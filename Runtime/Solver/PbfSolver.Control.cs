@@ -18,7 +18,8 @@ namespace Rill
 
         ParticleEdits Edits => edits ??= new ParticleEdits();
 
-        /// <summary>Removes all particles at once, with their foam and those kept outside. Steps, counters, ids and what waits in emitters go on.</summary>
+        /// <summary>Removes all particles at once, with their foam and those kept outside. Steps, counters, ids and what waits in emitters go
+        /// on.</summary>
         public void RemoveAll()
         {
             hasLists = hasNew = false;

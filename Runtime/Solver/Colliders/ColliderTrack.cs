@@ -6,7 +6,8 @@ namespace Rill
     /// <summary>Follows a collider through the steps in which the force on it is summed.</summary>
     struct ColliderTrack
     {
-        const float MemorySteps = 4f;       // substeps in which pushed water comes to move along: measured, see floating-study.md of the documentation
+        // substeps in which pushed water comes to move along: measured, see floating-study.md of the documentation
+        const float MemorySteps = 4f;
 
         RigidPose pose;
         SlipVelocity slip, angularSlip;

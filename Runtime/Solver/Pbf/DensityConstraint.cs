@@ -61,7 +61,8 @@ namespace Rill
             }
         }
 
-        /// <summary>Records the list and the first multipliers, at Predicted, into Multipliers; their errors into the bins of the coarse grid.</summary>
+        /// <summary>Records the list and the first multipliers, at Predicted, into Multipliers; their errors into the bins of the coarse
+        /// grid.</summary>
         public void RecordList(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;

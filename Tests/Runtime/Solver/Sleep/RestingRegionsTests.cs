@@ -41,7 +41,8 @@ namespace Rill.Tests
                     return;
 
                 for (int i = mover * 20; i < mover * 20 + fastParticles; i++)
-                    state.velocities[i] = new float4((i % 2 == 0 ? 1.2f : -1.2f) * RestingRegions.JitterRatio * SleepDisplacement / TimeStep, 0f, 0f, 0f);
+                    state.velocities[i] = new float4(
+                        (i % 2 == 0 ? 1.2f : -1.2f) * RestingRegions.JitterRatio * SleepDisplacement / TimeStep, 0f, 0f, 0f);
                 stage.Set(state);
                 Assert.That(stage.Run(1), Is.EqualTo(Enumerable.Range(0, total).Select(region => Around(region, mover, counts)).ToArray()),
                     "fast particles whose velocities cancel");
