@@ -23,8 +23,8 @@ namespace Host.Tests
             => new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") }
             .SelectMany(assembly => assembly.GetTypes())
                 .SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public))
-            .Where(method => method.IsDefined(typeof(MenuItem)) && method.GetCustomAttribute<MenuItem>().menuItem.StartsWith("GameObject/Rill/"))
-            .ToDictionary(method => method.GetCustomAttribute<MenuItem>().menuItem);
+            .SelectMany(method => method.GetCustomAttributes<MenuItem>().Select(item => (item.menuItem, method)))
+            .Where(item => item.menuItem.StartsWith("GameObject/Rill/")).ToDictionary(item => item.menuItem, item => item.method);
 
         [Test]
         public void The_menu_has_what_scenes_are_made_of()

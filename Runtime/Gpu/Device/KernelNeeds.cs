@@ -115,6 +115,7 @@ namespace Rill
                 case "UNPACK":
                 case "VOLUME": return DeviceFeature.None;
                 case "CARRIES":
+                case "RILL_DEFORMING":
                 case "WITH_COLLIDERS": return DeviceFeature.Colliders;
                 case "DEEP": return DeviceFeature.DeepWater;
                 case "REACT":

@@ -14,6 +14,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseColliders");
         readonly CoarseGrid grid;
         readonly int openCells, linkCells;
+        readonly LocalKeyword deforming;
         int seen = -1;
         bool recorded;
         Colliders volume;
@@ -24,6 +25,7 @@ namespace Rill
             this.grid = grid;
             openCells = shader.FindKernel("OpenCells");
             linkCells = shader.FindKernel("LinkCells");
+            deforming = new LocalKeyword(shader, Rill.Colliders.DeformingKeyword);
             raw = GpuBuffer.Structured<uint2>("Rill.Coarse.RawOpenFractions", grid.Total);
             open = GpuBuffer.Structured<uint2>("Rill.Coarse.OpenFractions", grid.Total);
             centers = GpuBuffer.Structured<uint4>("Rill.Coarse.OpenCenters", grid.Total);
@@ -48,6 +50,7 @@ namespace Rill
                 return;
             seen = colliders.Changes;
             cmd.BeginSample(Marker);
+            cmd.SetKeyword(shader, deforming, colliders.HasDeforming);
             step.BindConstants(shader);
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
             colliders.BindShapes(cmd, shader, openCells);
@@ -79,8 +82,9 @@ namespace Rill
         {
             if (recorded)
             {
-                description.Kernel("CoarseColliders", "OpenCells", substeps);
-                description.Kernel("CoarseColliders", "LinkCells", substeps);
+                string variant = volume.HasDeforming ? Rill.Colliders.DeformingKeyword : null;
+                description.Kernel("CoarseColliders", "OpenCells", substeps, variant);
+                description.Kernel("CoarseColliders", "LinkCells", substeps, variant);
             }
             description.Buffer("Rill.Coarse.RawOpenFractions", raw);
             description.Buffer("Rill.Coarse.OpenFractions", open);

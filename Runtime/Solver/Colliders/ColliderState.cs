@@ -59,6 +59,9 @@ namespace Rill
         /// <summary>its field changes in the substep</summary>
         [SharedWithHlsl("Colliders")] const uint Deforms = 16;
 
+        /// <summary>Whether its field changes in the substep.</summary>
+        public bool IsDeforming => (flags & Deforms) != 0;
+
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
 
         /// <summary>Whether all bits are the same.</summary>

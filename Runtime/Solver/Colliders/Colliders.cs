@@ -17,11 +17,15 @@ namespace Rill
         /// <summary>a particle's centre stays this far from a wall, d</summary>
         [SharedWithHlsl("Solver")] public const float ContactOffset = 0.5f;
 
+        /// <summary>Keyword of the kernels that know of meshes that deform.</summary>
+        public const string DeformingKeyword = "RILL_DEFORMING";
+
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
         readonly int binColliders, measureColliderVolume, findBoundary;
         readonly KernelVariants collidePaths, collide;        // with reactions; last pass, with reactions
+        readonly LocalKeyword deforming;
         readonly FieldAtlas meshes, heights;
         // a kernel wants a texture even where it reads none
         readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false)
@@ -43,6 +47,7 @@ namespace Rill
         {
             binColliders = shader.FindKernel("BinColliders");
             measureColliderVolume = shader.FindKernel("MeasureColliderVolume");
+            deforming = new LocalKeyword(shader, DeformingKeyword);
             collidePaths = new KernelVariants(shader, "CollidePaths", "CollidePathsReact");
             findBoundary = shader.FindKernel("FindBoundary");
             collide = new KernelVariants(shader, "Collide", "CollideLast", "CollideReact", "CollideLastReact");
@@ -67,6 +72,9 @@ namespace Rill
         /// <summary>Grows with each substep whose colliders are not those of the one before, at rest in the same places: what was made of
         /// them does not hold any more.</summary>
         public int Changes { get; private set; }
+
+        /// <summary>Whether a mesh deforms in the substep that was recorded last.</summary>
+        public bool HasDeforming { get; private set; }
 
         /// <summary>float4 [capacity], after <see cref="RecordBoundaryAtRest"/> what the colliders add to the density of a particle: xyz
         /// its gradient, 1/d; w relative to rest.</summary>
@@ -104,6 +112,7 @@ namespace Rill
             meshes.RecordDeforming(cmd, set);
             float from = math.lerp(input.frameFrom, input.frameTo, substep / (float)step.Substeps);
             float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)step.Substeps);
+            HasDeforming = false;
             for (int i = 0; i < set.Count; i++)
             {
                 ref readonly ColliderMotion motion = ref set.Items[i];
@@ -111,6 +120,7 @@ namespace Rill
                 ColliderState state = ColliderState.For(motion, from, to, step.SubstepTime, VelocityExtrapolation.FractionAtOnce(input),
                     ImplicitViscosity.IsNeeded(input), brick);
                 changed |= !state.Equals(statesUpload[i]);
+                HasDeforming |= state.IsDeforming;
                 statesUpload[i] = state;
             }
             Changes += changed ? 1 : 0;
@@ -127,6 +137,7 @@ namespace Rill
             binned = changed || !wanted.Equals(constantsUpload[0]);
             constantsUpload[0] = wanted;
             cmd.BeginSample(Marker);
+            cmd.SetKeyword(shader, deforming, HasDeforming);
             RecordReactions(cmd, set, step.SubstepTime);
             step.BindConstants(shader);     // the kernels are those of all fluids
             if (binned)
@@ -224,15 +235,16 @@ namespace Rill
                 return description;
             int substeps = input.settings.substeps;
             bool reacts = colliders.reactions != null;
+            string variant = colliders.HasDeforming ? DeformingKeyword : null;
             if (colliders.binned)
             {
-                description.Kernel("Colliders", "BinColliders", substeps);
-                description.Kernel("Colliders", "MeasureColliderVolume", substeps);
+                description.Kernel("Colliders", "BinColliders", substeps, variant);
+                description.Kernel("Colliders", "MeasureColliderVolume", substeps, variant);
             }
-            description.Kernel("Colliders", colliders.collidePaths.For(reacts).Name, substeps);
+            description.Kernel("Colliders", colliders.collidePaths.For(reacts).Name, substeps, variant);
             if (input.settings.iterations > 1)
-                description.Kernel("Colliders", colliders.collide.For(false, reacts).Name, substeps * (input.settings.iterations - 1));
-            description.Kernel("Colliders", colliders.collide.For(true, reacts).Name, substeps);
+                description.Kernel("Colliders", colliders.collide.For(false, reacts).Name, substeps * (input.settings.iterations - 1), variant);
+            description.Kernel("Colliders", colliders.collide.For(true, reacts).Name, substeps, variant);
             colliders.reactions?.Describe(description);
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);
@@ -250,6 +262,7 @@ namespace Rill
 
         void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, RestingRegions resting)
         {
+            cmd.SetKeyword(shader, deforming, HasDeforming);
             BindShapes(cmd, shader, kernel);
             if (resting != null)
                 resting.Bind(cmd, shader, kernel);

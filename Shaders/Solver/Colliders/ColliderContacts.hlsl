@@ -248,7 +248,7 @@ bool Trace(Collider collider, float3 a, float3 b, out float fraction, out float 
     float distance = MinDistanceAt(collider, a, collider.lastBlend);
     start = SurfaceDistance(collider, a, distance);
     float least = min(kContactOffset, start - kTouching);
-    if ((collider.flags & kDeforms) != 0)
+    if (Deforms(collider))
         path = 3.0 * path + abs(Advance(collider, a));
     if (distance >= kContactOffset + path)
         return false;

@@ -70,12 +70,23 @@ float3 FieldPosition(Collider collider, float3 p)
     return collider.fieldCenter + p * collider.fieldScale;
 }
 
+// Whether a collider's field changes in the substep. Where none of a fluid's does, kernels are compiled without it (RILL_DEFORMING): with
+// a look at the flag for each look-up, 256 colliders at rest took an eighth more.
+bool Deforms(Collider collider)
+{
+#ifdef RILL_DEFORMING
+    return (collider.flags & kDeforms) != 0;
+#else
+    return false;
+#endif
+}
+
 // Of a mesh that deforms at a blend of two fields: 0 where the steps of a frame start, 1 where they end.
 float BlendedDistance(Collider collider, float3 p, float blend)
 {
     float3 place = FieldPosition(collider, p);
     float stored = _Fields.SampleLevel(sampler_LinearClamp, place, 0.0);
-    if ((collider.flags & kDeforms) != 0)
+    if (Deforms(collider))
         stored = lerp(_Fields.SampleLevel(sampler_LinearClamp, place + float3(0.0, 0.0, collider.fieldBefore), 0.0), stored, blend);
     return stored * collider.fieldUnit;
 }
@@ -178,7 +189,7 @@ float MinDistance(Collider collider, float3 p)
 float MinDistanceOfSubstep(Collider collider, float3 p)
 {
     float distance = MinDistance(collider, p);
-    if ((collider.flags & kDeforms) != 0)
+    if (Deforms(collider))
         distance = min(distance, MinDistanceAt(collider, p, collider.lastBlend));
     return distance;
 }
@@ -202,7 +213,7 @@ float4 DomainDistance(Collider collider, float3 p)
 float Advance(Collider collider, float3 p)
 {
     float advance = 0.0;
-    if ((collider.flags & kDeforms) != 0)
+    if (Deforms(collider))
     {
         float3 q = clamp(p, -collider.size, collider.size);
         advance = BlendedDistance(collider, q, collider.lastBlend) - BlendedDistance(collider, q, collider.blend);
@@ -215,7 +226,7 @@ float Advance(Collider collider, float3 p)
 float3 Deformation(Collider collider, float3 p)
 {
     float3 deformation = 0.0;
-    if ((collider.flags & kDeforms) != 0)
+    if (Deforms(collider))
         deformation = Rotate(collider.rotation, LocalDistance(collider, p).xyz * Advance(collider, p));
     return deformation;
 }

@@ -45,6 +45,24 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_connected_fluid_does_not_sleep_and_one_let_go_does()
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.8f, 0.5f), new Vector3(2f, 0.8f, 0.5f), DeepWater.Off);
+            SolverSettings settings = left.Settings;
+            settings.sleepSpeed = 0.02f;
+            left.Settings = settings;
+            FluidConnection connection = Connect(left, right);
+            yield return Frames(2);
+            Assert.That(Sleeps(left), Is.False);
+            connection.enabled = false;
+            yield return Frames(2);
+            Assert.That(Sleeps(left));
+            Assert.That(Sleeps(right), Is.False, "which has no sleep speed");
+        }
+
+        static bool Sleeps(FluidSimulation fluid) => fluid.Describe().Single(stage => stage.Name == "Resting regions").IsUsed;
+
+        [UnityTest]
         public IEnumerator Water_at_rest_in_both_boxes_stays_level_and_calm(
             [Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {
