@@ -30,7 +30,7 @@ namespace Rill
                 return;
             connections[number] = null;
             connectionCount--;
-            pbf?.ForgetTransfer(number);
+            pbf?.ResetTransfer(number);
         }
 
         /// <summary>A number of what came over a connection, as far as it has come back.</summary>

@@ -21,7 +21,7 @@ namespace Rill
         public void RequestTransferred() => transfer?.Request();
 
         /// <summary>The number goes to another: nothing was transferred under it.</summary>
-        public void ForgetTransfer(int number) => transfer?.Forget(number);
+        public void ResetTransfer(int number) => transfer?.Reset(number);
 
         /// <summary>Whether the state is a snapshot's, and no step was taken from it.</summary>
         public bool IsRestored => isRestored;

@@ -62,8 +62,8 @@ namespace Rill
             if (kept == null)
                 return;
             ReleaseKept();
-            ForgetTransfer(Leaving);
-            ForgetTransfer(Returning);
+            ResetTransfer(Leaving);
+            ResetTransfer(Returning);
         }
 
         TransferRegion RegionOf(in RigidPose from, in RigidPose to, int number)

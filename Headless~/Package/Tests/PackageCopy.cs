@@ -85,7 +85,8 @@ namespace Host.Tests
         public void Catches(Rule rule, Action plant, params string[] words)
         {
             (Type, string) key = (rule.GetType(), assemblies);
-            bool isKnown = before.Count == 0 && rule.GetType().GetConstructors().Length == 1 && rule.GetType().GetConstructor(Type.EmptyTypes) != null;
+            bool isKnown = before.Count == 0 && rule.GetType().GetConstructors().Length == 1
+                && rule.GetType().GetConstructor(Type.EmptyTypes) != null;
             if (!isKnown || !Held.ContainsKey(key))
                 Assert.That(Examine(rule).Faults, Is.Empty, "before the fault is planted");
             if (isKnown)

@@ -113,10 +113,12 @@ namespace Rill
             for (int i = 0; i < bones.Length; i++)
                 if (bones[i] != null && points.Count(i) >= minVertices)
                     wanted.Add(i);
-            refusal = wanted.Count == 0
-                ? $"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight." : wanted.Count > ColliderSet.Most ? $"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes " +
-                $"{ColliderSet.Most} colliders. Raise Min Vertices."
-                : null;
+            refusal = null;
+            if (wanted.Count == 0)
+                refusal = $"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight.";
+            else if (wanted.Count > ColliderSet.Most)
+                refusal = $"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes {ColliderSet.Most} colliders. " +
+                    "Raise Min Vertices.";
             if (refusal != null)
                 return 0;
             Undo?.Changing(this);

@@ -57,10 +57,10 @@ namespace Rill
         ColliderShape shapeBefore;
         int lastFrame = -1, framesOfBake, framesOfLast, framesSince;
         float begun, poseTime;  // s
-        (int, float, MeshSdfSign, float) taken;      // settings that a change of begins anew
+        (int, float, MeshSdfSign, float) taken;      // settings of the field: with others it is made again
         bool isStale, isTooWide;
 
-        /// <summary>Voxels along the longest side of the box around the mesh, 16 to 64. Another one begins anew.</summary>
+        /// <summary>Voxels along the longest side of the box around the mesh, 16 to 64. With another the field is made again.</summary>
         public int Resolution { get => resolution; set { resolution = value; OnValidate(); } }
 
         /// <summary>Triangles that a frame may bake, 100 to 10,000,000.</summary>

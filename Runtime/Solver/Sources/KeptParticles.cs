@@ -8,7 +8,7 @@ namespace Rill
     /// needed.</summary>
     sealed class KeptParticles : IDisposable
     {
-        readonly Buffers[] sets = new Buffers[2];       // the particles, and room to list them anew as the box moves
+        readonly Buffers[] sets = new Buffers[2];       // the particles, and room to list them again as the box moves
         int current;
 
         /// <param name="capacity">Most particles.</param>
@@ -40,7 +40,7 @@ namespace Rill
 
         public bool HasTags => sets[0].HasTags;
 
-        /// <summary>After the particles were listed anew.</summary>
+        /// <summary>After the particles were listed again.</summary>
         public void Advance(in RigidPose box)
         {
             current = 1 - current;

@@ -125,7 +125,7 @@ namespace Rill
         }
 
         /// <summary>Nothing was transferred under a number.</summary>
-        public void Forget(int number)
+        public void Reset(int number)
         {
             readback.Buffer.SetData(new uint[Words], 0, number * Words, Words);
             readback.Zero(number * Words, Words);

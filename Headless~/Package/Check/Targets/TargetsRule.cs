@@ -91,8 +91,8 @@ namespace Host.Check
                 About = "What each program needs, and whether it fits: Metal as MSL 2.1 and OpenGL ES 3.1 as GLSL, both as " +
                     "SPIRV-Cross writes them (Unity has a translator of its own), the latter read back by glslang; "
                     + "Vulkan, on which the tests run these programs, mobile devices and WebGPU by their limits alone; OpenGL ES 3.1 " +
-                    "by the least that the specification grants. The host's own programs are judged: they are what Direct3D's defines select, and subtract the base vertex as Direct3D " +
-                    "does, which OpenGL ES lacks.",
+                    "by the least that the specification grants. The host's own programs are judged: they are what Direct3D's " +
+                    "defines select, and subtract the base vertex as Direct3D does, which OpenGL ES lacks.",
                 Columns = new[] { "file", "kernel or stage", "keywords", "storage buffers", "textures", "threads",
                     "shared B" }.Concat(targets.Select(t => t.Name)).ToArray(),
             };
