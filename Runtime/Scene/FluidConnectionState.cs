@@ -59,7 +59,7 @@ namespace Rill
                 return $"both ends are '{a.name}'. Set First and Second to two fluids.";
             if (math.abs(a.ParticleSpacing - b.ParticleSpacing) > SameFraction * a.ParticleSpacing)
                 return $"'{a.name}' has a particle spacing of {a.ParticleSpacing} m and '{b.name}' one of {b.ParticleSpacing} m. Make them equal.";
-            if (!Same(a.Material, b.Material))
+            if (!StructBytes.AreSame(a.Material, b.Material))
                 return $"'{a.name}' and '{b.name}' have different materials. Make them equal.";
             if (a.StepRate != b.StepRate)
                 return $"'{a.name}' takes {a.StepRate} steps a second and '{b.name}' {b.StepRate}. Make their Step Rates equal.";
@@ -110,11 +110,5 @@ namespace Rill
             region.openFaces = isCovered ? 1u << 2 * axis + (region.plane[axis] < 0f ? 1 : 0) : 0u;
             return math.all(opening >= MinOpening - 1e-3f);
         }
-
-        static bool Same(in FluidMaterial a, in FluidMaterial b)
-            => a.density == b.density && a.velocitySmoothing == b.velocitySmoothing && a.dynamicViscosity == b.dynamicViscosity
-            && a.wallFriction == b.wallFriction && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
-            && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension
-            && a.shearModulus == b.shearModulus && a.relaxationTime == b.relaxationTime;
     }
 }

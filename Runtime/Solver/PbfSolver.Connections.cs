@@ -44,7 +44,7 @@ namespace Rill
                 return;
             hasGhosts = false;
             Transfer.RecordRemoval(cmd, particles.AsSet(tags));
-            markedAfter = stepIndex + 1;
+            NoteGone();
         }
 
         // Ghosts of an earlier frame, in which no step followed; those of this one stay, whichever neighbor they are of.
@@ -75,20 +75,19 @@ namespace Rill
                 return;
             CommandBuffer cmd = step.Commands;
             RecordGhostsBefore(cmd, connections);
-            for (int c = 0; c < connections.count; c++)
-            {
-                ref StepConnection connection = ref connections.items[c];
-                RecordTake(cmd, connection.neighbor, connection.region, TransferRule.Move);
-                if (connection.isMutual)
-                    connection.neighbor.RecordTake(cmd, this, connection.back, TransferRule.Move);
-            }
+            RecordTakes(cmd, connections, TransferRule.Move);
             // After all of what is this fluid's: a ghost of one neighbor may be another's particle.
+            RecordTakes(cmd, connections, TransferRule.Copies);
+        }
+
+        void RecordTakes(CommandBuffer cmd, StepConnections connections, TransferRule rule)
+        {
             for (int c = 0; c < connections.count; c++)
             {
                 ref StepConnection connection = ref connections.items[c];
-                RecordTake(cmd, connection.neighbor, connection.region, TransferRule.Copies);
+                RecordTake(cmd, connection.neighbor, connection.region, rule);
                 if (connection.isMutual)
-                    connection.neighbor.RecordTake(cmd, this, connection.back, TransferRule.Copies);
+                    connection.neighbor.RecordTake(cmd, this, connection.back, rule);
             }
         }
 

@@ -136,14 +136,9 @@ namespace Rill
         /// <returns>Whether they are elsewhere than when it was baked last.</returns>
         public bool Follow(float tolerance)
         {
+            bool moved = skin == null && FollowVertices(tolerance);
             FollowBones();
-            bool moved = Differs(tolerance);
-            if (skin == null)
-            {
-                source.GetVertices(vertices);
-                moved |= FollowVertices(tolerance);
-            }
-            return moved;
+            return moved || Differs(tolerance);
         }
 
         /// <summary>What is posed now is baked.</summary>
@@ -195,11 +190,11 @@ namespace Rill
             return false;
         }
 
-        // The box around them is found in the same round.
+        // Their box, by which FollowBones then finds that of the mesh, is found in the same round.
         bool FollowVertices(float tolerance)
         {
+            source.GetVertices(vertices);
             bool moved = seen.Count != vertices.Count;
-            var box = new Bounds();
             float3 low = float.PositiveInfinity, high = float.NegativeInfinity;
             for (int i = 0; i < vertices.Count; i++)
             {
@@ -213,11 +208,8 @@ namespace Rill
                 low = math.min(low, vertex);
                 high = math.max(high, vertex);
             }
-            if (!math.all(low <= high))
-                return moved;
-            box.SetMinMax(low, high);
-            boxes[0] = box;
-            FollowBones();
+            if (math.all(low <= high))
+                boxes[0].SetMinMax(low, high);
             return moved;
         }
 

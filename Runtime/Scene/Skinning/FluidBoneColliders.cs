@@ -113,7 +113,6 @@ namespace Rill
             for (int i = 0; i < bones.Length; i++)
                 if (bones[i] != null && points.Count(i) >= minVertices)
                     wanted.Add(i);
-            refusal = null;
             if (wanted.Count == 0)
                 refusal = $"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight.";
             else if (wanted.Count > ColliderSet.Most)

@@ -1,4 +1,3 @@
-using System;
 using System.Runtime.InteropServices;
 using Unity.Mathematics;
 
@@ -7,7 +6,7 @@ namespace Rill
     /// <summary>A collider in a substep; lengths in d, in the domain's frame.</summary>
     [SharedWithHlsl("Colliders", Name = "Collider")]
     [StructLayout(LayoutKind.Sequential)]
-    struct ColliderState : IEquatable<ColliderState>
+    struct ColliderState
     {
         /// <summary>from its own frame to the domain's, quaternion</summary>
         public float4 rotation;
@@ -63,11 +62,6 @@ namespace Rill
         public bool IsDeforming => (flags & Deforms) != 0;
 
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
-
-        /// <summary>Whether all bits are the same.</summary>
-        public bool Equals(ColliderState other)
-            => MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref this, 1))
-            .SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref other, 1)));
 
         /// <param name="motion">Over a frame.</param>
         /// <param name="from">Fraction of the frame at which the substep starts.</param>

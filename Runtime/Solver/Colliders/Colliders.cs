@@ -119,7 +119,7 @@ namespace Rill
                 FieldBrick brick = (motion.shape == ColliderShape.HeightField ? heights : meshes).Brick(motion);
                 ColliderState state = ColliderState.For(motion, from, to, step.SubstepTime, VelocityExtrapolation.FractionAtOnce(input),
                     ImplicitViscosity.IsNeeded(input), brick);
-                changed |= !state.Equals(statesUpload[i]);
+                changed |= !StructBytes.AreSame(state, statesUpload[i]);
                 HasDeforming |= state.IsDeforming;
                 statesUpload[i] = state;
             }

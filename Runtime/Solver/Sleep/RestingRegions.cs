@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
@@ -86,8 +85,8 @@ namespace Rill
         {
             gravity = last.gravity,
             timeStep = last.timeStep,
-            settings = Crc32C.Of(BytesOf(ref last.settings)),
-            material = Crc32C.Of(BytesOf(ref last.material)),
+            settings = Crc32C.Of(StructBytes.Of(ref last.settings)),
+            material = Crc32C.Of(StructBytes.Of(ref last.material)),
             wake = wake ? 1u : 0u,
         };
 
@@ -185,26 +184,18 @@ namespace Rill
             if (restored is RestRecord before)
             {
                 StepInput now = input;
-                bool same = Crc32C.Of(BytesOf(ref now.settings)) == before.settings && Crc32C.Of(BytesOf(ref now.material)) == before.material;
+                bool same = Crc32C.Of(StructBytes.Of(ref now.settings)) == before.settings && Crc32C.Of(StructBytes.Of(ref now.material)) == before.material;
                 last = same ? input : default;
                 last.gravity = before.gravity;
                 last.timeStep = before.timeStep;
                 restored = null;
             }
             bool changed = math.distance(input.gravity, last.gravity) > GravityChange * math.length(last.gravity) || input.timeStep != last.timeStep
-                || !AreSame(input.settings, last.settings) || !AreSame(input.material, last.material);
+                || !StructBytes.AreSame(input.settings, last.settings) || !StructBytes.AreSame(input.material, last.material);
             if (changed)
                 last = input;
             return changed;
         }
-
-        // Byte by byte.
-        static bool AreSame<T>(T first, T second) where T : struct
-        {
-            return BytesOf(ref first).SequenceEqual(BytesOf(ref second));
-        }
-
-        static ReadOnlySpan<byte> BytesOf<T>(ref T value) where T : struct => MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref value, 1));
 
         static class Ids
         {

@@ -45,18 +45,9 @@ namespace Rill.Tests
                 foreach (FluidRenderer renderer in renderers)
                     renderer.DrawFrame();
             };
-            yield return null;
-            for (int i = 0; i < WarmUp; i++)
-            {
-                frame();
-                yield return null;
-            }
+            yield return WarmedUp(frame);
             int before = simulation.StepCount;
-            for (int i = 0; i < Frames; i++)
-            {
-                Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
-                yield return null;
-            }
+            yield return WithoutGarbage(frame, Frames);
             Assert.That(simulation.StepCount - before, NUnit.Framework.Is.GreaterThanOrEqualTo(Frames));
             Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics));
             Assert.That(statistics.particles, NUnit.Framework.Is.EqualTo(800));
@@ -67,17 +58,8 @@ namespace Rill.Tests
         {
             FluidSimulation simulation = Basin();
             TestDelegate frame = () => simulation.Advance(Step);
-            yield return null;
-            for (int i = 0; i < WarmUp; i++)
-            {
-                frame();
-                yield return null;
-            }
-            for (int i = 0; i < 100; i++)
-            {
-                Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
-                yield return null;
-            }
+            yield return WarmedUp(frame);
+            yield return WithoutGarbage(frame, 100);
             Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics));
             Assert.That(statistics.emitted, NUnit.Framework.Is.GreaterThan(300));
             Assert.That(statistics.drained, NUnit.Framework.Is.GreaterThan(100));
@@ -99,17 +81,8 @@ namespace Rill.Tests
                     arm.Bend(30f * Mathf.Sin(0.1f * frames++));
                     simulation.Advance(Step);
                 };
-                yield return null;
-                for (int i = 0; i < WarmUp; i++)
-                {
-                    frame();
-                    yield return null;
-                }
-                for (int i = 0; i < 60; i++)
-                {
-                    Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
-                    yield return null;
-                }
+                yield return WarmedUp(frame);
+                yield return WithoutGarbage(frame, 60);
                 Assert.That(deforming.BakedFields, NUnit.Framework.Is.GreaterThan(30));
             }
         }
@@ -135,17 +108,8 @@ namespace Rill.Tests
                     simulation.TryGetParticles(out FluidParticles particles);
                     particles.Bind(properties);
                 };
-                yield return null;
-                for (int i = 0; i < WarmUp; i++)
-                {
-                    frame();
-                    yield return null;
-                }
-                for (int i = 0; i < 60; i++)
-                {
-                    Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
-                    yield return null;
-                }
+                yield return WarmedUp(frame);
+                yield return WithoutGarbage(frame, 60);
                 Assert.That(passes, NUnit.Framework.Is.GreaterThanOrEqualTo(90));
                 Assert.That(copies, NUnit.Framework.Is.GreaterThan(20));
                 Assert.That(readback.HasData);
@@ -174,17 +138,8 @@ namespace Rill.Tests
                     for (int i = 0; i < batch.RayCount; i++)
                         hits += batch.TryGetHit(i, out FluidRayHit found) && found.hit ? 1 : 0;
                 };
-                yield return null;
-                for (int i = 0; i < WarmUp; i++)
-                {
-                    frame();
-                    yield return null;
-                }
-                for (int i = 0; i < 30; i++)
-                {
-                    Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
-                    yield return null;
-                }
+                yield return WarmedUp(frame);
+                yield return WithoutGarbage(frame, 30);
                 Assert.That(valid, NUnit.Framework.Is.GreaterThan(16 * 40));
                 Assert.That(hits, NUnit.Framework.Is.GreaterThan(5 * 40));
             }
@@ -235,6 +190,26 @@ namespace Rill.Tests
             TestDelegate allocates = () => kept = new object();
             Assert.That(allocates, Is.AllocatingGCMemory());
             Assert.That(kept, NUnit.Framework.Is.Not.Null);
+        }
+
+        // What is made once is made in these.
+        static IEnumerator WarmedUp(TestDelegate frame)
+        {
+            yield return null;
+            for (int i = 0; i < WarmUp; i++)
+            {
+                frame();
+                yield return null;
+            }
+        }
+
+        static IEnumerator WithoutGarbage(TestDelegate frame, int count)
+        {
+            for (int i = 0; i < count; i++)
+            {
+                Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
+                yield return null;
+            }
         }
 
         FluidSimulation Dam()
