@@ -55,12 +55,13 @@ namespace Rill
         static readonly ProfilerMarker ResolveMarker = GpuMarker.Create("Rill.Bake.Resolve");
 
         readonly ComputeShader shader = StageShader.LoadCompute("MeshSdf");
-        readonly int clear, gather, splatDistances, splatNearest, splatLargeDistances, splatLargeNearest, flood, buildLeaves, buildParents,
+        readonly Kernel clear, gather, splatDistances, splatNearest, splatLargeDistances, splatLargeNearest, flood, buildLeaves, buildParents,
             findSides, resolveSolid, resolveShell, poseVertices;
         readonly CommandBuffer cmd;
         readonly bool executes;
         readonly SdfGrid grid;
         readonly int triangleCount;
+        readonly int[] resolution;      // once, since three numbers would make an array each time
         readonly uint2[] levels;
         GraphicsBuffer vertices, indices, order, large, triangles, spheres, levelTable, clusters, boxes, sides, distances, nearest;
 
@@ -70,19 +71,20 @@ namespace Rill
             executes = into == null;
             cmd = into ?? new CommandBuffer { name = "Rill.MeshSdf" };
             this.grid = grid;
-            clear = shader.FindKernel("Clear");
-            gather = shader.FindKernel("Gather");
-            splatDistances = shader.FindKernel("SplatDistances");
-            splatNearest = shader.FindKernel("SplatNearest");
-            splatLargeDistances = shader.FindKernel("SplatLargeDistances");
-            splatLargeNearest = shader.FindKernel("SplatLargeNearest");
-            flood = shader.FindKernel("Flood");
-            buildLeaves = shader.FindKernel("BuildLeaves");
-            buildParents = shader.FindKernel("BuildParents");
-            findSides = shader.FindKernel("FindSides");
-            resolveSolid = shader.FindKernel("ResolveSolid");
-            resolveShell = shader.FindKernel("ResolveShell");
-            poseVertices = shader.FindKernel("PoseVertices");
+            resolution = new[] { grid.Resolution.x, grid.Resolution.y, grid.Resolution.z };
+            clear = new Kernel(shader, "Clear");
+            gather = new Kernel(shader, "Gather");
+            splatDistances = new Kernel(shader, "SplatDistances");
+            splatNearest = new Kernel(shader, "SplatNearest");
+            splatLargeDistances = new Kernel(shader, "SplatLargeDistances");
+            splatLargeNearest = new Kernel(shader, "SplatLargeNearest");
+            flood = new Kernel(shader, "Flood");
+            buildLeaves = new Kernel(shader, "BuildLeaves");
+            buildParents = new Kernel(shader, "BuildParents");
+            findSides = new Kernel(shader, "FindSides");
+            resolveSolid = new Kernel(shader, "ResolveSolid");
+            resolveShell = new Kernel(shader, "ResolveShell");
+            poseVertices = new Kernel(shader, "PoseVertices");
 
             triangleCount = geometry.TriangleCount;
             levels = ClusterLevels.Of(triangleCount);
@@ -304,7 +306,7 @@ namespace Rill
         void Begin(int first, int count)
         {
             cmd.SetComputeIntParam(shader, Ids.TriangleCount, triangleCount);
-            cmd.SetComputeIntParams(shader, Ids.Resolution, grid.Resolution.x, grid.Resolution.y, grid.Resolution.z);
+            cmd.SetComputeIntParams(shader, Ids.Resolution, resolution);
             cmd.SetComputeIntParam(shader, Ids.First, first);
             cmd.SetComputeIntParam(shader, Ids.Count, count);
             cmd.SetComputeIntParam(shader, Ids.LevelCount, levels.Length);

@@ -11,13 +11,13 @@ namespace Rill
         [SharedWithHlsl("Clear")] public const int Group = 256;
 
         readonly ComputeShader shader = StageShader.LoadCompute("Clear");
-        readonly int clearWords, clearBlocks, clearTriples;
+        readonly Kernel clearWords, clearBlocks, clearTriples;
 
         public BufferClear()
         {
-            clearWords = shader.FindKernel("ClearWords");
-            clearBlocks = shader.FindKernel("ClearBlocks");
-            clearTriples = shader.FindKernel("ClearTriples");
+            clearWords = new Kernel(shader, "ClearWords");
+            clearBlocks = new Kernel(shader, "ClearBlocks");
+            clearTriples = new Kernel(shader, "ClearTriples");
         }
 
         /// <summary>Clears buffers at once.</summary>
@@ -44,7 +44,11 @@ namespace Rill
             ThreadGroups.Dispatch(cmd, shader, kernel, ((long)buffer.count + Group - 1) / Group);
         }
 
-        int KernelFor(int stride, out int property)
+        /// <summary>The kernel that clears elements of a size.</summary>
+        /// <param name="stride">4, 16 or 24 bytes.</param>
+        public void Describe(StageDescription stage, int stride, int perStep) => stage.Kernel(KernelFor(stride, out _), perStep);
+
+        Kernel KernelFor(int stride, out int property)
         {
             switch (stride)
             {

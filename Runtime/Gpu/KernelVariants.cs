@@ -2,17 +2,20 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>A kernel of a compute shader, with its name for descriptions.</summary>
+    /// <summary>A kernel of a compute shader: its index for recording, its name and its shader's for descriptions.</summary>
     readonly struct Kernel
     {
         public readonly int Index;
-        public readonly string Name;
+        public readonly string File, Name;
 
         public Kernel(ComputeShader shader, string name)
         {
             Index = shader.FindKernel(name);
+            File = shader.name;
             Name = name;
         }
+
+        public static implicit operator int(Kernel kernel) => kernel.Index;
     }
 
     /// <summary>The variants of a kernel, by one or two things that it may have to do besides. Recording and describing both ask here, so

@@ -22,7 +22,7 @@ namespace Rill
         public const int MaxCapacity = ThreadGroups.MaxGroups * Tile;
 
         readonly ComputeShader shader;
-        readonly int sumTiles, scanTileSums, scanTiles, scanFewTiles;
+        readonly Kernel sumTiles, scanTileSums, scanTiles, scanFewTiles;
         GraphicsBuffer tileSums;
 
         /// <param name="shader">PrefixSum.compute.</param>
@@ -35,10 +35,10 @@ namespace Rill
 
             this.shader = shader;
             Capacity = capacity;
-            sumTiles = shader.FindKernel("SumTiles");
-            scanTileSums = shader.FindKernel("ScanTileSums");
-            scanTiles = shader.FindKernel("ScanTiles");
-            scanFewTiles = shader.FindKernel("ScanFewTiles");
+            sumTiles = new Kernel(shader, "SumTiles");
+            scanTileSums = new Kernel(shader, "ScanTileSums");
+            scanTiles = new Kernel(shader, "ScanTiles");
+            scanFewTiles = new Kernel(shader, "ScanFewTiles");
             tileSums = GpuBuffer.Structured<uint>("Rill.PrefixSum.TileSums", TileCount(capacity) + 1);
         }
 
@@ -88,11 +88,11 @@ namespace Rill
         /// <summary>For sums of as many elements as the capacity.</summary>
         public void DescribeKernels(StageDescription stage, int perStep)
         {
-            stage.Kernel("PrefixSum", "SumTiles", perStep);
+            stage.Kernel(sumTiles, perStep);
             bool few = IsFew(TileCount(Capacity));
             if (!few)
-                stage.Kernel("PrefixSum", "ScanTileSums", perStep);
-            stage.Kernel("PrefixSum", few ? "ScanFewTiles" : "ScanTiles", perStep);
+                stage.Kernel(scanTileSums, perStep);
+            stage.Kernel(few ? scanFewTiles : scanTiles, perStep);
         }
 
         static bool IsFew(int tiles) => tiles <= FewTiles;

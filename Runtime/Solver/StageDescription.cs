@@ -31,9 +31,10 @@ namespace Rill
         }
 
         /// <param name="variant">Enabled keywords, or null.</param>
-        public void Kernel(string file, string kernel, int perStep, string variant = null)
+        public void Kernel(Kernel kernel, int perStep, string variant = null)
         {
-            Kernels.Add((variant == null ? $"{file}.compute: {kernel}" : $"{file}.compute: {kernel} [{variant}]", perStep));
+            string name = $"{kernel.File}.compute: {kernel.Name}";
+            Kernels.Add((variant == null ? name : $"{name} [{variant}]", perStep));
         }
 
         public void Draw(string file, int perFrame) => Kernels.Add(($"{file}.shader, a draw in each pass of each camera", perFrame));

@@ -13,12 +13,12 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceFoam");
         readonly BufferClear clear = new BufferClear();
-        readonly int addFoam, resolveFoam;
+        readonly Kernel addFoam, resolveFoam;
 
         public SurfaceFoam()
         {
-            addFoam = shader.FindKernel("AddFoam");
-            resolveFoam = shader.FindKernel("ResolveFoam");
+            addFoam = new Kernel(shader, "AddFoam");
+            resolveFoam = new Kernel(shader, "ResolveFoam");
         }
 
         /// <summary>Fills <see cref="SurfaceView.Foam"/> of each eye, after the surface's depth and the distance of the scene.</summary>
@@ -49,11 +49,11 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        public static void Describe(StageDescription stage, int eyes)
+        public void Describe(StageDescription stage, int eyes, SurfaceView view)
         {
-            stage.Kernel("Clear", "ClearBlocks", 1);
-            stage.Kernel("SurfaceFoam", "AddFoam", eyes);
-            stage.Kernel("SurfaceFoam", "ResolveFoam", eyes);
+            clear.Describe(stage, view.FoamAmounts.stride, 1);
+            stage.Kernel(addFoam, eyes);
+            stage.Kernel(resolveFoam, eyes);
         }
 
         // Of the fluid's box along the view, or more; m.

@@ -16,7 +16,6 @@ namespace Rill
         static readonly ProfilerMarker FilterMarker = GpuMarker.Create("Rill.Surface.Filter");
         static readonly ProfilerMarker NormalsMarker = GpuMarker.Create("Rill.Surface.Normals");
 
-        const string FilterFile = "SurfaceFilter";
         const int DepthPass = 0, ChordPass = 2; // of SurfaceRaster.shader
 
         /// <summary>texels</summary>
@@ -28,7 +27,7 @@ namespace Rill
         readonly SurfaceThickness thickness;
         SurfaceFoam foam;       // these two are made when first needed
         SurfaceMotion motion;
-        readonly int filterRows, filterRowsAgain, filterColumns, findNormals;
+        readonly Kernel filterRows, filterRowsAgain, filterColumns, findNormals;
         readonly CameraParts<SurfaceView> views = new CameraParts<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         readonly SurfaceConstants constants = new SurfaceConstants();
@@ -39,10 +38,10 @@ namespace Rill
             filter = StageShader.LoadCompute("SurfaceViews");
             raster = new Material(stage.Shader) { hideFlags = HideFlags.HideAndDontSave };
             thickness = new SurfaceThickness(stage.Shader);
-            filterRows = filter.FindKernel("FilterRows");
-            filterRowsAgain = filter.FindKernel("FilterRowsAgain");
-            filterColumns = filter.FindKernel("FilterColumns");
-            findNormals = filter.FindKernel("FindNormals");
+            filterRows = new Kernel(filter, "FilterRows");
+            filterRowsAgain = new Kernel(filter, "FilterRowsAgain");
+            filterColumns = new Kernel(filter, "FilterColumns");
+            findNormals = new Kernel(filter, "FindNormals");
         }
 
         /// <summary>The textures of a camera; made when it first asks. Those of cameras that draw no more are given back.</summary>
@@ -137,17 +136,17 @@ namespace Rill
                 if (view.Smoothed == null)
                     continue;
                 int eyes = view.Smoothed.volumeDepth;
-                stage.Kernel(FilterFile, "FilterRows", eyes);
+                stage.Kernel(filterRows, eyes);
                 if (filterPasses > 1)
-                    stage.Kernel(FilterFile, "FilterRowsAgain", eyes * (filterPasses - 1));
-                stage.Kernel(FilterFile, "FilterColumns", eyes * filterPasses);
-                stage.Kernel(FilterFile, "FindNormals", eyes);
+                    stage.Kernel(filterRowsAgain, eyes * (filterPasses - 1));
+                stage.Kernel(filterColumns, eyes * filterPasses);
+                stage.Kernel(findNormals, eyes);
                 stage.Draw("SurfaceRaster", eyes);
                 if (view.Chords != null)
                     stage.Draw("SurfaceMotion", 1);
-                SurfaceThickness.Describe(stage, eyes, view);
+                thickness.Describe(stage, eyes, view);
                 if (view.Foam != null)
-                    SurfaceFoam.Describe(stage, eyes);
+                    (foam ??= new SurfaceFoam()).Describe(stage, eyes, view);
                 view.Describe(stage);
             }
         }

@@ -19,17 +19,17 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceThickness");
         readonly BufferClear clear = new BufferClear();
-        readonly int addParticles, addPhases, blurThickness, blurPhases;
+        readonly Kernel addParticles, addPhases, blurThickness, blurPhases;
         readonly LocalKeyword sceneArray;
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
 
         /// <param name="raster">Shader of the material that <see cref="Record"/> gets.</param>
         public SurfaceThickness(Shader raster)
         {
-            addParticles = shader.FindKernel("AddParticles");
-            addPhases = shader.FindKernel("AddPhases");
-            blurThickness = shader.FindKernel("BlurThickness");
-            blurPhases = shader.FindKernel("BlurPhases");
+            addParticles = new Kernel(shader, "AddParticles");
+            addPhases = new Kernel(shader, "AddPhases");
+            blurThickness = new Kernel(shader, "BlurThickness");
+            blurPhases = new Kernel(shader, "BlurPhases");
             sceneArray = new LocalKeyword(raster, SceneArrayKeyword);
         }
 
@@ -83,13 +83,13 @@ namespace Rill
             cmd.EndSample(BlurMarker);
         }
 
-        public static void Describe(StageDescription stage, int eyes, SurfaceView view)
+        public void Describe(StageDescription stage, int eyes, SurfaceView view)
         {
             bool hasPhases = view.Thickness.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat;
             stage.Draw("SurfaceRaster", eyes);
-            stage.Kernel("Clear", "ClearWords", 1);
-            stage.Kernel("SurfaceThickness", hasPhases ? "AddPhases" : "AddParticles", eyes);
-            stage.Kernel("SurfaceThickness", hasPhases ? "BlurPhases" : "BlurThickness", eyes);
+            clear.Describe(stage, view.Amounts.stride, 1);
+            stage.Kernel(hasPhases ? addPhases : addParticles, eyes);
+            stage.Kernel(hasPhases ? blurPhases : blurThickness, eyes);
         }
 
         void RecordScene(CommandBuffer cmd, Material raster, in FluidViews camera, SurfaceView view)

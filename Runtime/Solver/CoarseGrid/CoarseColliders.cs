@@ -13,7 +13,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseColliders");
         readonly CoarseGrid grid;
-        readonly int openCells, linkCells;
+        readonly Kernel openCells, linkCells;
         readonly LocalKeyword deforming;
         int seen = -1;
         bool recorded;
@@ -23,8 +23,8 @@ namespace Rill
         public CoarseColliders(CoarseGrid grid)
         {
             this.grid = grid;
-            openCells = shader.FindKernel("OpenCells");
-            linkCells = shader.FindKernel("LinkCells");
+            openCells = new Kernel(shader, "OpenCells");
+            linkCells = new Kernel(shader, "LinkCells");
             deforming = new LocalKeyword(shader, Rill.Colliders.DeformingKeyword);
             raw = GpuBuffer.Structured<uint2>("Rill.Coarse.RawOpenFractions", grid.Total);
             open = GpuBuffer.Structured<uint2>("Rill.Coarse.OpenFractions", grid.Total);
@@ -83,8 +83,8 @@ namespace Rill
             if (recorded)
             {
                 string variant = volume.HasDeforming ? Rill.Colliders.DeformingKeyword : null;
-                description.Kernel("CoarseColliders", "OpenCells", substeps, variant);
-                description.Kernel("CoarseColliders", "LinkCells", substeps, variant);
+                description.Kernel(openCells, substeps, variant);
+                description.Kernel(linkCells, substeps, variant);
             }
             description.Buffer("Rill.Coarse.RawOpenFractions", raw);
             description.Buffer("Rill.Coarse.OpenFractions", open);

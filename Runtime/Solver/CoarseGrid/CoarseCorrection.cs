@@ -26,7 +26,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
         readonly KernelVariants binFlow, findSurface, findDivergence, displaceFlow, findErrors, displaceErrors;        // with colliders
-        readonly int extendDisplacements, reactToFlow, reactToErrors;
+        readonly Kernel extendDisplacements, reactToFlow, reactToErrors;
         CoarseColliders coarseColliders;
         GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
@@ -42,9 +42,9 @@ namespace Rill
             displaceFlow = new KernelVariants(shader, "DisplaceFlow", "DisplaceFlowWithColliders");
             findErrors = new KernelVariants(shader, "FindErrors", "FindErrorsWithColliders");
             displaceErrors = new KernelVariants(shader, "DisplaceErrors", "DisplaceErrorsWithColliders");
-            extendDisplacements = shader.FindKernel("ExtendDisplacements");
-            reactToFlow = shader.FindKernel("ReactToFlow");
-            reactToErrors = shader.FindKernel("ReactToErrors");
+            extendDisplacements = new Kernel(shader, "ExtendDisplacements");
+            reactToFlow = new Kernel(shader, "ReactToFlow");
+            reactToErrors = new Kernel(shader, "ReactToErrors");
 
             CoarseSolverPath path = CoarseSolverPath.For(limits);
             Grid = new CoarseGrid(layout.DomainSize, cellSize, path.TailCells);
@@ -126,7 +126,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(ProjectionMarker);
             BindConstants(step);
-            int bin = binFlow.For(WithColliders).Index;
+            int bin = binFlow.For(WithColliders);
             coarseColliders?.Bind(cmd, shader, bin);
             cmd.SetComputeBufferParam(shader, bin, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, step.Particles.Velocities);
@@ -136,7 +136,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, bin, CoarseIds.Bins, Bins);
             step.Particles.DispatchAlive(cmd, shader, bin);
 
-            int find = findSurface.For(WithColliders).Index;
+            int find = findSurface.For(WithColliders);
             BindCells(cmd, find, flowPotential);
             coarseColliders?.BindVolume(cmd, shader, find);
             cmd.SetComputeBufferParam(shader, find, Ids.WeightedCounts, weightedCounts);
@@ -200,14 +200,14 @@ namespace Rill
             int substeps = input.settings.substeps;
             foreach (KernelVariants kernel in new[] { stage.binFlow, stage.findSurface, stage.findDivergence, stage.displaceFlow,
                 stage.findErrors, stage.displaceErrors })
-                description.Kernel("CoarseGrid", kernel.For(stage.WithColliders).Name, substeps);
+                description.Kernel(kernel.For(stage.WithColliders), substeps);
             stage.coarseColliders?.Describe(description, substeps);
             if (stage.coarseColliders?.Reacting != null)
             {
-                description.Kernel("CoarseGrid", "ReactToFlow", substeps);
-                description.Kernel("CoarseGrid", "ReactToErrors", substeps);
+                description.Kernel(stage.reactToFlow, substeps);
+                description.Kernel(stage.reactToErrors, substeps);
             }
-            description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
+            description.Kernel(stage.extendDisplacements, 2 * substeps);
             stage.Solver.Describe(description, 2 * substeps, stage.WithColliders);
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
@@ -245,7 +245,7 @@ namespace Rill
 
         void RecordSource(CommandBuffer cmd, KernelVariants variants, GraphicsBuffer potential)
         {
-            int kernel = variants.For(WithColliders).Index;
+            int kernel = variants.For(WithColliders);
             BindCells(cmd, kernel, potential);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
             cmd.SetComputeBufferParam(shader, kernel, Ids.LastErrors, lastErrors);
@@ -255,7 +255,7 @@ namespace Rill
 
         void RecordDisplacements(CommandBuffer cmd, KernelVariants variants, GraphicsBuffer potential)
         {
-            int kernel = variants.For(WithColliders).Index;
+            int kernel = variants.For(WithColliders);
             BindCells(cmd, kernel, potential);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
             Dispatch(cmd, kernel);

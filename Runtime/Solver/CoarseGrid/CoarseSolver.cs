@@ -62,8 +62,8 @@ namespace Rill
         void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders)
         {
             bool withColliders = coarseColliders != null;
-            int first = smooth.For(withColliders).Index, restrict = restrictGrid.For(withColliders).Index,
-                last = correctAndSmooth.For(withColliders).Index;
+            int first = smooth.For(withColliders), restrict = restrictGrid.For(withColliders),
+                last = correctAndSmooth.For(withColliders);
             coarseColliders?.Bind(cmd, shader, first);
             coarseColliders?.Bind(cmd, shader, restrict);
             coarseColliders?.Bind(cmd, shader, last);
@@ -74,15 +74,15 @@ namespace Rill
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
-                RecordSmoothLevel(cmd, smoothLevel.Index, level);
+                RecordSmoothLevel(cmd, smoothLevel, level);
                 cmd.SetComputeIntParam(shader, Ids.Level, level + 1);
-                BindLevels(cmd, restrictLevel.Index);
-                CoarseGrid.Dispatch(cmd, shader, restrictLevel.Index, Children * grid.Cells(level + 1));
+                BindLevels(cmd, restrictLevel);
+                CoarseGrid.Dispatch(cmd, shader, restrictLevel, Children * grid.Cells(level + 1));
             }
-            BindLevels(cmd, solveCoarseLevels.Index);
-            cmd.DispatchCompute(shader, solveCoarseLevels.Index, 1, 1, 1);
+            BindLevels(cmd, solveCoarseLevels);
+            cmd.DispatchCompute(shader, solveCoarseLevels, 1, 1, 1);
             for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
-                RecordSmoothLevel(cmd, correctAndSmoothLevel.Index, level);
+                RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
 
             cmd.SetComputeBufferParam(shader, last, Ids.Corrections, corrections);
             RecordSmooth(cmd, last, source, diagonal, smoothed, potential);
@@ -92,16 +92,16 @@ namespace Rill
         {
             int levels = grid.FirstTailLevel - 1;
             perStep *= Cycles;
-            stage.Kernel("CoarseSolver", smooth.For(withColliders).Name, perStep);
-            stage.Kernel("CoarseSolver", restrictGrid.For(withColliders).Name, perStep);
+            stage.Kernel(smooth.For(withColliders), perStep);
+            stage.Kernel(restrictGrid.For(withColliders), perStep);
             if (levels > 0)
             {
-                stage.Kernel("CoarseSolver", smoothLevel.Name, levels * perStep);
-                stage.Kernel("CoarseSolver", restrictLevel.Name, levels * perStep);
-                stage.Kernel("CoarseSolver", correctAndSmoothLevel.Name, levels * perStep);
+                stage.Kernel(smoothLevel, levels * perStep);
+                stage.Kernel(restrictLevel, levels * perStep);
+                stage.Kernel(correctAndSmoothLevel, levels * perStep);
             }
-            stage.Kernel("CoarseSolver", solveCoarseLevels.Name, perStep);
-            stage.Kernel("CoarseSolver", correctAndSmooth.For(withColliders).Name, perStep);
+            stage.Kernel(solveCoarseLevels, perStep);
+            stage.Kernel(correctAndSmooth.For(withColliders), perStep);
             stage.Buffer("Rill.Coarse.Smoothed", smoothed);
             stage.Buffer("Rill.Coarse.Couplings", couplings);
             stage.Buffer("Rill.Coarse.Residuals", residuals);

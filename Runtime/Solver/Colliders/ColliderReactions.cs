@@ -18,7 +18,7 @@ namespace Rill
         const int Words = Stride * ColliderSet.Most;
 
         readonly ComputeShader shader;
-        readonly int take;
+        readonly Kernel take;
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words));
         GraphicsBuffer sums;
         readonly uint[] zeros = new uint[Words];
@@ -27,7 +27,7 @@ namespace Rill
         public ColliderReactions(ComputeShader shader)
         {
             this.shader = shader;
-            take = shader.FindKernel("TakeReactions");
+            take = new Kernel(shader, "TakeReactions");
             sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);
             BufferClear.Now(sums);
             readback.Arrived = OnArrived;
@@ -80,7 +80,7 @@ namespace Rill
 
         public void Describe(StageDescription description)
         {
-            description.Kernel("Colliders", "TakeReactions", 0);
+            description.Kernel(take, 0);
             description.Buffer("Rill.Colliders.Reactions", sums);
             description.Buffer("Rill.Colliders.Taken", readback.Buffer);
         }

@@ -22,8 +22,11 @@ namespace Rill
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
+        /// <summary>Measures at rest what the colliders add; the statistics list it among their kernels.</summary>
+        public readonly Kernel FindBoundary;
+
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
-        readonly int binColliders, measureColliderVolume, findBoundary;
+        readonly Kernel binColliders, measureColliderVolume;
         readonly KernelVariants collidePaths, collide;        // with reactions; last pass, with reactions
         readonly LocalKeyword deforming;
         readonly FieldAtlas meshes, heights;
@@ -45,11 +48,11 @@ namespace Rill
 
         public Colliders(SolverLayout layout)
         {
-            binColliders = shader.FindKernel("BinColliders");
-            measureColliderVolume = shader.FindKernel("MeasureColliderVolume");
+            binColliders = new Kernel(shader, "BinColliders");
+            measureColliderVolume = new Kernel(shader, "MeasureColliderVolume");
             deforming = new LocalKeyword(shader, DeformingKeyword);
             collidePaths = new KernelVariants(shader, "CollidePaths", "CollidePathsReact");
-            findBoundary = shader.FindKernel("FindBoundary");
+            FindBoundary = new Kernel(shader, "FindBoundary");
             collide = new KernelVariants(shader, "Collide", "CollideLast", "CollideReact", "CollideLastReact");
 
             cellSize = SmallestCell;
@@ -163,7 +166,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            int kernel = collidePaths.For(reactions != null).Index;
+            int kernel = collidePaths.For(reactions != null);
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, step.Resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
@@ -182,7 +185,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            int kernel = collide.For(last, reactions != null).Index;
+            int kernel = collide.For(last, reactions != null);
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, step.Resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Multipliers);
@@ -201,11 +204,11 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
-            Bind(cmd, findBoundary, particles, null);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Distances, contactOffsets);       // free between steps
-            cmd.DispatchCompute(shader, findBoundary, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            Bind(cmd, FindBoundary, particles, null);
+            cmd.SetComputeBufferParam(shader, FindBoundary, Ids.Positions, particles.Positions);
+            cmd.SetComputeBufferParam(shader, FindBoundary, Ids.Boundary, boundary);
+            cmd.SetComputeBufferParam(shader, FindBoundary, Ids.Distances, contactOffsets);       // free between steps
+            cmd.DispatchCompute(shader, FindBoundary, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -238,13 +241,13 @@ namespace Rill
             string variant = colliders.HasDeforming ? DeformingKeyword : null;
             if (colliders.binned)
             {
-                description.Kernel("Colliders", "BinColliders", substeps, variant);
-                description.Kernel("Colliders", "MeasureColliderVolume", substeps, variant);
+                description.Kernel(colliders.binColliders, substeps, variant);
+                description.Kernel(colliders.measureColliderVolume, substeps, variant);
             }
-            description.Kernel("Colliders", colliders.collidePaths.For(reacts).Name, substeps, variant);
+            description.Kernel(colliders.collidePaths.For(reacts), substeps, variant);
             if (input.settings.iterations > 1)
-                description.Kernel("Colliders", colliders.collide.For(false, reacts).Name, substeps * (input.settings.iterations - 1), variant);
-            description.Kernel("Colliders", colliders.collide.For(true, reacts).Name, substeps, variant);
+                description.Kernel(colliders.collide.For(false, reacts), substeps * (input.settings.iterations - 1), variant);
+            description.Kernel(colliders.collide.For(true, reacts), substeps, variant);
             colliders.reactions?.Describe(description);
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);

@@ -31,13 +31,14 @@ namespace Rill
         [SharedWithHlsl("FieldAtlas")] const int CopyGroup = 4;
 
         readonly ComputeShader shader;
-        readonly int copyField, blendFields;
+        readonly Kernel copyField, blendFields;
         readonly ColliderShape shape;
         readonly string name, contents;
         readonly List<Texture3D> fields = new List<Texture3D>();
         readonly List<uint> versions = new List<uint>();
         readonly List<int> firsts = new List<int>();
         readonly List<Deforming> deforming = new List<Deforming>();
+        readonly int[] brick = new int[3];
         RenderTexture texture;
         int3 size;
 
@@ -61,8 +62,8 @@ namespace Rill
             this.shape = shape;
             this.name = name;
             this.contents = contents;
-            copyField = shader.FindKernel("CopyField");
-            blendFields = shader.FindKernel("BlendFields");
+            copyField = new Kernel(shader, "CopyField");
+            blendFields = new Kernel(shader, "BlendFields");
         }
 
         /// <summary>In the units of the fields, R16; null while there is none.</summary>
@@ -215,8 +216,7 @@ namespace Rill
             int3 own = Size(field);
             cmd.SetComputeTextureParam(shader, copyField, Ids.Field, field);
             cmd.SetComputeTextureParam(shader, copyField, Ids.Atlas, Texture);
-            cmd.SetComputeIntParams(shader, Ids.BrickFirst, 0, 0, first);
-            cmd.SetComputeIntParams(shader, Ids.BrickSize, own.x, own.y, own.z);
+            SetBrick(cmd, first, own);
             int3 groups = (own + CopyGroup - 1) / CopyGroup;
             cmd.DispatchCompute(shader, copyField, groups.x, groups.y, groups.z);
         }
@@ -228,11 +228,19 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, blendFields, Ids.OlderField, field.Older);
             cmd.SetComputeBufferParam(shader, blendFields, Ids.NewerField, field.Newer);
             cmd.SetComputeTextureParam(shader, blendFields, Ids.Atlas, Texture);
-            cmd.SetComputeIntParams(shader, Ids.BrickFirst, 0, 0, own.first + (own.isSecond ? own.depth : 0));
-            cmd.SetComputeIntParams(shader, Ids.BrickSize, resolution.x, resolution.y, resolution.z);
+            SetBrick(cmd, own.first + (own.isSecond ? own.depth : 0), resolution);
             cmd.SetComputeFloatParam(shader, Ids.Fraction, collider.blend);
             int3 groups = (resolution + CopyGroup - 1) / CopyGroup;
             cmd.DispatchCompute(shader, blendFields, groups.x, groups.y, groups.z);
+        }
+
+        // By one array: a call with three numbers makes one each time.
+        void SetBrick(CommandBuffer cmd, int firstSlice, int3 resolution)
+        {
+            (brick[0], brick[1], brick[2]) = (0, 0, firstSlice);
+            cmd.SetComputeIntParams(shader, Ids.BrickFirst, brick);
+            (brick[0], brick[1], brick[2]) = (resolution.x, resolution.y, resolution.z);
+            cmd.SetComputeIntParams(shader, Ids.BrickSize, brick);
         }
 
         static int3 Size(Texture3D field) => new int3(field.width, field.height, field.depth);

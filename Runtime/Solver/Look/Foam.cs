@@ -44,7 +44,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Foam"), sources = StageShader.LoadCompute("FoamSources");
         readonly KernelVariants move;     // with colliders
-        readonly int averageCells, compact, spawn, commit, findPotentials, countSpawned;
+        readonly Kernel averageCells, compact, spawn, commit, findPotentials, countSpawned;
         readonly LocalKeyword twoLists;
         readonly int foamGroups, fluidGroups;
         readonly int cellTotal;
@@ -59,13 +59,13 @@ namespace Rill
         public Foam(SolverLayout layout, int budget)
         {
             Budget = budget;
-            averageCells = shader.FindKernel("AverageCells");
+            averageCells = new Kernel(shader, "AverageCells");
             move = new KernelVariants(shader, "Move", "MoveWithColliders");
-            compact = shader.FindKernel("Compact");
-            spawn = shader.FindKernel("Spawn");
-            commit = shader.FindKernel("Commit");
-            findPotentials = sources.FindKernel("FindPotentials");
-            countSpawned = sources.FindKernel("CountSpawned");
+            compact = new Kernel(shader, "Compact");
+            spawn = new Kernel(shader, "Spawn");
+            commit = new Kernel(shader, "Commit");
+            findPotentials = new Kernel(sources, "FindPotentials");
+            countSpawned = new Kernel(sources, "CountSpawned");
             twoLists = new LocalKeyword(sources, NeighborLists.TwoListsKeyword);
 
             foamGroups = ParticleBuffers.Groups(budget);
@@ -189,14 +189,14 @@ namespace Rill
                 ? $"at most {input.foam.budget:N0} particles of spray, foam and bubbles" : "no FluidFoam component");
             if (!needed || stage == null)
                 return description;
-            description.Kernel("FoamSources", "FindPotentials", 1, step.Lists.Variant);
-            description.Kernel("FoamSources", "CountSpawned", 1, step.Lists.Variant);
-            description.Kernel("Foam", "AverageCells", 1);
-            description.Kernel("Foam", stage.move.For(step.Colliders != null).Name, 1);
+            description.Kernel(stage.findPotentials, 1, step.Lists.Variant);
+            description.Kernel(stage.countSpawned, 1, step.Lists.Variant);
+            description.Kernel(stage.averageCells, 1);
+            description.Kernel(stage.move.For(step.Colliders != null), 1);
             stage.prefixSum.Describe(description, 1);
-            description.Kernel("Foam", "Compact", 1);
-            description.Kernel("Foam", "Spawn", 1);
-            description.Kernel("Foam", "Commit", 1);
+            description.Kernel(stage.compact, 1);
+            description.Kernel(stage.spawn, 1);
+            description.Kernel(stage.commit, 1);
             description.Buffer("Rill.Foam.Particles", stage.particles);
             description.Buffer("Rill.Foam.Moved", stage.moved);
             description.Buffer("Rill.Foam.Arguments", stage.arguments);
@@ -269,7 +269,7 @@ namespace Rill
         void RecordMove(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            int kernel = move.For(step.Colliders != null).Index;
+            int kernel = move.For(step.Colliders != null);
             step.Colliders?.BindShapes(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.FoamParticles, particles);
             cmd.SetComputeBufferParam(shader, kernel, Ids.FoamCells, cells);

@@ -32,7 +32,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
         readonly KernelVariants estimate;     // that leave out what lies deep
-        readonly int addNew, storeDrawn, smooth, shape, hideGhosts;
+        readonly Kernel addNew, storeDrawn, smooth, shape, hideGhosts;
         readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore;
@@ -40,12 +40,12 @@ namespace Rill
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this capacity is more than the device can bind.</exception>
         public SurfaceParticles(SolverLayout layout)
         {
-            addNew = shader.FindKernel("AddNew");
+            addNew = new Kernel(shader, "AddNew");
             estimate = new KernelVariants(shader, "Estimate", "Estimate" + KernelNeed.Wide);
-            storeDrawn = shader.FindKernel("StoreDrawn");
-            smooth = shader.FindKernel("Smooth");
-            shape = shader.FindKernel("Shape");
-            hideGhosts = shader.FindKernel("HideGhosts");
+            storeDrawn = new Kernel(shader, "StoreDrawn");
+            smooth = new Kernel(shader, "Smooth");
+            shape = new Kernel(shader, "Shape");
+            hideGhosts = new Kernel(shader, "HideGhosts");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             try
@@ -136,11 +136,11 @@ namespace Rill
             if (stage == null)
                 return description;
             string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
-            description.Kernel("SurfaceParticles", "AddNew", 0);
-            description.Kernel("SurfaceParticles", stage.estimate.For(stage.LeavesOutDeep(step)).Name, 0, variant);
-            description.Kernel("SurfaceParticles", "StoreDrawn", 0);
-            description.Kernel("SurfaceParticles", "Smooth", 0, variant);
-            description.Kernel("SurfaceParticles", "Shape", 0, variant);
+            description.Kernel(stage.addNew, 0);
+            description.Kernel(stage.estimate.For(stage.LeavesOutDeep(step)), 0, variant);
+            description.Kernel(stage.storeDrawn, 0);
+            description.Kernel(stage.smooth, 0, variant);
+            description.Kernel(stage.shape, 0, variant);
             description.Buffer("Rill.Surface", stage.surface);
             description.Buffer("Rill.Surface.Planes", stage.planes);
             description.Buffer("Rill.Surface.SmoothPlanes", stage.smoothPlanes);
@@ -169,7 +169,7 @@ namespace Rill
         void RecordEstimate(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            int kernel = estimate.For(LeavesOutDeep(step)).Index;
+            int kernel = estimate.For(LeavesOutDeep(step));
             if (LeavesOutDeep(step))
             {
                 step.BindCoarseConstants(shader);

@@ -43,7 +43,7 @@ namespace Rill
                 if (i > 0)
                 {
                     cmd.BeginSample(LambdaMarker);
-                    int solve = solveLambda.For(step.Colliders != null).Index;
+                    int solve = solveLambda.For(step.Colliders != null);
                     step.Colliders?.BindDensity(cmd, shader, solve);
                     step.Colliders?.BindVolume(cmd, shader, solve);
                     Dispatch(step, solve, particles.Predicted, particles.Multipliers);
@@ -52,7 +52,7 @@ namespace Rill
 
                 cmd.BeginSample(DisplaceMarker);
                 bool takesCorrection = i == 0 && step.Coarse != null;
-                int kernel = applyDeltaP.For(takesCorrection, hasPressure).Index;
+                int kernel = applyDeltaP.For(takesCorrection, hasPressure);
                 if (takesCorrection)
                     cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
                 Dispatch(step, kernel, particles.Multipliers, particles.Predicted);
@@ -66,7 +66,7 @@ namespace Rill
         public void RecordList(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            int build = buildList.For(step.Coarse != null, step.Colliders != null).Index;
+            int build = buildList.For(step.Coarse != null, step.Colliders != null);
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
@@ -93,13 +93,13 @@ namespace Rill
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
             var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, " +
                 $"neighbor lists in {lists}, artificial pressure is {step.Input.material.artificialPressure}");
-            stage.Kernel("DensityConstraint", buildList.For(deep, withColliders).Name, substeps, variant);
+            stage.Kernel(buildList.For(deep, withColliders), substeps, variant);
             if (iterations > 1)
-                stage.Kernel("DensityConstraint", solveLambda.For(withColliders).Name, substeps * (iterations - 1), variant);
+                stage.Kernel(solveLambda.For(withColliders), substeps * (iterations - 1), variant);
             if (deep)
-                stage.Kernel("DensityConstraint", applyDeltaP.For(true, hasPressure).Name, substeps, variant);
+                stage.Kernel(applyDeltaP.For(true, hasPressure), substeps, variant);
             if (!deep || iterations > 1)
-                stage.Kernel("DensityConstraint", applyDeltaP.For(false, hasPressure).Name, substeps * (deep ? iterations - 1 : iterations), variant);
+                stage.Kernel(applyDeltaP.For(false, hasPressure), substeps * (deep ? iterations - 1 : iterations), variant);
             Lists.Describe(stage);
             return stage;
         }

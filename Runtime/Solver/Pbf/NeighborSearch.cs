@@ -12,9 +12,12 @@ namespace Rill
     {
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
+        /// <summary>What other stages take through the sort, who list them among their kernels.</summary>
+        public readonly Kernel GatherTags, GatherPreviousIndices, GatherMeans;
+
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
         readonly KernelVariants countCells, gather;       // deep, with colliders; with colliders
-        readonly int countCellsAtRest, scatterOrder, gatherTags, gatherPreviousIndices, gatherMeans;
+        readonly Kernel countCellsAtRest, scatterOrder;
         readonly LocalKeyword sleep;
         readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
@@ -28,11 +31,11 @@ namespace Rill
             isNarrow = !limits.Holds("NeighborSearch", "Gather");
             countCells = new KernelVariants(shader, "CountCells", "CountCellsDeep", "CountCellsWithColliders", "CountCellsDeepWithColliders");
             gather = new KernelVariants(shader, isNarrow ? "Gather" + KernelNeed.Narrow : "Gather", "GatherWithColliders");
-            countCellsAtRest = shader.FindKernel("CountCellsAtRest");
-            scatterOrder = shader.FindKernel("ScatterOrder");
-            gatherTags = shader.FindKernel("GatherTags");
-            gatherPreviousIndices = shader.FindKernel("GatherPreviousIndices");
-            gatherMeans = shader.FindKernel("GatherMeans");
+            countCellsAtRest = new Kernel(shader, "CountCellsAtRest");
+            scatterOrder = new Kernel(shader, "ScatterOrder");
+            GatherTags = new Kernel(shader, "GatherTags");
+            GatherPreviousIndices = new Kernel(shader, "GatherPreviousIndices");
+            GatherMeans = new Kernel(shader, "GatherMeans");
 
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             cells = layout.CellTotal;
@@ -71,19 +74,19 @@ namespace Rill
             RecordOrder(cmd, particles);
             if (previousIndices != null)
             {
-                cmd.SetComputeBufferParam(shader, gatherPreviousIndices, Viscoelasticity.Ids.PreviousIndices, previousIndices);
-                DispatchOrdered(cmd, particles, gatherPreviousIndices);
+                cmd.SetComputeBufferParam(shader, GatherPreviousIndices, Viscoelasticity.Ids.PreviousIndices, previousIndices);
+                DispatchOrdered(cmd, particles, GatherPreviousIndices);
             }
 
             if (step.Extrapolation != null)
             {
-                step.Extrapolation.BindSort(cmd, shader, gatherMeans);
-                DispatchOrdered(cmd, particles, gatherMeans);
+                step.Extrapolation.BindSort(cmd, shader, GatherMeans);
+                DispatchOrdered(cmd, particles, GatherMeans);
             }
 
             if (isNarrow && step.Colliders == null)
                 RecordGather(cmd, particles, particles.Ids, particles.SortedIds);
-            int kernel = gather.For(step.Colliders != null).Index;
+            int kernel = gather.For(step.Colliders != null);
             step.Resting?.Bind(cmd, shader, kernel);
             step.Colliders?.BindSort(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
@@ -100,9 +103,9 @@ namespace Rill
         /// <param name="to">uint [capacity], sorted.</param>
         public void RecordGather(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to)
         {
-            cmd.SetComputeBufferParam(shader, gatherTags, ParticleTags.Ids.Tags, from);
-            cmd.SetComputeBufferParam(shader, gatherTags, ParticleTags.Ids.SortedTags, to);
-            DispatchOrdered(cmd, particles, gatherTags);
+            cmd.SetComputeBufferParam(shader, GatherTags, ParticleTags.Ids.Tags, from);
+            cmd.SetComputeBufferParam(shader, GatherTags, ParticleTags.Ids.SortedTags, to);
+            DispatchOrdered(cmd, particles, GatherTags);
         }
 
         /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
@@ -141,12 +144,12 @@ namespace Rill
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
             bool withColliders = step.Colliders != null;
             string variant = RestingRegions.Variant(null, step.Resting);
-            stage.Kernel("NeighborSearch", countCells.For(takesProjection, withColliders).Name, step.Substeps, variant);
+            stage.Kernel(countCells.For(takesProjection, withColliders), step.Substeps, variant);
             prefixSum.Describe(stage, step.Substeps);
-            stage.Kernel("NeighborSearch", "ScatterOrder", step.Substeps, variant);
+            stage.Kernel(scatterOrder, step.Substeps, variant);
             if (isNarrow && !withColliders)
-                stage.Kernel("NeighborSearch", "GatherTags", step.Substeps);
-            stage.Kernel("NeighborSearch", gather.For(withColliders).Name, step.Substeps, variant);
+                stage.Kernel(GatherTags, step.Substeps);
+            stage.Kernel(gather.For(withColliders), step.Substeps, variant);
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);
@@ -154,15 +157,20 @@ namespace Rill
             return stage;
         }
 
-        /// <summary>The kernels of <see cref="RecordOrderAtRest"/>'s prefix sum, which runs outside the step.</summary>
-        public void DescribePrefixSum(StageDescription stage) => prefixSum.DescribeKernels(stage, 0);
+        /// <summary>The kernels of <see cref="RecordOrderAtRest"/>, which runs outside the step.</summary>
+        public void DescribeOrderAtRest(StageDescription stage)
+        {
+            stage.Kernel(countCellsAtRest, 0);
+            prefixSum.DescribeKernels(stage, 0);
+            stage.Kernel(scatterOrder, 0);
+        }
 
         void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel) => DispatchOrdered(cmd, shader, kernel, particles);
 
         void RecordCount(in StepContext step, bool takesProjection)
         {
             CommandBuffer cmd = step.Commands;
-            int kernel = countCells.For(takesProjection, step.Colliders != null).Index;
+            int kernel = countCells.For(takesProjection, step.Colliders != null);
             step.Resting?.Bind(cmd, shader, kernel);
             step.Colliders?.BindCount(cmd, shader, kernel);
             if (takesProjection)

@@ -102,7 +102,7 @@ namespace Rill
                 ? "the fluid is elastic" : "the numerical damping is 1");
             if (!needed || stage == null)
                 return description;
-            description.Kernel("NeighborSearch", "GatherMeans", step.Substeps, RestingRegions.Variant(null, step.Resting));
+            description.Kernel(step.Search.GatherMeans, step.Substeps, RestingRegions.Variant(null, step.Resting));
             description.Buffer("Rill.Means", stage.means);
             description.Buffer("Rill.SortedMeans", stage.sorted);
             return description;

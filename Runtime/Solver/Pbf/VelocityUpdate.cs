@@ -35,7 +35,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
             bool visits = VisitsNeighbors(step.Input);
-            int kernel = KernelFor(step).Index;
+            int kernel = KernelFor(step);
             cmd.BeginSample(Marker);
             step.Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
@@ -63,7 +63,7 @@ namespace Rill
                     : "with neighbors: the density is shown"
                 : VorticityConfinement.IsNeeded(step.Input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
-            stage.Kernel("VelocityUpdate", KernelFor(step).Name, step.Substeps, RestingRegions.Variant(step.Lists.Variant, step.Resting));
+            stage.Kernel(KernelFor(step), step.Substeps, RestingRegions.Variant(step.Lists.Variant, step.Resting));
             return stage;
         }
 

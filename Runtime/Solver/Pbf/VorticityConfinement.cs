@@ -12,14 +12,14 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Vorticity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VorticityConfinement");
-        readonly int curlKernel;
+        readonly Kernel curlKernel;
         readonly KernelVariants confineKernel;        // with colliders
         readonly LocalKeyword twoLists;
         GraphicsBuffer curl, unconfined;
 
         public VorticityConfinement(int capacity)
         {
-            curlKernel = shader.FindKernel("Curl");
+            curlKernel = new Kernel(shader, "Curl");
             confineKernel = new KernelVariants(shader, "Confine", "ConfineWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             curl = GpuBuffer.Structured<float4>("Rill.Curl", capacity);
@@ -43,7 +43,7 @@ namespace Rill
             step.Lists.RecordKeyword(cmd, shader, twoLists);
             step.BindConstants(shader);
             Dispatch(step, curlKernel);
-            int confine = confineKernel.For(step.Colliders != null).Index;
+            int confine = confineKernel.For(step.Colliders != null);
             step.Colliders?.BindDensity(cmd, shader, confine);
             cmd.SetComputeBufferParam(shader, confine, Ids.Confined, step.Particles.Velocities);
             Dispatch(step, confine);
@@ -63,8 +63,8 @@ namespace Rill
             var description = new StageDescription("Vorticity confinement", needed, $"vorticity is {step.Input.material.vorticity} m/s");
             if (needed && stage != null)
             {
-                description.Kernel("VorticityConfinement", "Curl", step.Substeps, step.Lists.Variant);
-                description.Kernel("VorticityConfinement", stage.confineKernel.For(step.Colliders != null).Name, step.Substeps, step.Lists.Variant);
+                description.Kernel(stage.curlKernel, step.Substeps, step.Lists.Variant);
+                description.Kernel(stage.confineKernel.For(step.Colliders != null), step.Substeps, step.Lists.Variant);
             }
             if (stage != null)
             {

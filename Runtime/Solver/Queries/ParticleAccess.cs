@@ -38,13 +38,13 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleAccess");
         readonly KernelVariants removeKilled;     // where water sleeps
-        readonly int orderById, copyOut;
+        readonly Kernel orderById, copyOut;
 
         public ParticleAccess()
         {
             removeKilled = new KernelVariants(shader, "RemoveKilled", "RemoveKilledAsleep");
-            orderById = shader.FindKernel("OrderById");
-            copyOut = shader.FindKernel("CopyOut");
+            orderById = new Kernel(shader, "OrderById");
+            copyOut = new Kernel(shader, "CopyOut");
         }
 
         /// <summary>Records the removal of the particles that a pass has marked.</summary>
@@ -52,7 +52,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            int kernel = removeKilled.For(step.Resting != null).Index;
+            int kernel = removeKilled.For(step.Resting != null);
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
@@ -101,7 +101,7 @@ namespace Rill
             var description = new StageDescription("Particle access", needed, input.removesKilled
                 ? "a pass of a script may remove particles" : needed ? "a script reads the particles" : "no script reads the particles");
             if (input.removesKilled && stage != null)
-                description.Kernel("ParticleAccess", stage.removeKilled.For(step.Resting != null).Name, 1);
+                description.Kernel(stage.removeKilled.For(step.Resting != null), 1);
             description.Buffer("Rill.NoTags", noTags);
             return description;
         }

@@ -58,13 +58,13 @@ namespace Rill
             cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
             if (math.any(up != 0f))
             {
-                BindPoints(step, findSurface.Index, tags, points, ringHeights, results);
-                cmd.DispatchCompute(shader, findSurface.Index, count, Chunks(math.dot(math.abs(up), step.Layout.DomainSize)), 1);
+                BindPoints(step, findSurface, tags, points, ringHeights, results);
+                cmd.DispatchCompute(shader, findSurface, count, Chunks(math.dot(math.abs(up), step.Layout.DomainSize)), 1);
             }
-            BindPoints(step, findSurroundings.Index, tags, points, ringHeights, results);
-            cmd.DispatchCompute(shader, findSurroundings.Index, count, Columns / GroupColumns + 2, 1);
-            BindPoints(step, fitNormal.Index, tags, points, ringHeights, results);
-            cmd.DispatchCompute(shader, fitNormal.Index, count, 1, 1);
+            BindPoints(step, findSurroundings, tags, points, ringHeights, results);
+            cmd.DispatchCompute(shader, findSurroundings, count, Columns / GroupColumns + 2, 1);
+            BindPoints(step, fitNormal, tags, points, ringHeights, results);
+            cmd.DispatchCompute(shader, fitNormal, count, 1, 1);
         }
 
         /// <summary>Records where rays and balls cross the surface, and density, velocity and phase at that point.</summary>
@@ -80,16 +80,16 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.FirstRayWord, firstWord);
             cmd.SetComputeIntParam(shader, Ids.LineCount, buffers.lineCount);
             int perRow = math.min(buffers.lineCount, ThreadGroups.MaxGroups);
-            BindRays(step, searchLines.Index, tags, buffers, null, results);
-            cmd.SetComputeBufferParam(shader, searchLines.Index, Ids.Lines, buffers.lines);
+            BindRays(step, searchLines, tags, buffers, null, results);
+            cmd.SetComputeBufferParam(shader, searchLines, Ids.Lines, buffers.lines);
             // One sample more than the length: it tells where the water ends at a wall.
-            cmd.DispatchCompute(shader, searchLines.Index, perRow, Chunks(length + 1f), (buffers.lineCount + perRow - 1) / perRow);
-            BindRays(step, findHits.Index, tags, buffers, null, results);
-            cmd.DispatchCompute(shader, findHits.Index, buffers.rayCount, 1, 1);
-            BindRays(step, findRayColumns.Index, tags, buffers, ringHeights, results);
-            cmd.DispatchCompute(shader, findRayColumns.Index, buffers.rayCount, Columns / GroupColumns, 1);
-            BindRays(step, fitRayNormal.Index, tags, buffers, ringHeights, results);
-            cmd.DispatchCompute(shader, fitRayNormal.Index, buffers.rayCount, 1, 1);
+            cmd.DispatchCompute(shader, searchLines, perRow, Chunks(length + 1f), (buffers.lineCount + perRow - 1) / perRow);
+            BindRays(step, findHits, tags, buffers, null, results);
+            cmd.DispatchCompute(shader, findHits, buffers.rayCount, 1, 1);
+            BindRays(step, findRayColumns, tags, buffers, ringHeights, results);
+            cmd.DispatchCompute(shader, findRayColumns, buffers.rayCount, Columns / GroupColumns, 1);
+            BindRays(step, fitRayNormal, tags, buffers, ringHeights, results);
+            cmd.DispatchCompute(shader, fitRayNormal, buffers.rayCount, 1, 1);
         }
 
         /// <summary>Records what is in shapes: all that need no field at once, then each mesh, since a kernel cannot choose among
@@ -102,35 +102,35 @@ namespace Rill
         {
             Begin(step, tags);
             if (simpleCount > 0)
-                Detect(step, detect.Index, tags, detectors, results, 0, simpleCount, firstWord);
+                Detect(step, detect, tags, detectors, results, 0, simpleCount, firstWord);
             for (int i = simpleCount; i < simpleCount + meshCount; i++)
             {
-                step.Commands.SetComputeTextureParam(shader, detectMesh.Index, Ids.Field, fields[i]);
-                Detect(step, detectMesh.Index, tags, detectors, results, i, 1, firstWord);
+                step.Commands.SetComputeTextureParam(shader, detectMesh, Ids.Field, fields[i]);
+                Detect(step, detectMesh, tags, detectors, results, i, 1, firstWord);
             }
         }
 
         public void DescribePoints(StageDescription description, ParticleTags tags)
         {
-            description.Kernel(Name, findSurface.Name, 0, Variant(tags));
-            description.Kernel(Name, findSurroundings.Name, 0, Variant(tags));
-            description.Kernel(Name, fitNormal.Name, 0, Variant(tags));
+            description.Kernel(findSurface, 0, Variant(tags));
+            description.Kernel(findSurroundings, 0, Variant(tags));
+            description.Kernel(fitNormal, 0, Variant(tags));
         }
 
         public void DescribeRays(StageDescription description, ParticleTags tags)
         {
-            description.Kernel(Name, searchLines.Name, 0, Variant(tags));
-            description.Kernel(Name, findHits.Name, 0, Variant(tags));
-            description.Kernel(Name, findRayColumns.Name, 0, Variant(tags));
-            description.Kernel(Name, fitRayNormal.Name, 0, Variant(tags));
+            description.Kernel(searchLines, 0, Variant(tags));
+            description.Kernel(findHits, 0, Variant(tags));
+            description.Kernel(findRayColumns, 0, Variant(tags));
+            description.Kernel(fitRayNormal, 0, Variant(tags));
         }
 
         public void DescribeDetectors(StageDescription description, ParticleTags tags, int simpleCount, int meshCount)
         {
             if (simpleCount > 0)
-                description.Kernel(Name, detect.Name, 0, Variant(tags));
+                description.Kernel(detect, 0, Variant(tags));
             if (meshCount > 0)
-                description.Kernel(Name, detectMesh.Name, 0, Variant(tags));
+                description.Kernel(detectMesh, 0, Variant(tags));
         }
 
         static string Variant(ParticleTags tags) => tags != null ? ParticleTags.Keyword : null;

@@ -20,14 +20,14 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
         readonly KernelVariants measure;        // with colliders
-        readonly int reduce;
+        readonly Kernel reduce;
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize));
         GraphicsBuffer partials, histogram;
 
         public StatisticsPass(int capacity)
         {
             measure = new KernelVariants(shader, "Measure", "MeasureWithColliders");
-            reduce = shader.FindKernel("Reduce");
+            reduce = new Kernel(shader, "Reduce");
             int groups = ParticleBuffers.Groups(capacity);
             partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
             histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
@@ -52,7 +52,7 @@ namespace Rill
             step.Search.RecordOrderAtRest(step);
             step.BindConstants(shader);
 
-            int kernel = measure.For(step.Colliders != null).Index;
+            int kernel = measure.For(step.Colliders != null);
             if (step.Colliders != null)
             {
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, step.Colliders.Boundary);
@@ -96,13 +96,11 @@ namespace Rill
                 ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
             if (stage == null)
                 return description;
-            description.Kernel("NeighborSearch", "CountCellsAtRest", 0);
-            step.Search.DescribePrefixSum(description);
-            description.Kernel("NeighborSearch", "ScatterOrder", 0);
+            step.Search.DescribeOrderAtRest(description);
             if (step.Colliders != null)
-                description.Kernel("Colliders", "FindBoundary", 0);
-            description.Kernel("Statistics", stage.measure.For(step.Colliders != null).Name, 0);
-            description.Kernel("Statistics", "Reduce", 0);
+                description.Kernel(step.Colliders.FindBoundary, 0);
+            description.Kernel(stage.measure.For(step.Colliders != null), 0);
+            description.Kernel(stage.reduce, 0);
             description.Buffer("Rill.Statistics.Partials", stage.partials);
             description.Buffer("Rill.Statistics.Histogram", stage.histogram);
             description.Buffer("Rill.Statistics.Results", stage.readback.Buffer);

@@ -21,18 +21,18 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.ImplicitViscosity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ImplicitViscosity");
-        readonly int applyProjection, findResidual, firstPass, nextPass;
+        readonly Kernel applyProjection, findResidual, firstPass, nextPass;
         readonly KernelVariants findCoefficients;     // with colliders
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer solution, nextSolution, changes, holds;
 
         public ImplicitViscosity(int capacity)
         {
-            applyProjection = shader.FindKernel("ApplyProjection");
+            applyProjection = new Kernel(shader, "ApplyProjection");
             findCoefficients = new KernelVariants(shader, "FindCoefficients", "FindCoefficientsWithColliders");
-            findResidual = shader.FindKernel("FindResidual");
-            firstPass = shader.FindKernel("FirstPass");
-            nextPass = shader.FindKernel("NextPass");
+            findResidual = new Kernel(shader, "FindResidual");
+            firstPass = new Kernel(shader, "FirstPass");
+            nextPass = new Kernel(shader, "NextPass");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             solution = GpuBuffer.Structured<float4>("Rill.ViscousVelocities", capacity);
@@ -108,7 +108,7 @@ namespace Rill
                 new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares,
                 (float)LatticeKernels.ViscosityWallLean, 0f));
 
-            int coefficients = findCoefficients.For(step.Colliders != null).Index;
+            int coefficients = findCoefficients.For(step.Colliders != null);
             Bind(step, coefficients);
             step.Colliders?.BindShapes(cmd, shader, coefficients);
             cmd.SetComputeBufferParam(shader, coefficients, Ids.Solution, solution);
@@ -156,12 +156,12 @@ namespace Rill
             string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
             int substeps = step.Substeps, passes = PassesFor(Strength(step.Input, step.Layout));
             if (step.Coarse != null)
-                description.Kernel("ImplicitViscosity", "ApplyProjection", substeps, variant);
-            description.Kernel("ImplicitViscosity", stage.findCoefficients.For(step.Colliders != null).Name, substeps, variant);
-            description.Kernel("ImplicitViscosity", "FindResidual", substeps, variant);
-            description.Kernel("ImplicitViscosity", "FirstPass", substeps, variant);
+                description.Kernel(stage.applyProjection, substeps, variant);
+            description.Kernel(stage.findCoefficients.For(step.Colliders != null), substeps, variant);
+            description.Kernel(stage.findResidual, substeps, variant);
+            description.Kernel(stage.firstPass, substeps, variant);
             if (passes > 1)
-                description.Kernel("ImplicitViscosity", "NextPass", substeps * (passes - 1), variant);
+                description.Kernel(stage.nextPass, substeps * (passes - 1), variant);
             description.Buffer("Rill.ViscousVelocities", stage.solution);
             description.Buffer("Rill.NextViscousVelocities", stage.nextSolution);
             description.Buffer("Rill.ViscousChanges", stage.changes);

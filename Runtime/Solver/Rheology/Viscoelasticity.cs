@@ -23,14 +23,14 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Viscoelasticity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Viscoelasticity");
-        readonly int deform, applyStress;
+        readonly Kernel deform, applyStress;
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer conformation, deformed, stress, previousIndices;
 
         public Viscoelasticity(int capacity)
         {
-            deform = shader.FindKernel("Deform");
-            applyStress = shader.FindKernel("ApplyStress");
+            deform = new Kernel(shader, "Deform");
+            applyStress = new Kernel(shader, "ApplyStress");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             conformation = GpuBuffer.Structured<Symmetric>("Rill.Conformation", capacity);
@@ -101,9 +101,9 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
-            description.Kernel("NeighborSearch", "GatherPreviousIndices", step.Substeps, RestingRegions.Variant(null, step.Resting));
-            description.Kernel("Viscoelasticity", "Deform", step.Substeps, variant);
-            description.Kernel("Viscoelasticity", "ApplyStress", step.Substeps, variant);
+            description.Kernel(step.Search.GatherPreviousIndices, step.Substeps, RestingRegions.Variant(null, step.Resting));
+            description.Kernel(stage.deform, step.Substeps, variant);
+            description.Kernel(stage.applyStress, step.Substeps, variant);
             description.Buffer("Rill.Conformation", stage.conformation);
             description.Buffer("Rill.DeformedConformation", stage.deformed);
             description.Buffer("Rill.Stress", stage.stress);

@@ -40,7 +40,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");
 
         readonly ComputeShader shader = StageShader.LoadCompute("RestingRegions");
-        readonly int measureMotion, countQuiet, spread;
+        readonly Kernel measureMotion, countQuiet, spread;
         readonly int total;
         GraphicsBuffer motion, quietSteps, states;
         StepInput last;
@@ -49,9 +49,9 @@ namespace Rill
 
         public RestingRegions(SolverLayout layout)
         {
-            measureMotion = shader.FindKernel("MeasureMotion");
-            countQuiet = shader.FindKernel("CountQuiet");
-            spread = shader.FindKernel("Spread");
+            measureMotion = new Kernel(shader, "MeasureMotion");
+            countQuiet = new Kernel(shader, "CountQuiet");
+            spread = new Kernel(shader, "Spread");
             total = Total(layout);
             motion = GpuBuffer.Structured<uint>("Rill.Regions.Motion", (long)total * MotionStride);
             quietSteps = GpuBuffer.Structured<uint>("Rill.Regions.QuietSteps", total);
@@ -160,8 +160,9 @@ namespace Rill
             var description = new StageDescription("Resting regions", needed, reason);
             if (!needed || regions == null)
                 return description;
-            foreach (string kernel in new[] { "MeasureMotion", "CountQuiet", "Spread" })
-                description.Kernel("RestingRegions", kernel, input.settings.substeps);
+            description.Kernel(regions.measureMotion, input.settings.substeps);
+            description.Kernel(regions.countQuiet, input.settings.substeps);
+            description.Kernel(regions.spread, input.settings.substeps);
             description.Buffer("Rill.Regions.Motion", regions.motion);
             description.Buffer("Rill.Regions.QuietSteps", regions.quietSteps);
             description.Buffer("Rill.Regions.States", regions.states);
@@ -184,7 +185,8 @@ namespace Rill
             if (restored is RestRecord before)
             {
                 StepInput now = input;
-                bool same = Crc32C.Of(StructBytes.Of(ref now.settings)) == before.settings && Crc32C.Of(StructBytes.Of(ref now.material)) == before.material;
+                bool same = Crc32C.Of(StructBytes.Of(ref now.settings)) == before.settings
+                    && Crc32C.Of(StructBytes.Of(ref now.material)) == before.material;
                 last = same ? input : default;
                 last.gravity = before.gravity;
                 last.timeStep = before.timeStep;

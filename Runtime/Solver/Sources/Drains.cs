@@ -62,7 +62,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Drain");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Drains");
-        readonly int countRandomRanks, selectRandom, drain;
+        readonly Kernel countRandomRanks, selectRandom, drain;
         readonly LocalKeyword sleep, lifetimes, recycling;
         readonly uint[] zeros = new uint[StepSources.MaxDrains * Words];
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MaxDrains * Words));
@@ -71,9 +71,9 @@ namespace Rill
 
         public Drains()
         {
-            countRandomRanks = shader.FindKernel("CountRandomRanks");
-            selectRandom = shader.FindKernel("SelectRandom");
-            drain = shader.FindKernel("Drain");
+            countRandomRanks = new Kernel(shader, "CountRandomRanks");
+            selectRandom = new Kernel(shader, "SelectRandom");
+            drain = new Kernel(shader, "Drain");
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             lifetimes = new LocalKeyword(shader, LifetimesKeyword);
             recycling = new LocalKeyword(shader, RecyclingKeyword);
@@ -174,10 +174,10 @@ namespace Rill
                 variant = variant == null ? RecyclingKeyword : variant + " " + RecyclingKeyword;
             if (count > 0 && sources.limitsDrains)
             {
-                description.Kernel("Drains", "CountRandomRanks", 1, variant);
-                description.Kernel("Drains", "SelectRandom", 1, variant);
+                description.Kernel(stage.countRandomRanks, 1, variant);
+                description.Kernel(stage.selectRandom, 1, variant);
             }
-            description.Kernel("Drains", "Drain", 1, variant);
+            description.Kernel(stage.drain, 1, variant);
             description.Buffer("Rill.Drains.Regions", stage.regions);
             description.Buffer("Rill.Drains.States", stage.readback.Buffer);
             description.Buffer("Rill.Drains.Histogram", stage.histogram);

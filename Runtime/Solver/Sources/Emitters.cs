@@ -24,7 +24,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("Emitters");
         readonly KernelVariants findRoom;     // with colliders
         readonly Kernel emit;
-        readonly int reset;
+        readonly Kernel reset;
         readonly LocalKeyword sleep, withTags;
         readonly GraphicsBuffer[] positionBuffers = new GraphicsBuffer[StepSources.MaxEmitters];
         readonly EmitterPositions[] uploaded = new EmitterPositions[StepSources.MaxEmitters];
@@ -38,7 +38,7 @@ namespace Rill
         {
             findRoom = new KernelVariants(shader, "FindRoom", "FindRoomWithColliders");
             emit = new Kernel(shader, limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small);
-            reset = shader.FindKernel("Reset");
+            reset = new Kernel(shader, "Reset");
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
             free = GpuBuffer.Structured<uint>("Rill.Emitters.Free", MaxCandidates);
@@ -89,8 +89,8 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, step.Resting);
-            description.Kernel("Emitters", stage.findRoom.For(step.Colliders != null).Name, sources.emitterCount, variant);
-            description.Kernel("Emitters", stage.emit.Name, sources.emitterCount, variant);
+            description.Kernel(stage.findRoom.For(step.Colliders != null), sources.emitterCount, variant);
+            description.Kernel(stage.emit, sources.emitterCount, variant);
             description.Buffer("Rill.Emitters.States", stage.States.Buffer);
             description.Buffer("Rill.Emitters.Free", stage.free);
             description.Buffer("Rill.Emitters.Constants", stage.constants);
@@ -103,7 +103,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            int find = findRoom.For(step.Colliders != null).Index, emit = this.emit.Index;
+            int find = findRoom.For(step.Colliders != null), emit = this.emit;
             step.Colliders?.BindShapes(cmd, shader, find);
             step.Colliders?.BindVolume(cmd, shader, find);
             ref EmitterStep emitter = ref step.Input.sources.emitters[index];

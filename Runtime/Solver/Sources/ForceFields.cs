@@ -49,14 +49,14 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Fields");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ForceFields");
-        readonly int accelerate;
+        readonly Kernel accelerate;
         readonly FieldRegion[] last = new FieldRegion[StepSources.MaxFields];
         int lastCount = -1;
         GraphicsBuffer regions;
 
         public ForceFields()
         {
-            accelerate = shader.FindKernel("Accelerate");
+            accelerate = new Kernel(shader, "Accelerate");
             regions = GpuBuffer.Structured<FieldRegion>("Rill.Fields", StepSources.MaxFields);
         }
 
@@ -115,7 +115,7 @@ namespace Rill
             var description = new StageDescription("Force fields", needed, needed ? $"{sources.fieldCount} fields" : "no force field");
             if (!needed || stage == null)
                 return description;
-            description.Kernel("ForceFields", "Accelerate", input.settings.substeps);
+            description.Kernel(stage.accelerate, input.settings.substeps);
             description.Buffer("Rill.Fields", stage.regions);
             return description;
         }

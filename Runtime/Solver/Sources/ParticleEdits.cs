@@ -14,7 +14,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleEdits");
         readonly KernelVariants removeInside, findSpace, addFree;     // where water sleeps; with colliders; with tags
-        readonly int shift, commitFree;
+        readonly Kernel shift, commitFree;
         readonly CommandBuffer commands = new CommandBuffer { name = "Rill.ParticleEdits" };
 
         public ParticleEdits()
@@ -22,8 +22,8 @@ namespace Rill
             removeInside = new KernelVariants(shader, "RemoveInside", "RemoveInsideAsleep");
             findSpace = new KernelVariants(shader, "FindSpace", "FindSpaceWithColliders");
             addFree = new KernelVariants(shader, "AddFree", "AddFreeTagged");
-            shift = shader.FindKernel("Shift");
-            commitFree = shader.FindKernel("CommitFree");
+            shift = new Kernel(shader, "Shift");
+            commitFree = new Kernel(shader, "CommitFree");
         }
 
         /// <summary>Where a context records that is given to the calls below; they execute it.</summary>
@@ -33,7 +33,7 @@ namespace Rill
         /// <param name="shape">In the domain's frame, d.</param>
         public void RemoveInside(in StepContext step, in RoundedBox shape)
         {
-            int kernel = removeInside.For(step.Resting != null).Index;
+            int kernel = removeInside.For(step.Resting != null);
             Begin(step);
             commands.SetComputeVectorParam(shader, Ids.ShapeCenter, new float4(shape.center, shape.radius));
             commands.SetComputeVectorParam(shader, Ids.ShapeHalf, new float4(shape.half, 0f));
@@ -109,7 +109,7 @@ namespace Rill
 
         void RecordFind(in StepContext step, GraphicsBuffer batch, GraphicsBuffer free, int count)
         {
-            int kernel = findSpace.For(step.Colliders != null).Index;
+            int kernel = findSpace.For(step.Colliders != null);
             commands.SetComputeIntParam(shader, Ids.BatchCount, count);
             step.Colliders?.BindShapes(commands, shader, kernel);
             commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
@@ -122,7 +122,7 @@ namespace Rill
 
         void RecordAdd(in StepContext step, GraphicsBuffer batch, GraphicsBuffer freeBefore, int count, float3 velocity, uint tag, ParticleTags tags)
         {
-            int kernel = addFree.For(tags != null).Index;
+            int kernel = addFree.For(tags != null);
             commands.SetComputeIntParam(shader, Ids.BatchCapacity, step.Layout.Capacity);
             commands.SetComputeIntParam(shader, Ids.BatchTag, (int)tag);
             commands.SetComputeVectorParam(shader, Ids.BatchVelocity, new float4(velocity, 0f));

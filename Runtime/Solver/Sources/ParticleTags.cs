@@ -55,7 +55,7 @@ namespace Rill
                 ? "an emitter gives its particles a phase or a lifetime" : "no emitter gives its particles a phase or a lifetime");
             if (tags == null)
                 return description;
-            description.Kernel("NeighborSearch", "GatherTags", step.Substeps, RestingRegions.Variant(null, step.Resting));
+            description.Kernel(step.Search.GatherTags, step.Substeps, RestingRegions.Variant(null, step.Resting));
             description.Buffer("Rill.TagsA", tags.current);
             description.Buffer("Rill.TagsB", tags.sorted);
             return description;

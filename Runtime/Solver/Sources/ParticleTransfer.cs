@@ -100,7 +100,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.HandOver");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleTransfer");
-        readonly int mark, markApart, writeMotion, commit, removeGhosts;
+        readonly Kernel mark, markApart, writeMotion, commit, removeGhosts;
         readonly KernelVariants writeIds;       // with tags
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Transfer.States", (MaxTransfers + OwnTransfers) * Words));
         GraphicsBuffer goes, goneBefore;
@@ -108,12 +108,12 @@ namespace Rill
 
         public ParticleTransfer()
         {
-            mark = shader.FindKernel("MarkGoing");
-            markApart = shader.FindKernel("MarkGoingApart");
-            writeMotion = shader.FindKernel("WriteMotion");
+            mark = new Kernel(shader, "MarkGoing");
+            markApart = new Kernel(shader, "MarkGoingApart");
+            writeMotion = new Kernel(shader, "WriteMotion");
             writeIds = new KernelVariants(shader, "WriteIds", "WriteIdsTagged");
-            commit = shader.FindKernel("Commit");
-            removeGhosts = shader.FindKernel("RemoveGhosts");
+            commit = new Kernel(shader, "Commit");
+            removeGhosts = new Kernel(shader, "RemoveGhosts");
             Clear();
         }
 
@@ -203,11 +203,11 @@ namespace Rill
             description.Buffer("Rill.Transfer.GoneBefore", stage.goneBefore);
             if (connections == 0)
                 return description;
-            description.Kernel("ParticleTransfer", "MarkGoing", 2 * connections);
-            description.Kernel("ParticleTransfer", "WriteMotion", 2 * connections);
-            description.Kernel("ParticleTransfer", stage.writeIds.For(tagged).Name, 2 * connections);
-            description.Kernel("ParticleTransfer", "Commit", 2 * connections);
-            description.Kernel("ParticleTransfer", "RemoveGhosts", 1);
+            description.Kernel(stage.mark, 2 * connections);
+            description.Kernel(stage.writeMotion, 2 * connections);
+            description.Kernel(stage.writeIds.For(tagged), 2 * connections);
+            description.Kernel(stage.commit, 2 * connections);
+            description.Kernel(stage.removeGhosts, 1);
             stage.sum?.DescribeKernels(description, 2 * connections);
             return description;
         }
@@ -231,7 +231,7 @@ namespace Rill
             sum.Record(cmd, goes, goneBefore, from.Capacity + 1);
 
             bool tagged = from.Tags != null && to.Tags != null;
-            int ids = writeIds.For(tagged).Index;
+            int ids = writeIds.For(tagged);
             cmd.SetComputeBufferParam(shader, ids, Ids.FromIds, from.Ids);
             cmd.SetComputeBufferParam(shader, ids, Ids.FromCounters, from.Counters);
             cmd.SetComputeBufferParam(shader, ids, Ids.GoneBefore, goneBefore);

@@ -15,19 +15,19 @@ namespace Rill
         public const int KeptBatch = 1 << 14;
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleUpload");
-        readonly int append, commit, clear, countMarked, removeAll, countRefused;
+        readonly Kernel append, commit, clear, countMarked, removeAll, countRefused;
         readonly LocalKeyword withTags;
         CommandBuffer commands;         // kept: adding allocates nothing
         GraphicsBuffer batchPositions, batchVelocities;
 
         public ParticleUpload()
         {
-            append = shader.FindKernel("Append");
-            commit = shader.FindKernel("CommitAppend");
-            clear = shader.FindKernel("Clear");
-            countMarked = shader.FindKernel("CountMarked");
-            removeAll = shader.FindKernel("RemoveAll");
-            countRefused = shader.FindKernel("CountRefused");
+            append = new Kernel(shader, "Append");
+            commit = new Kernel(shader, "CommitAppend");
+            clear = new Kernel(shader, "Clear");
+            countMarked = new Kernel(shader, "CountMarked");
+            removeAll = new Kernel(shader, "RemoveAll");
+            countRefused = new Kernel(shader, "CountRefused");
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
         }
 

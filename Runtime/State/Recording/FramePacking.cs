@@ -12,13 +12,13 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Recording");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Recording");
-        readonly int pack, unpack;
+        readonly Kernel pack, unpack;
         GraphicsBuffer upload;
 
         public FramePacking()
         {
-            pack = shader.FindKernel("PackFrame");
-            unpack = shader.FindKernel("UnpackFrame");
+            pack = new Kernel(shader, "PackFrame");
+            unpack = new Kernel(shader, "UnpackFrame");
         }
 
         /// <summary>Records the packing of the particles.</summary>
@@ -67,7 +67,7 @@ namespace Rill
                 ? "frames are recorded or played back, outside the step" : "nothing is recorded or played back");
             if (stage == null)
                 return description;
-            description.Kernel("Recording", stage.upload != null ? "UnpackFrame" : "PackFrame", 0);
+            description.Kernel(stage.upload != null ? stage.unpack : stage.pack, 0);
             description.Buffer("Rill.PlayedFrame", stage.upload);
             return description;
         }
