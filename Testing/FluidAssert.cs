@@ -116,7 +116,7 @@ namespace Rill.Testing
                 + Format($"{detector.ShapeVolume:0.#####} m³, {100f * sample.fill:0.#} % full; {wanted} m³ asked for.");
         }
 
-        /// <summary>Fails where the fluid's steps take more GPU time than that, as its budget measures it. A modelled time does not count.</summary>
+        /// <summary>Fails where the fluid's steps take more GPU time than that, as its budget measures it. A modeled time does not count.</summary>
         /// <param name="milliseconds">What the steps of a frame may take, ms, above 0.</param>
         /// <exception cref="ArgumentOutOfRangeException">The time is not above 0.</exception>
         /// <exception cref="InvalidOperationException">The budget is off, or nothing was measured: this player or device tells no GPU time

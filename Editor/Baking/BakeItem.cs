@@ -8,9 +8,9 @@ namespace Rill.Editor
     /// <summary>A mesh that is to be baked: what is wrong with it, where its field goes, and what came of it.</summary>
     sealed class BakeItem
     {
-        // Of the whole, where the mesh is yet to be analysed.
+        // Of the whole, where the mesh is yet to be analyzed.
         const float AnalysisFraction = 0.2f;
-        const string Cancelled = "Cancelled: nothing was written.";
+        const string Canceled = "Canceled: nothing was written.";
 
         /// <param name="existing">The field to bake into; null for a new one at the path.</param>
         public BakeItem(MeshAnalysis analysis, string path, SignedDistanceField existing)
@@ -71,14 +71,14 @@ namespace Rill.Editor
 
         /// <summary>Bakes and writes the asset.</summary>
         /// <param name="progress">Told the fraction that is done and the stage, and asked whether to go on.</param>
-        /// <returns>False if it was cancelled: then nothing was written.</returns>
+        /// <returns>False if it was canceled: then nothing was written.</returns>
         public bool Bake(in MeshSdfSettings settings, Func<float, string, bool> progress)
         {
             Failed = true;
             float before = Analysis.IsDone ? 0f : AnalysisFraction;
             if (!Analysis.Finish((fraction, stage) => progress(before * fraction, stage), out TriangleMesh triangles))
             {
-                Outcome = Cancelled;
+                Outcome = Canceled;
                 return false;
             }
             if (!TryEstimate(settings, out _, out string problem))
@@ -92,7 +92,7 @@ namespace Rill.Editor
                 SdfBake bake = MeshSdfBaker.Bake(triangles, settings, (fraction, stage) => progress(before + (1f - before) * fraction, stage));
                 if (bake == null)
                 {
-                    Outcome = Cancelled;
+                    Outcome = Canceled;
                     return false;
                 }
                 Write(bake);

@@ -33,7 +33,7 @@ namespace Rill.Editor
         /// <summary>Mesh filters on the selected objects and below them, meshes, models with meshes, and distance fields, which are baked
         /// again.</summary>
         /// <param name="folder">For new assets, as "Assets/Fields".</param>
-        /// <param name="analyses">Those that are known; no mesh is analysed here.</param>
+        /// <param name="analyses">Those that are known; no mesh is analyzed here.</param>
         public static BakePlan Of(IEnumerable<Object> selection, string folder, MeshAnalyses analyses)
         {
             var items = new List<BakeItem>();
@@ -95,7 +95,7 @@ namespace Rill.Editor
 
         /// <summary>All of it; what cannot be baked is reported and does not keep the others from it.</summary>
         /// <param name="progress">Told the fraction of the whole that is done and what is being done, and asked whether to go on.</param>
-        /// <returns>False if it was cancelled: the items before that are baked.</returns>
+        /// <returns>False if it was canceled: the items before that are baked.</returns>
         public bool Bake(MeshSdfSettings settings, BakeAssign assign, Func<float, string, bool> progress)
         {
             for (int i = 0; i < Items.Count; i++)

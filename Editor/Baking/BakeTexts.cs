@@ -14,11 +14,11 @@ namespace Rill.Editor
             => (bytes / 1048576.0).ToString(bytes < 10485760 ? "0.0" : "N0", CultureInfo.InvariantCulture) + " MiB";
 
         public static string Of(in MeshSdfEstimate estimate) =>
-            $"{Of(estimate.Resolution)} voxels of {Metres(estimate.VoxelSize)}: {MebiBytes(estimate.TotalBytes)} while it bakes, the " +
+            $"{Of(estimate.Resolution)} voxels of {Meters(estimate.VoxelSize)}: {MebiBytes(estimate.TotalBytes)} while it bakes, the " +
             $"texture at most {MebiBytes(estimate.TextureBytes)}, twice";
 
         public static string Of(SdfBake bake) =>
-            $"{Of(bake.Resolution)} voxels of {Metres(bake.VoxelSize)}, {Of(bake.Sign, bake.ShellThickness)}, " +
+            $"{Of(bake.Resolution)} voxels of {Meters(bake.VoxelSize)}, {Of(bake.Sign, bake.ShellThickness)}, " +
             $"{(bake.Format == SdfFormat.Half ? 16 : 32)} bits a voxel, storage error at most {Voxels(bake.StorageError, bake.VoxelSize)}";
 
         /// <summary>The head of a report: how large, whether closed, and the counts that are not 0.</summary>
@@ -47,7 +47,7 @@ namespace Rill.Editor
             Vector3Int n = field.Resolution;
             long voxels = (long)n.x * n.y * n.z, each = field.Texture != null && field.Texture.format == TextureFormat.RHalf ? 2 : 4;
             yield return ("Resolution", $"{Of(n)} = {voxels.ToString("N0", CultureInfo.InvariantCulture)} voxels");
-            yield return ("Voxel Size", Metres(field.VoxelSize));
+            yield return ("Voxel Size", Meters(field.VoxelSize));
             yield return ("Bounds", $"{Of(field.Bounds.min)} to {Of(field.Bounds.max)} m");
             yield return ("Sign", Of(field.Sign, field.ShellThickness));
             yield return ("Format", $"{8 * each} bits a voxel, error " +
@@ -67,15 +67,15 @@ namespace Rill.Editor
         }
 
         static string Of(in MeshSdfSettings settings) =>
-            (settings.voxelSize > 0f ? $"voxels of {Metres(settings.voxelSize)}" : $"{settings.resolution} voxels along the longest axis")
+            (settings.voxelSize > 0f ? $"voxels of {Meters(settings.voxelSize)}" : $"{settings.resolution} voxels along the longest axis")
             + $", {settings.padding} of padding, sign " +
             $"{(settings.sign == MeshSdfSign.Automatic ? "automatic" : settings.sign == MeshSdfSign.OpenShell ? "open shell" : "winding number")}";
 
-        static string Of(MeshSdfSign sign, float shell) => sign == MeshSdfSign.OpenShell ? $"open shell, {Metres(shell)} thick" : "winding number";
+        static string Of(MeshSdfSign sign, float shell) => sign == MeshSdfSign.OpenShell ? $"open shell, {Meters(shell)} thick" : "winding number";
 
         static string Of(Vector3 v) => string.Format(CultureInfo.InvariantCulture, "({0:G4}, {1:G4}, {2:G4})", v.x, v.y, v.z);
 
-        static string Metres(float length) => length.ToString("G4", CultureInfo.InvariantCulture) + " m";
+        static string Meters(float length) => length.ToString("G4", CultureInfo.InvariantCulture) + " m";
 
         static string Voxels(float error, float voxel) => $"{(error / voxel).ToString("G2", CultureInfo.InvariantCulture)} voxel";
 

@@ -54,7 +54,7 @@ namespace Rill.Editor
         /// <summary>Of every mesh that was shown.</summary>
         public MeshAnalyses Analyses => analyses;
 
-        /// <summary>Shows what there is to bake. Meshes that were not seen yet, or have changed, are analysed from the next update on.</summary>
+        /// <summary>Shows what there is to bake. Meshes that were not seen yet, or have changed, are analyzed from the next update on.</summary>
         public void Choose(IEnumerable<Object> objects)
         {
             chosen = objects.Where(o => o != null).ToList();
@@ -65,7 +65,7 @@ namespace Rill.Editor
         void OnEnable()
         {
             self = new SerializedObject(this);
-            EditorApplication.update += Analyse;
+            EditorApplication.update += Analyze;
             analyses.Resume();
             Choose(Selection.objects);
         }
@@ -73,7 +73,7 @@ namespace Rill.Editor
         // Also before scripts are reloaded, which a thread should not outlive.
         void OnDisable()
         {
-            EditorApplication.update -= Analyse;
+            EditorApplication.update -= Analyze;
             analyses.Pause();
             self.Dispose();
         }
@@ -95,7 +95,7 @@ namespace Rill.Editor
                 Choose(chosen);
         }
 
-        void Analyse()
+        void Analyze()
         {
             if (analyses.Update(plan.Items.Select(item => item.Analysis)))
                 Repaint();
@@ -145,7 +145,7 @@ namespace Rill.Editor
                 if (GUILayout.Button($"Cancel Analysis ({open} to go)"))
                     analyses.Pause();
             }
-            else if (GUILayout.Button(open > 0 ? "Analyse" : "Analyse Again"))
+            else if (GUILayout.Button(open > 0 ? "Analyze" : "Analyze Again"))
             {
                 if (open == 0)
                     analyses.Clear();
@@ -164,7 +164,7 @@ namespace Rill.Editor
             {
                 (float fraction, string stage) = item.Analysis.Progress;
                 EditorGUI.ProgressBar(EditorGUILayout.GetControlRect(), fraction, item.Analysis.IsRunning ? stage
-                    : "Not analysed yet: a bake does so first");
+                    : "Not analyzed yet: a bake does so first");
                 return true;
             }
             bool canBake = item.TryEstimate(settings, out MeshSdfEstimate estimate, out string problem);

@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>How signed distances are coloured: blue inside, orange outside, dark far from the surface, black at 0.</summary>
+    /// <summary>How signed distances are colored: blue inside, orange outside, dark far from the surface, black at 0.</summary>
     static class DistanceColors
     {
-        // The two halves do not meet in one colour, so that the sign of the smallest distance shows.
+        // The two halves do not meet in one color, so that the sign of the smallest distance shows.
         static readonly (float Fraction, Color32 Color)[] stops =
         {
             (-1f, new Color32(0x08, 0x30, 0x6B, 255)), (-0.4f, new Color32(0x2B, 0x7B, 0xBA, 255)), (0f, new Color32(0xD6, 0xE6, 0xF4, 255)),
@@ -16,7 +16,7 @@ namespace Rill.Editor
 
         public static readonly Color32 Zero = new Color32(0, 0, 0, 255);
 
-        /// <summary>Colours between which is blended, by the distance's fraction of the largest, -1 to 1. Two at 0: inside's comes first.</summary>
+        /// <summary>Colors between which is blended, by the distance's fraction of the largest, -1 to 1. Two at 0: inside's comes first.</summary>
         public static IReadOnlyList<(float Fraction, Color32 Color)> Stops => stops;
 
         /// <param name="fraction">Distance over the largest, negative inside; beyond 1 as at 1.</param>

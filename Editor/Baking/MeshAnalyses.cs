@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>The analyses of meshes that a window has shown. A mesh is analysed once for as long as it stays the same, one mesh at a
+    /// <summary>The analyses of meshes that a window has shown. A mesh is analyzed once for as long as it stays the same, one mesh at a
     /// time, beside the editor.</summary>
     sealed class MeshAnalyses
     {
@@ -29,7 +29,7 @@ namespace Rill.Editor
         }
 
         /// <summary>At every update of the editor: takes a result and begins the next analysis.</summary>
-        /// <param name="wanted">In this order; one that runs and is not among them is cancelled.</param>
+        /// <param name="wanted">In this order; one that runs and is not among them is canceled.</param>
         /// <returns>Whether there is something new to show.</returns>
         public bool Update(IEnumerable<MeshAnalysis> wanted)
         {
@@ -62,7 +62,7 @@ namespace Rill.Editor
 
         public void Resume() => IsPaused = false;
 
-        /// <summary>Forgets what is known: all is analysed again.</summary>
+        /// <summary>Forgets what is known: all is analyzed again.</summary>
         public void Clear()
         {
             running?.Cancel();

@@ -16,7 +16,7 @@ namespace Rill.Editor
         Task<MeshReport> running;
         ulong hash;     // of the triangles that the report is of
         // Written by one thread, read by the other.
-        volatile bool isCancelled;
+        volatile bool isCanceled;
         volatile float progress;
         volatile string stage = Reading;
 
@@ -52,7 +52,7 @@ namespace Rill.Editor
             if (IsDone || IsRunning)
                 return;
             TriangleMesh triangles = EditorMesh.Read(Mesh);
-            isCancelled = false;
+            isCanceled = false;
             (progress, stage) = (0f, Reading);
             running = Task.Run(() => Check(triangles, Tell));
         }
@@ -68,17 +68,17 @@ namespace Rill.Editor
             if (ended.IsFaulted)
                 failure = ended.Exception.GetBaseException().Message;
             else
-                Report = ended.Result;      // null where it was cancelled
+                Report = ended.Result;      // null where it was canceled
             return true;
         }
 
         /// <summary>Lets the other thread end soon, without a result.</summary>
-        public void Cancel() => isCancelled = true;
+        public void Cancel() => isCanceled = true;
 
         /// <summary>Waits for the result, or finds it now where nothing runs; again where the mesh has changed meanwhile.</summary>
         /// <param name="go">Told the fraction that is done and the stage, and asked whether to go on.</param>
         /// <param name="triangles">What is there now, for the bake.</param>
-        /// <returns>False if it was cancelled.</returns>
+        /// <returns>False if it was canceled.</returns>
         public bool Finish(Func<float, string, bool> go, out TriangleMesh triangles)
         {
             triangles = EditorMesh.Read(Mesh);
@@ -116,7 +116,7 @@ namespace Rill.Editor
         bool Tell(float fraction, string what)
         {
             (progress, stage) = (fraction, what);
-            return !isCancelled;
+            return !isCanceled;
         }
     }
 }

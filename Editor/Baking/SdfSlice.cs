@@ -27,7 +27,7 @@ namespace Rill.Editor
             return values;
         }
 
-        /// <summary>Largest distance of a layer, without its sign, m: what the colours span.</summary>
+        /// <summary>Largest distance of a layer, without its sign, m: what the colors span.</summary>
         public float Largest(SdfVolume volume, int layer)
         {
             float most = 0f;
@@ -46,8 +46,8 @@ namespace Rill.Editor
             return new Vector2Int(math.max(1, longest * right / most), math.max(1, longest * up / most));
         }
 
-        /// <summary>Colours of a layer, lowest row first, blended between voxels, with a line where the distance is 0.</summary>
-        /// <param name="range">Distance of the darkest colours, m, above 0.</param>
+        /// <summary>Colors of a layer, lowest row first, blended between voxels, with a line where the distance is 0.</summary>
+        /// <param name="range">Distance of the darkest colors, m, above 0.</param>
         /// <param name="pixels">size.x * size.y of them.</param>
         public void Paint(SdfVolume volume, int layer, float range, Vector2Int size, Color32[] pixels)
         {

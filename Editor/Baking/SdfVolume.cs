@@ -62,7 +62,7 @@ namespace Rill.Editor
 
         public float this[int x, int y, int z] => distances[(z * Resolution.y + y) * Resolution.x + x];
 
-        /// <summary>Distance, m, trilinear between the voxels' centres; beyond the outermost of them theirs.</summary>
+        /// <summary>Distance, m, trilinear between the voxels' centers; beyond the outermost of them theirs.</summary>
         /// <param name="local">In the frame of the mesh, m.</param>
         public float Sample(float3 local)
         {

@@ -39,7 +39,7 @@ namespace Rill.Editor
                 return;
             }
             live.Add(("Sample", $"step {sample.step:N0}, {1000f * sample.age:0} ms old"));
-            live.Add(("Volume", $"{1000f * sample.volume:0.000} litres, fill {100f * sample.fill:0.0} %"));
+            live.Add(("Volume", $"{1000f * sample.volume:0.000} liters, fill {100f * sample.fill:0.0} %"));
             live.Add(("Velocity", sample.hasVelocity ? $"{sample.velocity.x:0.00}, {sample.velocity.y:0.00}, {sample.velocity.z:0.00} m/s"
                 : "no water inside"));
         }

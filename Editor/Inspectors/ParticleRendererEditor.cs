@@ -10,7 +10,7 @@ namespace Rill.Editor
         {
             new InspectorSection("Spheres", true,
                 new InspectorField("radius", "particle spacings")),
-            new InspectorSection("Colour", true,
+            new InspectorSection("Color", true,
                 new InspectorField("colorBy"),
                 new InspectorField("colorRange", RangeUnit, When.IsNot("colorBy", ParticleRenderer.Quantity.Phase)),
                 new InspectorField("slowColor", when: When.IsNot("colorBy", ParticleRenderer.Quantity.Phase)),

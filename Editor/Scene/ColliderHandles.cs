@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Handles for colliders, which have a centre of their own and follow their object's scale. Drags go through undo.</summary>
+    /// <summary>Handles for colliders, which have a center of their own and follow their object's scale. Drags go through undo.</summary>
     static class ColliderHandles
     {
         static readonly BoxBoundsHandle box = new BoxBoundsHandle();
@@ -43,7 +43,7 @@ namespace Rill.Editor
             }
         }
 
-        // Metres along the object's axes, as the collider is in the world.
+        // Meters along the object's axes, as the collider is in the world.
         static void Put(PrimitiveBoundsHandle handle, SerializedObject from, Vector3 scale)
         {
             handle.center = Vector3.Scale(from.FindProperty("center").vector3Value, scale);

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>One colour a kind, for gizmos and handles alike.</summary>
+    /// <summary>One color a kind, for gizmos and handles alike.</summary>
     static class GizmoColors
     {
         public static Color Domain => new Color(0.3f, 0.6f, 1f);

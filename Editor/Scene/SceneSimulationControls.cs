@@ -13,7 +13,7 @@ namespace Rill.Editor
             step = new GUIContent("Step", "Pauses, and takes one fixed step."),
             restart = new GUIContent("Restart", "Begins again with the volumes or the start state."),
             stop = new GUIContent("Stop", "Ends it: its particles are gone."),
-            save = new GUIContent("Save as Start",
+            save = new GUIContent("Save as Start State",
                 "Writes the present state into the asset of Start State, or into a new one that becomes the Start State.");
 
         /// <summary>What is wrong, what runs, and the buttons.</summary>

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Handles for shapes that are centred on their object and do not follow its scale. Drags go through undo.</summary>
+    /// <summary>Handles for shapes that are centered on their object and do not follow its scale. Drags go through undo.</summary>
     static class ShapeHandles
     {
         static readonly BoxBoundsHandle box = new BoxBoundsHandle();
@@ -45,7 +45,7 @@ namespace Rill.Editor
             }
         }
 
-        /// <summary>Size of a box around the origin whose dragged face is where a box that is not centred has it.</summary>
+        /// <summary>Size of a box around the origin whose dragged face is where a box that is not centered has it.</summary>
         public static Vector3 Centered(Vector3 center, Vector3 size)
         {
             return size + 2f * new Vector3(Mathf.Abs(center.x), Mathf.Abs(center.y), Mathf.Abs(center.z));

@@ -61,7 +61,7 @@ namespace Rill.Editor
             Debug.Log($"Rill: '{simulation.name}' starts with '{path}': {snapshot.ParticleCount:N0} particles.", simulation);
         }
 
-        static string AskForPath(FluidSimulation simulation) => EditorUtility.SaveFilePanelInProject("Save as Start",
+        static string AskForPath(FluidSimulation simulation) => EditorUtility.SaveFilePanelInProject("Save as Start State",
             FieldAssets.FileName(simulation.name) + " Start State", "asset", "Where to keep the state that this fluid starts with.");
 
         /// <summary>The button of an inspector: asks for a snapshot and saves it when it has come.</summary>

@@ -44,7 +44,7 @@ namespace Rill.Editor
             switch (source)
             {
                 case GpuTimeKind.Measured: return "measured around the steps";
-                case GpuTimeKind.Modelled: return "modelled from particles and passes";
+                case GpuTimeKind.Modeled: return "modeled from particles and passes";
                 default: return "unknown";
             }
         }

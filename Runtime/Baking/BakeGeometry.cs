@@ -62,7 +62,7 @@ namespace Rill
             Vector3[] vertices = mesh.Vertices;
             int[] corners = mesh.Triangles;
             float3 min = grid.Min;
-            float perMetre = 1f / grid.VoxelSize;
+            float perMeter = 1f / grid.VoxelSize;
             int3 resolution = grid.Resolution;
             var found = new List<int>[Chunks.Of(order.Length)];
             Chunks.Run(order.Length, (chunk, first, end) =>
@@ -73,7 +73,7 @@ namespace Rill
                     uint flags = (turned != null && turned[t]) != turnAll ? Turned : 0;
                     float3 a = vertices[corners[3 * t]], b = vertices[corners[3 * t + 1]], c = vertices[corners[3 * t + 2]];
                     // At least as many voxels as the box has.
-                    float3 size = (math.max(a, math.max(b, c)) - math.min(a, math.min(b, c))) * perMetre + (2 * Band + 2);
+                    float3 size = (math.max(a, math.max(b, c)) - math.min(a, math.min(b, c))) * perMeter + (2 * Band + 2);
                     if (splitsLarge && size.x * size.y * size.z > SmallBox)
                     {
                         flags |= IsLarge;
@@ -88,8 +88,8 @@ namespace Rill
                 {
                     int t = (int)(order[part[k]] >> 2);
                     float3 a = vertices[corners[3 * t]], b = vertices[corners[3 * t + 1]], c = vertices[corners[3 * t + 2]];
-                    int3 low = math.max((int3)math.floor((math.min(a, math.min(b, c)) - min) * perMetre) - Band, 0) / Brick;
-                    int3 high = math.min((int3)math.floor((math.max(a, math.max(b, c)) - min) * perMetre) + Band, resolution - 1) / Brick;
+                    int3 low = math.max((int3)math.floor((math.min(a, math.min(b, c)) - min) * perMeter) - Band, 0) / Brick;
+                    int3 high = math.min((int3)math.floor((math.max(a, math.max(b, c)) - min) * perMeter) + Band, resolution - 1) / Brick;
                     long pairs = firstPairs[large.Count];
                     int3 bricks = high - low + 1;
                     large.Add(new LargeTriangle { index = (uint)part[k], firstPair = unchecked((uint)pairs), low = low, bricks = bricks });

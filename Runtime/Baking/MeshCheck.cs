@@ -19,7 +19,7 @@ namespace Rill
         /// <summary>The same on any thread, with progress.</summary>
         /// <param name="maxCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
         /// <param name="progress">Told the fraction that is done, 0 to 1, and the stage, and asked whether to go on. Null for none.</param>
-        /// <returns>Null if it was cancelled.</returns>
+        /// <returns>Null if it was canceled.</returns>
         public static MeshReport Run(TriangleMesh mesh, long maxCrossingTests, Func<float, string, bool> progress)
         {
             const float EdgesFraction = 0.3f;

@@ -112,13 +112,13 @@ namespace Rill
 
         /// <summary>Does one slice of the work: at most one dispatch, which no GPU takes long for.</summary>
         /// <returns>Whether there is more to do. While the result is read back that is so without work being done.</returns>
-        /// <exception cref="ObjectDisposedException">The bake was cancelled.</exception>
+        /// <exception cref="ObjectDisposedException">The bake was canceled.</exception>
         public bool Step()
         {
             if (IsDone)
                 return false;
             if (isDisposed)
-                throw new ObjectDisposedException(nameof(MeshSdfBaker), $"The bake of '{mesh.Name}' was cancelled.");
+                throw new ObjectDisposedException(nameof(MeshSdfBaker), $"The bake of '{mesh.Name}' was canceled.");
             if (!isReading && work.MoveNext())
             {
                 Stage = work.Current;
@@ -166,7 +166,7 @@ namespace Rill
 
         /// <summary>Bakes all submeshes of a mesh and waits for the result: a tool, not for a frame of a game.</summary>
         /// <param name="progress">Told the fraction that is done and the stage, and asked whether to go on; null for neither.</param>
-        /// <returns>Null if it was cancelled.</returns>
+        /// <returns>Null if it was canceled.</returns>
         public static SdfBake Bake(Mesh mesh, in MeshSdfSettings settings, Func<float, string, bool> progress = null)
             => Bake(TriangleMesh.Of(mesh), settings, progress);
 

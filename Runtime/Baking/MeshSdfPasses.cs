@@ -133,7 +133,7 @@ namespace Rill
             Begin(first, count);
             cmd.SetComputeIntParam(shader, Ids.IsMirrored, isMirrored ? 1 : 0);
             cmd.SetComputeVectorParam(shader, Ids.Min, new float4(grid.Min, 0f));
-            cmd.SetComputeFloatParam(shader, Ids.PerMetre, 1f / grid.VoxelSize);
+            cmd.SetComputeFloatParam(shader, Ids.PerMeter, 1f / grid.VoxelSize);
             Bind(gather, Ids.Vertices, vertices);
             Bind(gather, Ids.Indices, indices);
             Bind(gather, Ids.Order, order);
@@ -355,7 +355,7 @@ namespace Rill
             public static readonly int TriangleCount = Shader.PropertyToID("_TriangleCount");
             public static readonly int Resolution = Shader.PropertyToID("_Resolution");
             public static readonly int Min = Shader.PropertyToID("_Min");
-            public static readonly int PerMetre = Shader.PropertyToID("_PerMetre");
+            public static readonly int PerMeter = Shader.PropertyToID("_PerMeter");
             public static readonly int First = Shader.PropertyToID("_First");
             public static readonly int Count = Shader.PropertyToID("_Count");
             public static readonly int LowTriangle = Shader.PropertyToID("_LowTriangle");

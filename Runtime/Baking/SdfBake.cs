@@ -38,10 +38,10 @@ namespace Rill
         /// <summary>Edge of a voxel, m.</summary>
         public float VoxelSize { get; }
 
-        /// <summary>The volume that the voxels fill, m: the centre of voxel i is at min + (i + 0.5) <see cref="VoxelSize"/>.</summary>
+        /// <summary>The volume that the voxels fill, m: the center of voxel i is at min + (i + 0.5) <see cref="VoxelSize"/>.</summary>
         public Bounds Bounds { get; }
 
-        /// <summary>Distance to the surface at the voxels' centres, m, negative inside; [(z * height + y) * width + x]. Not a copy.</summary>
+        /// <summary>Distance to the surface at the voxels' centers, m, negative inside; [(z * height + y) * width + x]. Not a copy.</summary>
         public float[] Distances { get; }
 
         /// <summary>As they were given.</summary>

@@ -12,7 +12,7 @@ namespace Rill
 
         public readonly int3 Resolution;
         public readonly float VoxelSize;
-        /// <summary>Lowest corner, m; the centre of voxel i is at Min + (i + 0.5) VoxelSize.</summary>
+        /// <summary>Lowest corner, m; the center of voxel i is at Min + (i + 0.5) VoxelSize.</summary>
         public readonly float3 Min;
         /// <summary>Of the shell that an open surface becomes, m; 0 for solids.</summary>
         public readonly float Thickness;

@@ -25,7 +25,7 @@ namespace Rill
 
         /// <param name="maxTests">Pairs of triangles that are tested at most, and entries of the grid.</param>
         /// <param name="goOn">Told the fraction that is done, and asked whether to go on.</param>
-        /// <returns>Null if it was cancelled.</returns>
+        /// <returns>Null if it was canceled.</returns>
         public static Count? Find(MeshEdges edges, long maxTests, Func<float, bool> goOn)
         {
             BakedTriangles triangles = edges.Triangles;

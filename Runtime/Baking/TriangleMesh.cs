@@ -9,7 +9,7 @@ namespace Rill
 {
     /// <summary>
     /// Triangles to check and to bake: of a <see cref="Mesh"/>, of a file that something else read, or of several meshes
-    /// together. Lengths in metres, in the frame that the distance field will have.
+    /// together. Lengths in meters, in the frame that the distance field will have.
     /// </summary>
     public sealed class TriangleMesh
     {

@@ -46,7 +46,7 @@ namespace Rill
         /// <summary>Fraction of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
         public float Damping { get => damping; set { damping = value; OnValidate(); } }
 
-        /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its centre of mass, and by turning it, to its farthest
+        /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its center of mass, and by turning it, to its farthest
         /// points.</summary>
         public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
 

@@ -25,7 +25,7 @@ namespace Rill.Universal
 
         public SurfacePass()
         {
-            // Depth to measure water in front of the scene, colour to see the scene through it: no project setting has to be on.
+            // Depth to measure water in front of the scene, color to see the scene through it: no project setting has to be on.
             ConfigureInput(ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color);
         }
 

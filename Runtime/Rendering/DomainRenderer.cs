@@ -14,10 +14,10 @@ namespace Rill
         [SharedWithHlsl("Domain")] const int FloorVertices = 6;
 
 
-        [Tooltip("Colour of the box's edges. Each channel 0 to 1; alpha has no effect.")]
+        [Tooltip("Color of the box's edges. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color edges = new Color(0.25f, 0.28f, 0.32f);
 
-        [Tooltip("Colour of the floor's lighter tiles. Each channel 0 to 1; alpha has no effect.")]
+        [Tooltip("Color of the floor's lighter tiles. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color floor = new Color(0.78f, 0.80f, 0.82f);
 
         [Tooltip("Side of a floor tile, m.")]
@@ -26,10 +26,10 @@ namespace Rill
 
         MaterialPropertyBlock edgeProperties, floorProperties;
 
-        /// <summary>Colour of the box's edges; alpha has no effect.</summary>
+        /// <summary>Color of the box's edges; alpha has no effect.</summary>
         public Color Edges { get => edges; set => edges = value; }
 
-        /// <summary>Colour of the floor's lighter tiles; alpha has no effect.</summary>
+        /// <summary>Color of the floor's lighter tiles; alpha has no effect.</summary>
         public Color Floor { get => floor; set => floor = value; }
 
         /// <summary>Side of a floor tile, m, at least 0.001.</summary>

@@ -120,7 +120,7 @@ namespace Rill
         }
 
         /// <param name="direction">World, unit, towards the light.</param>
-        /// <param name="color">In the project's own colour space, intensity applied.</param>
+        /// <param name="color">In the project's own color space, intensity applied.</param>
         /// <param name="isChosen">Whether it replaces the pipeline's; else it shines where that is not read.</param>
         private protected static void SetSun(MaterialPropertyBlock properties, Vector3 direction, Vector4 color, bool isChosen)
         {
@@ -139,7 +139,7 @@ namespace Rill
                 shaderMaterial.DisableKeyword(name);
         }
 
-        /// <summary>A colour as shaders without declared properties need it: in the project's own colour space.</summary>
+        /// <summary>A color as shaders without declared properties need it: in the project's own color space.</summary>
         private protected static Vector4 ShaderColor(Color color)
         {
             return QualitySettings.activeColorSpace == ColorSpace.Linear ? color.linear : color;

@@ -12,7 +12,7 @@ namespace Rill
     [AddComponentMenu("Rill/Particle Renderer"), Icon(PackagePaths.Icon)]
     public sealed class ParticleRenderer : FluidRenderer
     {
-        /// <summary>What the colour of a particle shows.</summary>
+        /// <summary>What the color of a particle shows.</summary>
         public enum Quantity
         {
             /// <summary>Speed, m/s.</summary>
@@ -30,24 +30,24 @@ namespace Rill
         [Range(0.1f, 2f)]
         [SerializeField] float radius = 0.6f;
 
-        [Tooltip("What the colour shows. Density costs a visit to the neighbors if Velocity Smoothing is 0. Phase: the number that the " +
+        [Tooltip("What the color shows. Density costs a visit to the neighbors if Velocity Smoothing is 0. Phase: the number that the " +
             "emitter gave, 0 without one.")]
         [SerializeField] Quantity colorBy = Quantity.Speed;
 
-        [Tooltip("Speed, m/s, or relative density error at which the last colour is reached.")]
+        [Tooltip("Speed, m/s, or relative density error at which the last color is reached.")]
         [Min(1e-4f)]
         [SerializeField] float colorRange = 3f;
 
-        [Tooltip("Colour where what is shown is 0, at rest. Each channel 0 to 1; alpha has no effect.")]
+        [Tooltip("Color where what is shown is 0, at rest. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color slowColor = new Color(0.03f, 0.22f, 0.55f);
 
-        [Tooltip("Colour at half of Color Range. Each channel 0 to 1; alpha has no effect.")]
+        [Tooltip("Color at half of Color Range. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color middleColor = new Color(0.10f, 0.47f, 0.80f);
 
-        [Tooltip("Colour at Color Range and above. Each channel 0 to 1; alpha has no effect.")]
+        [Tooltip("Color at Color Range and above. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color fastColor = new Color(0.85f, 0.95f, 1.00f);
 
-        [Tooltip("Colours of the phases 0 to 7. A phase beyond those that are there has the last.")]
+        [Tooltip("Colors of the phases 0 to 7. A phase beyond those that are there has the last.")]
         [SerializeField]
         Color[] phaseColors =
         {
@@ -55,7 +55,7 @@ namespace Rill
             new Color(0.55f, 0.30f, 0.70f), new Color(0.20f, 0.70f, 0.70f), new Color(0.90f, 0.50f, 0.65f), new Color(0.85f, 0.85f, 0.85f),
         };
 
-        [Tooltip("Light whose direction and colour the spheres take. None: the scene's main light; in HDRP, from above.")]
+        [Tooltip("Light whose direction and color the spheres take. None: the scene's main light; in HDRP, from above.")]
         [SerializeField] Light sun;
 
         [Tooltip("Light from all around, added to the sun's. Each channel 0 to 1; black: only the sun. Alpha has no effect.")]
@@ -70,29 +70,29 @@ namespace Rill
         /// <summary>Radius of a sphere, particle spacings, 0.1 to 2.</summary>
         public float Radius { get => radius; set => radius = Mathf.Clamp(value, 0.1f, 2f); }
 
-        /// <summary>Colour where what is shown is 0; alpha has no effect.</summary>
+        /// <summary>Color where what is shown is 0; alpha has no effect.</summary>
         public Color SlowColor { get => slowColor; set => slowColor = value; }
 
-        /// <summary>Colour at half of <see cref="ColorRange"/>; alpha has no effect.</summary>
+        /// <summary>Color at half of <see cref="ColorRange"/>; alpha has no effect.</summary>
         public Color MiddleColor { get => middleColor; set => middleColor = value; }
 
-        /// <summary>Colour at <see cref="ColorRange"/> and above; alpha has no effect.</summary>
+        /// <summary>Color at <see cref="ColorRange"/> and above; alpha has no effect.</summary>
         public Color FastColor { get => fastColor; set => fastColor = value; }
 
-        /// <summary>Colours of the phases 0 to 7. A phase beyond those that are there has the last.</summary>
+        /// <summary>Colors of the phases 0 to 7. A phase beyond those that are there has the last.</summary>
         /// <exception cref="ArgumentNullException">Set to null.</exception>
         public Color[] PhaseColors { get => phaseColors; set => phaseColors = value ?? throw new ArgumentNullException(nameof(value)); }
 
         /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
         public Color Ambient { get => ambient; set => ambient = value; }
 
-        /// <summary>What the colour of a particle shows.</summary>
+        /// <summary>What the color of a particle shows.</summary>
         public Quantity ColorBy { get => colorBy; set => colorBy = value; }
 
-        /// <summary>Speed, m/s, or relative density error at which the last colour is reached.</summary>
+        /// <summary>Speed, m/s, or relative density error at which the last color is reached.</summary>
         public float ColorRange { get => colorRange; set => colorRange = Math.Max(value, 1e-4f); }
 
-        /// <summary>Light whose direction and colour the spheres take; null for the scene's main light (in HDRP, from above).</summary>
+        /// <summary>Light whose direction and color the spheres take; null for the scene's main light (in HDRP, from above).</summary>
         public Light Sun { get => sun; set => sun = value; }
 
         ParticleRenderer() : base(ShadowCastingMode.On) { }

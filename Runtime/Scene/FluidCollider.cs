@@ -187,7 +187,7 @@ namespace Rill
             return problem == null;
         }
 
-        /// <summary>Shape and place now, in world space and metres; false, logged once, where they make no collider.</summary>
+        /// <summary>Shape and place now, in world space and meters; false, logged once, where they make no collider.</summary>
         /// <param name="motion">Its poses are both the present one.</param>
         internal bool TryDescribe(out ColliderMotion motion)
         {

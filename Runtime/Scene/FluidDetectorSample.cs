@@ -14,7 +14,7 @@ namespace Rill
         public double time;
         /// <summary>Fluid time from there to the current frame when this sample was asked for, s.</summary>
         public float age;
-        /// <summary>Where the detector's centre was, m.</summary>
+        /// <summary>Where the detector's center was, m.</summary>
         public Vector3 position;
         /// <summary>Volume of the water in the shape at rest, m³: each particle stands for a cube of the spacing.</summary>
         public float volume;

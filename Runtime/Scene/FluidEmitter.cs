@@ -63,7 +63,7 @@ namespace Rill
         [Tooltip("Mesh whose surface emits. Scaled with this object.")]
         [SerializeField] Mesh mesh;
 
-        [Tooltip("Volume let in, m³/s. 0 to 1e6. 0.001 is a litre a second.")]
+        [Tooltip("Volume let in, m³/s. 0 to 1e6. 0.001 is a liter a second.")]
         [SerializeField] float rate = 0.01f;
 
         [Tooltip("Speed at which the fluid leaves, m/s. 0.01 to 1000; a fill may have 0.")]

@@ -18,13 +18,13 @@ namespace Rill
         Wind,
     }
 
-    /// <summary>How a field's strength falls from its centre to its bounds.</summary>
+    /// <summary>How a field's strength falls from its center to its bounds.</summary>
     [SharedWithHlsl("ForceFields")]
     public enum ForceFieldFalloff
     {
         /// <summary>Not at all.</summary>
         None,
-        /// <summary>1 − t, with t = 0 at the centre and 1 at the bounds.</summary>
+        /// <summary>1 − t, with t = 0 at the center and 1 at the bounds.</summary>
         Linear,
         /// <summary>(0.1 / t)², and 1 below t = 0.1.</summary>
         InverseSquare,
@@ -45,7 +45,7 @@ namespace Rill
 
     /// <summary>Accelerates the particles of a <see cref="FluidSimulation"/> in its bounds.</summary>
     /// <remarks>
-    /// All fields together accelerate a particle by at most 1000 m/s². A point or vortex fades to 0 towards its centre over a
+    /// All fields together accelerate a particle by at most 1000 m/s². A point or vortex fades to 0 towards its center over a
     /// tenth of its bounds' size, or over two particle spacings without bounds.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Force Field"), Icon(PackagePaths.Icon)]
@@ -53,7 +53,7 @@ namespace Rill
     {
         const int NoSize = FirstOwnProblem;
 
-        /// <summary>of the reach: inside it a point or vortex fades towards its centre</summary>
+        /// <summary>of the reach: inside it a point or vortex fades towards its center</summary>
         [SharedWithHlsl("ForceFields")] const float CoreFraction = 0.1f;
 
         const float CoreWithoutBounds = 2f;     // d
@@ -68,7 +68,7 @@ namespace Rill
         [Tooltip("Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 to 1000.")]
         [SerializeField] float drag = 2f;
 
-        [Tooltip("How the strength falls from the centre, t = 0, to the bounds, t = 1. None: it does not. Linear: 1 - t. Inverse " +
+        [Tooltip("How the strength falls from the center, t = 0, to the bounds, t = 1. None: it does not. Linear: 1 - t. Inverse " +
             "Square: (0.1 / t)², and 1 below t = 0.1. Smooth: (1 - t²)². Without bounds none.")]
         [SerializeField] ForceFieldFalloff falloff = ForceFieldFalloff.None;
 

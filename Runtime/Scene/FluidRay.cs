@@ -21,7 +21,7 @@ namespace Rill
         /// <summary>Largest radius of a ball, in particle spacings of the fluid.</summary>
         public const float MaxRadius = RayQuery.MaxRadius;
 
-        /// <summary>Where it starts, or the ball's centre there, world space, m.</summary>
+        /// <summary>Where it starts, or the ball's center there, world space, m.</summary>
         public Vector3 origin;
         /// <summary>Where it goes, world space, of any length above 0.</summary>
         public Vector3 direction;
@@ -47,10 +47,10 @@ namespace Rill
         }
 
         /// <summary>A ball that is cast along a ray: it hits where it first touches the water.</summary>
-        /// <param name="origin">The ball's centre at the start, world space, m.</param>
+        /// <param name="origin">The ball's center at the start, world space, m.</param>
         /// <param name="radius">m, 0 to <see cref="MaxRadius"/> particle spacings.</param>
         /// <param name="direction">World space, of any length above 0.</param>
-        /// <param name="maxDistance">Of the centre, m, above 0.</param>
+        /// <param name="maxDistance">Of the center, m, above 0.</param>
         public static FluidRay Sphere(Vector3 origin, float radius, Vector3 direction, float maxDistance = float.PositiveInfinity)
             => new FluidRay(origin, direction, maxDistance) { radius = radius };
 
@@ -92,7 +92,7 @@ namespace Rill
         public bool startsInWater;
         /// <summary>Whether the water was hit. Without a hit the values below are 0.</summary>
         public bool hit;
-        /// <summary>From the ray's origin to the hit, for a ball to its centre there, m.</summary>
+        /// <summary>From the ray's origin to the hit, for a ball to its center there, m.</summary>
         public float distance;
         /// <summary>Where the water was hit, m.</summary>
         public Vector3 point;

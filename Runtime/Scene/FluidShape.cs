@@ -38,7 +38,7 @@ namespace Rill
         public static FluidShape Sphere(Vector3 center, float radius) => Capsule(center, center, radius);
 
         /// <summary>A capsule: all that is no further than the radius from the line between two points.</summary>
-        /// <param name="start">Centre of the sphere at one end, world space, m.</param>
+        /// <param name="start">Center of the sphere at one end, world space, m.</param>
         /// <param name="end">And at the other.</param>
         /// <param name="radius">m, 0 or more.</param>
         /// <exception cref="ArgumentException">The radius is negative, or an argument not finite.</exception>
@@ -68,7 +68,7 @@ namespace Rill
         /// <summary>Half sides of the box around it, in its own frame.</summary>
         public float3 Extent => half + radius;
 
-        /// <param name="place">In its own frame, from its centre.</param>
+        /// <param name="place">In its own frame, from its center.</param>
         public bool Contains(float3 place)
         {
             float3 beyond = math.max(math.abs(place) - half, 0f);

@@ -77,7 +77,7 @@ namespace Rill
             return found;
         }
 
-        /// <summary>Fraction of a ball that lies below a plane this far above its centre, in radii.</summary>
+        /// <summary>Fraction of a ball that lies below a plane this far above its center, in radii.</summary>
         public static float FractionOfBall(float above)
         {
             float h = math.clamp(above, -1f, 1f) + 1f;

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// Distance to the surface of a mesh at the centres of a grid of voxels, m, negative inside, in the frame of the mesh.
+    /// Distance to the surface of a mesh at the centers of a grid of voxels, m, negative inside, in the frame of the mesh.
     /// Made by <see cref="MeshSdfBaker"/>; a bake again replaces the content and keeps the asset, so that references stay.
     /// </summary>
     [Icon(PackagePaths.Icon)]
@@ -37,7 +37,7 @@ namespace Rill
         /// bake.</summary>
         public Texture3D Texture => texture;
 
-        /// <summary>The volume that the voxels fill, m: the centre of voxel i is at min + (i + 0.5) <see cref="VoxelSize"/>.</summary>
+        /// <summary>The volume that the voxels fill, m: the center of voxel i is at min + (i + 0.5) <see cref="VoxelSize"/>.</summary>
         public Bounds Bounds => bounds;
 
         /// <summary>Edge of a voxel, which is a cube, m.</summary>
@@ -137,7 +137,7 @@ namespace Rill
             volumeIsKnown = false;
         }
 
-        /// <summary>Distance at a point, m, trilinear between the voxels' centres. Outside of the bounds: the distance to them, plus the
+        /// <summary>Distance at a point, m, trilinear between the voxels' centers. Outside of the bounds: the distance to them, plus the
         /// value where they are nearest.</summary>
         /// <param name="local">In the frame of the mesh, m.</param>
         /// <returns>False without a texture that can be read, or for a point that is not finite; the distance is then +infinity.</returns>

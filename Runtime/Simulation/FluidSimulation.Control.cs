@@ -73,7 +73,7 @@ namespace Rill
         }
 
         /// <summary>
-        /// Removes the particles whose centre is inside a shape at once. They count as drained, and free their part of the capacity with the
+        /// Removes the particles whose center is inside a shape at once. They count as drained, and free their part of the capacity with the
         /// next fixed step. Does nothing in a player without a graphics device, and where the stage ParticleEdits is not in the build,
         /// which is logged.
         /// </summary>
@@ -206,7 +206,7 @@ namespace Rill
                     $"{SolverLayout.MaxCapacity:N0} particles of spacing {particleSpacing} m, the most of one simulation. Shrink it or " +
                     $"raise the spacing.");
             var lattice = new VolumeLattice((int3)across, particleSpacing);
-            RoundedBox whole = box;      // in which the centre of a particle lies whose sphere is inside
+            RoundedBox whole = box;      // in which the center of a particle lies whose sphere is inside
             float margin = 0.5f * particleSpacing, tolerance = 1e-3f * particleSpacing;      // rounding would leave a sphere a particle short
             whole.radius = math.max(box.radius - margin, 0f) + tolerance;
             whole.half = math.max(box.half - math.max(margin - box.radius, 0f), 0f);

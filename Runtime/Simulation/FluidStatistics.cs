@@ -5,7 +5,7 @@ namespace Rill
 {
     /// <summary>
     /// Measures of a fluid at the end of one step, with neighbors found at those positions. The inspector, tests and
-    /// reports all read this. Lengths in metres in the domain's frame, speeds in m/s, energies in joules.
+    /// reports all read this. Lengths in meters in the domain's frame, speeds in m/s, energies in joules.
     /// </summary>
     public struct FluidStatistics
     {
@@ -77,7 +77,7 @@ namespace Rill
         public int neighborOverflow;
         /// <summary>Most neighbors of such a particle; 0 without one.</summary>
         public int maxNeighbors;
-        /// <summary>Particles more than 0.1 d beyond where the walls let a centre go.</summary>
+        /// <summary>Particles more than 0.1 d beyond where the walls let a center go.</summary>
         public int escaped;
         /// <summary>Particles closer than 0.05 d to another.</summary>
         public int coincident;
@@ -100,7 +100,7 @@ namespace Rill
         public float speedMax;
         /// <summary>Mean number of neighbors of a particle.</summary>
         public float neighborsMean;
-        /// <summary>Centre of mass in the domain's frame, m.</summary>
+        /// <summary>Center of mass in the domain's frame, m.</summary>
         public float3 centerOfMass;
         /// <summary>Largest coordinate of a particle along each axis, m.</summary>
         public float3 furthest;

@@ -15,7 +15,7 @@ namespace Rill
         /// <summary>Whether what the fluid does to it is brought back.</summary>
         bool MeasuresForce { get; }
 
-        /// <summary>Shape and place now, in world space and metres; its poses are both the present one.</summary>
+        /// <summary>Shape and place now, in world space and meters; its poses are both the present one.</summary>
         /// <returns>Why it is no collider; null where it is one.</returns>
         string Describe(out ColliderMotion motion);
 

@@ -487,11 +487,11 @@ namespace Rill
             cmd.SetBufferData(constants, constantsUpload);
         }
 
-        NativeArray<float4> InSpacings(NativeArray<float4> metres)
+        NativeArray<float4> InSpacings(NativeArray<float4> meters)
         {
-            var scaled = new NativeArray<float4>(metres.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
-            for (int i = 0; i < metres.Length; i++)
-                scaled[i] = metres[i] / Layout.Spacing;
+            var scaled = new NativeArray<float4>(meters.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < meters.Length; i++)
+                scaled[i] = meters[i] / Layout.Spacing;
             return scaled;
         }
     }

@@ -36,11 +36,11 @@ namespace Rill
         public int firstListParticles;
         /// <summary>since the last reset</summary>
         public uint stepIndex;
-        /// <summary>poly6 normalisation / rest density</summary>
+        /// <summary>poly6 normalization / rest density</summary>
         public float densityScale;
         /// <summary>W(0) / rest density</summary>
         public float selfDensity;
-        /// <summary>spiky gradient normalisation / rest density, negative</summary>
+        /// <summary>spiky gradient normalization / rest density, negative</summary>
         public float gradientScale;
         /// <summary>constraint force mixing, 1/d²</summary>
         public float epsilon;
@@ -54,7 +54,7 @@ namespace Rill
         public float allowedTension;
         /// <summary>k of s_corr, d²</summary>
         public float artificialPressure;
-        /// <summary>1 / W(dq), without W's normalisation</summary>
+        /// <summary>1 / W(dq), without W's normalization</summary>
         public float artificialPressureReference;
         /// <summary>XSPH c of this substep</summary>
         public float smoothing;

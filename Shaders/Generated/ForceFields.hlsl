@@ -14,14 +14,14 @@ struct FieldRegion
     float3 axisZ;
     float strength;    // d/s^2; of a wind: drag, 1/s
     float3 flow;    // direction or axis, length 1; of a wind: its velocity, d/s
-    float core;    // distance below which a point or vortex fades towards its centre, d, above 0
+    float core;    // distance below which a point or vortex fades towards its center, d, above 0
 };
 
-static const float kCoreFraction = 0.1;    // of the reach: inside it a point or vortex fades towards its centre
+static const float kCoreFraction = 0.1;    // of the reach: inside it a point or vortex fades towards its center
 
-// How a field's strength falls from its centre to its bounds.
+// How a field's strength falls from its center to its bounds.
 static const uint kNone = 0;    // Not at all.
-static const uint kLinear = 1;    // 1 - t, with t = 0 at the centre and 1 at the bounds.
+static const uint kLinear = 1;    // 1 - t, with t = 0 at the center and 1 at the bounds.
 static const uint kInverseSquare = 2;    // (0.1 / t)^2, and 1 below t = 0.1.
 static const uint kSmooth = 3;    // (1 - t^2)^2.
 

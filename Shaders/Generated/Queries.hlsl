@@ -9,7 +9,7 @@ struct DetectorRegion
     float3 center;    // d
     uint shape;    // a DetectorShape
     float3 size;    // box: half sides; sphere and capsule: x radius, y half the straight part; mesh: half of its field, negative where mirrored
-    float fieldUnit;    // mesh: d for a metre of its field
+    float fieldUnit;    // mesh: d for a meter of its field
     float3 low;    // lowest corner of what it can find particles in, d
     float halfVoxel;    // mesh: half a voxel of its field, d
     float3 high;    // and the highest

@@ -2,7 +2,7 @@
 #ifndef RILL_GENERATED_SOLVER_INCLUDED
 #define RILL_GENERATED_SOLVER_INCLUDED
 
-static const float kContactOffset = 0.5;    // a particle's centre stays this far from a wall, d
+static const float kContactOffset = 0.5;    // a particle's center stays this far from a wall, d
 
 static const float kSupport = 2.0;    // support radius h, d
 
@@ -20,16 +20,16 @@ cbuffer RillSolver
     uint _NeighborCapacity;    // entries of a particle's neighbor list
     uint _FirstListParticles;    // particles whose entries lie in the first list buffer; a multiple of kParticlesPerListBlock
     uint _StepIndex;    // since the last reset
-    float _DensityScale;    // poly6 normalisation / rest density
+    float _DensityScale;    // poly6 normalization / rest density
     float _SelfDensity;    // W(0) / rest density
-    float _GradientScale;    // spiky gradient normalisation / rest density, negative
+    float _GradientScale;    // spiky gradient normalization / rest density, negative
     float _Epsilon;    // constraint force mixing, 1/d^2
     float _WallScale;    // makes a lattice particle d/2 from a wall see C = 0
     float _Relaxation;    // omega
     float _MaxCorrection;    // longest correction of one pass, d
     float _AllowedTension;    // negative density error that is still corrected, at least 0
     float _ArtificialPressure;    // k of s_corr, d^2
-    float _ArtificialPressureReference;    // 1 / W(dq), without W's normalisation
+    float _ArtificialPressureReference;    // 1 / W(dq), without W's normalization
     float _Smoothing;    // XSPH c of this substep
     float _Confinement;    // vorticity confinement, d/s
     float _Extrapolation;    // fraction of the last change of velocity that is added once more, see VelocityExtrapolation; 0 for none

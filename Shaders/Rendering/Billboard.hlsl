@@ -9,7 +9,7 @@ float2 QuadCorner(uint vertex)
     return kCorners[vertex % 6];
 }
 
-// Of a ball as it is seen, in the plane of its centre: with perspective wider than the ball. World, m.
+// Of a ball as it is seen, in the plane of its center: with perspective wider than the ball. World, m.
 float SilhouetteRadius(float3 center, float radius)
 {
     if (!IsOrthographic())
@@ -20,7 +20,7 @@ float SilhouetteRadius(float3 center, float radius)
     return radius;
 }
 
-// A point of the quad around a centre, world; the quad's edges are at a distance of size.
+// A point of the quad around a center, world; the quad's edges are at a distance of size.
 float3 PointOnQuad(float3 center, float2 corner, float size)
 {
     float3 ray = -ToEye(center);

@@ -11,7 +11,7 @@
 
 #include "../Generated/Counters.hlsl"
 
-static const float kWallDistance = 0.5;     // of a particle's centre, as in the solver
+static const float kWallDistance = 0.5;     // of a particle's center, as in the solver
 
 StructuredBuffer<float4> _Positions;
 StructuredBuffer<float4> _StartPositions;

@@ -10,7 +10,7 @@
 
 StructuredBuffer<SurfaceParticle> _SurfaceParticles;
 
-float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
+float4x4 _DomainToWorld;        // from the domain's frame in d to world, meters
 float4 _FrameLag;               // x: time of this frame since the newest state, substeps
 float4 _DrawnDomainSize;        // xyz, d
 

@@ -1,9 +1,9 @@
 // A particle of foam: spray in the air, foam on the water, a bubble in it. Made and moved by Foam.compute, drawn by what includes
 // this. 32 bytes, in the domain's frame, lengths in d:
 //
-//   a.xyz  float bits, centre at the newest state, d
+//   a.xyz  float bits, center at the newest state, d
 //   a.w    float bits, age, s: foam ages with time, spray and bubbles a quarter as fast
-//   b.xyz  float bits, velocity, d/s: drawn at a frame's time, its centre is DrawnFoamPosition
+//   b.xyz  float bits, velocity, d/s: drawn at a frame's time, its center is DrawnFoamPosition
 //   b.w    bits 0-1 kind, 0 for none (nothing is to be drawn); 2-15 age at which it goes, in 1/64 s; 16-23 radius in 1/255 of
 //          the largest; 24-31 a random number of its own, for its looks
 //

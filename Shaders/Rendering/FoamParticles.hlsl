@@ -7,7 +7,7 @@
 #include "Foam.hlsl"
 
 StructuredBuffer<FoamParticle> _FoamParticles;
-float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
+float4x4 _DomainToWorld;        // from the domain's frame in d to world, meters
 float4 _FrameLag;               // y time of this frame since the newest state, s
 float4 _DrawnDomainSize;        // xyz, d
 // x largest radius, m; y how much nearer to the eye it is drawn, so that what carries it does not cover it, m; z opacity

@@ -22,7 +22,7 @@ float FogTransmittance(float z)
 #endif
 }
 
-// coverage: how much of what is behind the colour hides; it is multiplied with that already.
+// coverage: how much of what is behind the color hides; it is multiplied with that already.
 float3 ApplyFog(float3 color, float coverage, float z)
 {
 #if defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2)

@@ -25,7 +25,7 @@
 #include "Billboard.hlsl"
 #include "DrawnParticles.hlsl"
 
-float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
+float4x4 _DomainToWorld;        // from the domain's frame in d to world, meters
 float4x4 _LastDomainToWorld;    // at the frame before
 float _ParticleRadius;          // m
 

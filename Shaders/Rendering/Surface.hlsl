@@ -5,7 +5,7 @@
 //   _SurfaceNormals     in  xyz unit normal, world; w variance of the normals around
 //   _SurfaceThickness   in  water along the ray in front of the scene, m, or of each of four phases
 //   _SurfaceFoam        in  see FoamLayer.hlsl; where RILL_FOAM is on
-//   the scene's colour and depth as the pipeline gives them; where RILL_REFRACTION is on
+//   the scene's color and depth as the pipeline gives them; where RILL_REFRACTION is on
 #include "MainLight.hlsl"
 #include "SurfaceView.hlsl"
 #include "SurfaceRectangle.hlsl"
@@ -54,7 +54,7 @@ float2 InColorPyramid(float2 uv)
 #endif
 
 float4 _Absorption;         // rgb 1/m
-float4 _Scattering;         // rgb colour, linear; w 1/m
+float4 _Scattering;         // rgb color, linear; w 1/m
 float _HasPhases;           // 1 where each phase has a look of its own, the next two; else 0: a keyword would double the variants
 float4 _PhaseAbsorption[kMaxPhases]; // as above
 float4 _PhaseScattering[kMaxPhases];

@@ -16,7 +16,7 @@ Texture2DArray<float4> _SurfaceChords;
 #endif
 
 float4 _FrameLag;               // time of this frame, x, and of the frame before, z, since the newest state, substeps
-float4x4 _WorldToDomain;        // from world, metres, to the domain's frame in d
+float4x4 _WorldToDomain;        // from world, meters, to the domain's frame in d
 float4x4 _LastDomainToWorld;    // back, at the frame before
 float4x4 _DomainMotion;         // the same of this frame minus that: exactly 0 where the domain stands still
 

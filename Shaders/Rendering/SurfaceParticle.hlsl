@@ -3,7 +3,7 @@
 #ifndef RILL_SURFACE_PARTICLE_INCLUDED
 #define RILL_SURFACE_PARTICLE_INCLUDED
 
-//   a.xyz  float bits of the centre at the newest state
+//   a.xyz  float bits of the center at the newest state
 //   a.w    index of the particle, for what is kept by particle
 //   b.x    orientation, see PackRotation; of a disc its normal, see PackNormal
 //   b.y    half2, semi-axes 0 and 1; the second is negative where it is a disc, whose semi-axes 0 and 1 are equal

@@ -66,7 +66,7 @@ uint CellIndex(float3 p)
     return (cell.z * _CellCounts.y + cell.y) * _CellCounts.x + cell.x;
 }
 
-// poly6 (Mueller et al. 2003, eq. 20) without its normalisation; 0 beyond the support.
+// poly6 (Mueller et al. 2003, eq. 20) without its normalization; 0 beyond the support.
 float Poly6(float distanceSquared)
 {
     float t = max(kSupportSquared - distanceSquared, 0.0);

@@ -97,7 +97,7 @@ namespace Rill.Editor.Tests
             var budget = new BudgetState
             {
                 reason = BudgetReason.MinStable, substeps = 4, iterations = 12, relaxation = 0.35f,
-                milliseconds = 12.345f, targetMilliseconds = 2.5f, source = GpuTimeKind.Modelled, densityError = 0.0123f,
+                milliseconds = 12.345f, targetMilliseconds = 2.5f, source = GpuTimeKind.Modeled, densityError = 0.0123f,
                 deviceFactor = 1.25f
             };
             foreach ((string label, string text) row in BudgetSummary.Rows(budget))

@@ -6,7 +6,7 @@ namespace Rill.Editor.Tests
     public class ShapeHandleTests
     {
         [Test]
-        public void A_face_that_is_dragged_stays_under_the_mouse_while_the_box_stays_centred()
+        public void A_face_that_is_dragged_stays_under_the_mouse_while_the_box_stays_centered()
         {
             // From 2 x 2 x 2: the upper face was dragged from y = 1 to y = 1.5, the left one from x = -1 to x = -3.
             Vector3 size = ShapeHandles.Centered(new Vector3(-1f, 0.25f, 0f), new Vector3(4f, 2.5f, 2f));

@@ -50,7 +50,7 @@ namespace Rill.Tests
         static void OpenTap(FluidEmitter tap)
         {
             #region Turn a tap
-            tap.Rate = 0.0005f;             // half a litre a second
+            tap.Rate = 0.0005f;             // half a liter a second
             tap.Speed = 1f;                 // m/s
             if (!tap.IsEmitting)
                 tap.StartEmission();        // and StopEmission() to close it
@@ -79,7 +79,7 @@ namespace Rill.Tests
         static void FillAndRemove(FluidSimulation fluid, Vector3 center, bool empties)
         {
             #region Fill and remove
-            fluid.RemoveInside(FluidShape.Sphere(center, 0.3f));                        // those whose centre is inside
+            fluid.RemoveInside(FluidShape.Sphere(center, 0.3f));                        // those whose center is inside
             fluid.Fill(FluidShape.Box(center + 0.5f * Vector3.up, 0.4f * Vector3.one), velocity: Vector3.down);
             if (empties)
                 fluid.Clear();                                                          // all of it; time and emitters go on
@@ -229,7 +229,7 @@ namespace Rill.Tests
         static void Recycle(FluidDrain drain, FluidEmitter jet)
         {
             #region Let a drain feed a jet
-            drain.RateLimit = 0.01f;        // 10 litres a second
+            drain.RateLimit = 0.01f;        // 10 liters a second
             drain.RecycleTo = jet;
             jet.Rate = 0f;                  // nothing but what comes back
             #endregion
@@ -250,7 +250,7 @@ namespace Rill.Tests
             basin.Filled.AddListener(() => tap.StopEmission());
             basin.Emptied.AddListener(() => tap.StartEmission());
             if (basin.TryGetSample(out FluidDetectorSample inside))
-                Debug.Log($"{1000f * inside.volume:0.0} litres, {inside.momentum.magnitude:0.0} kg m/s, {inside.age:0.000} s ago");
+                Debug.Log($"{1000f * inside.volume:0.0} liters, {inside.momentum.magnitude:0.0} kg m/s, {inside.age:0.000} s ago");
             #endregion
         }
 
@@ -474,7 +474,7 @@ namespace Rill.Tests
             FillAndRemove(fluid, new Vector3(-0.6f, -0.4f, 0f), false);
             yield return null;
             FluidStatistics changed = FluidAssert.Measure(fluid);
-            Assert.That(changed.drained, Is.InRange(80, 140), "a sphere of radius 0.3 m at 1,000 particles a cubic metre holds 113");
+            Assert.That(changed.drained, Is.InRange(80, 140), "a sphere of radius 0.3 m at 1,000 particles a cubic meter holds 113");
             Assert.That(changed.added, Is.InRange(8 * 12 * 10 + 1, 8 * 12 * 10 + 64));
             DisableAndEnable(fluid, root, true);
             Assert.That(fluid.StepCount, Is.EqualTo(4));

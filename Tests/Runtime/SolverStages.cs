@@ -8,7 +8,7 @@ namespace Rill.Tests
     /// <summary>The stages of a solver one by one over the same particles, each run at once, so that a test sees what it left.</summary>
     sealed class SolverStages : IDisposable
     {
-        /// <summary>m; a power of two, so that the way to metres and back rounds nothing.</summary>
+        /// <summary>m; a power of two, so that the way to meters and back rounds nothing.</summary>
         public const float Spacing = 0.0625f;
 
         public readonly SolverLayout Layout;

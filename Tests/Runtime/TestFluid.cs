@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>A whole solver without a component around it. Metres and seconds, in the domain's frame.</summary>
+    /// <summary>A whole solver without a component around it. Meters and seconds, in the domain's frame.</summary>
     sealed class TestFluid : IDisposable
     {
         public readonly PbfSolver Solver;

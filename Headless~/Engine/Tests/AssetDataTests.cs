@@ -109,7 +109,7 @@ namespace Host.Tests
         [Test]
         public void Images_of_every_row_filter_read_the_same()
         {
-            // Four rows of two grey pixels 10, 30 by the filters none, sub, up, average and paeth.
+            // Four rows of two gray pixels 10, 30 by the filters none, sub, up, average and paeth.
             var image = PngImage.Read(Png(2, 5, 8, 0, new byte[] { 0, 10, 30, 1, 10, 20, 2, 0, 0, 3, 5, 10, 4, 0, 0 }), "x.png");
             Assert.That(image.Pixels.Select(p => p.r), Is.EqualTo(Enumerable.Repeat(new byte[] { 10, 30 }, 5).SelectMany(p => p)));
         }

@@ -75,7 +75,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Vectors_and_colours_arrive()
+        public void Vectors_and_colors_arrive()
         {
             Assert.That(everything.v2.x, Is.EqualTo(1));
             Assert.That(everything.v2.y, Is.EqualTo(float.NegativeInfinity));

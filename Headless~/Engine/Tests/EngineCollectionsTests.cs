@@ -59,7 +59,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Uninitialised_memory_is_garbage()
+        public void Uninitialized_memory_is_garbage()
         {
             using (var array = new NativeArray<int>(8, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
                 Assert.That(array, Is.All.Not.EqualTo(0));

@@ -334,7 +334,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Invoke_calls_later_and_InvokeRepeating_until_cancelled()
+        public void Invoke_calls_later_and_InvokeRepeating_until_canceled()
         {
             Invoker invoker = Add<Invoker>();
             invoker.Invoke("DoOnce", 0.05f);

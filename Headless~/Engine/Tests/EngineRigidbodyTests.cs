@@ -45,7 +45,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_force_beside_the_centre_of_mass_turns_the_body_about_it()
+        public void A_force_beside_the_center_of_mass_turns_the_body_about_it()
         {
             Rigidbody body = Body();
             body.useGravity = false;

@@ -75,15 +75,15 @@ namespace Host.Tests
         [TestCase("#11223344", true, 17, 34, 51, 68)]
         [TestCase("orange", true, 255, 165, 0, 255)]
         [TestCase("#12345", false, 255, 255, 255, 255)]
-        [TestCase("no colour", false, 255, 255, 255, 255)]
-        public void A_colour_is_read_from_html(string text, bool good, int r, int g, int b, int a)
+        [TestCase("no color", false, 255, 255, 255, 255)]
+        public void A_color_is_read_from_html(string text, bool good, int r, int g, int b, int a)
         {
             Assert.That(ColorUtility.TryParseHtmlString(text, out Color color), Is.EqualTo(good));
             Assert.That((Color32)color, Is.EqualTo(new Color32((byte)r, (byte)g, (byte)b, (byte)a)));
         }
 
         [Test]
-        public void A_colour_is_written_for_html()
+        public void A_color_is_written_for_html()
             => Assert.That(ColorUtility.ToHtmlStringRGBA(new Color(1, 0.5f, 0, 0.25f)), Is.EqualTo("FF800040"));
     }
 }

@@ -201,7 +201,7 @@ ENDCG
         }
 
         [Test]
-        public void Without_a_sky_its_colour_is_the_light()
+        public void Without_a_sky_its_color_is_the_light()
         {
             RenderSettings.ambientMode = AmbientMode.Skybox;
             RenderSettings.ambientSkyColor = Color.red;

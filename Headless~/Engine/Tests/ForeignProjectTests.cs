@@ -129,7 +129,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Lamps_have_the_colours_of_gradient_and_curve()
+        public void Lamps_have_the_colors_of_gradient_and_curve()
         {
             PngImage picture = Prefabs.Picture();
             var lens = new Lens(new Vector3(0, 2, -10), Quaternion.identity, 40, picture);

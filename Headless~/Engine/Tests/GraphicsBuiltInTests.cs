@@ -94,7 +94,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_coloured_material_tints_a_primitive_without_changing_the_default_one()
+        public void A_colored_material_tints_a_primitive_without_changing_the_default_one()
         {
             NewCamera();
             NewLight(Vector3.forward);
@@ -107,7 +107,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Unlit_colour_and_transparency_are_exact()
+        public void Unlit_color_and_transparency_are_exact()
         {
             NewCamera();
             GameObject quad = GameObject.CreatePrimitive(PrimitiveType.Quad);
@@ -138,10 +138,10 @@ namespace Host.Tests
             Color32 up = Pixel(5, 0), horizon = Pixel(5, 15), down = Pixel(5, 31);
             Assert.That(up.b, Is.GreaterThan(up.r), "blue above");
             Assert.That(horizon.r, Is.GreaterThan(up.r), "bright at the horizon");
-            Assert.That(Mathf.Abs(down.r - down.b), Is.LessThan(20), "grey below");
+            Assert.That(Mathf.Abs(down.r - down.b), Is.LessThan(20), "gray below");
             RenderSettings.skybox = null;
             Frame();
-            Assert.That(Pixel(5, 0), Is.EqualTo(new Color32(0, 0, 255, 255)), "without a skybox the background colour stands");
+            Assert.That(Pixel(5, 0), Is.EqualTo(new Color32(0, 0, 255, 255)), "without a skybox the background color stands");
         }
     }
 }

@@ -118,7 +118,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Colours_are_linear_in_shaders_and_srgb_on_the_screen()
+        public void Colors_are_linear_in_shaders_and_srgb_on_the_screen()
         {
             NewCamera();
             Graphics.RenderPrimitives(new RenderParams(NewMaterial(new Color(0.5f, 0.25f, 0.75f, 1))) { worldBounds = everywhere },

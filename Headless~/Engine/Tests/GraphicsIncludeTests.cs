@@ -85,7 +85,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Colours_go_through_the_srgb_curve()
+        public void Colors_go_through_the_srgb_curve()
         {
             AssertNear(Value("float4(GammaToLinearSpace(0.5), 1)"), new Vector4(0.214f, 0.214f, 0.214f, 1), 2e-3f);
             AssertNear(Value("float4(LinearToGammaSpace(0.214), 1)"), new Vector4(0.5f, 0.5f, 0.5f, 1), 2e-3f);
@@ -94,7 +94,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Numbers_survive_being_encoded_in_colours()
+        public void Numbers_survive_being_encoded_in_colors()
         {
             AssertNear(Value("float4(DecodeFloatRGBA(EncodeFloatRGBA(0.3)), DecodeFloatRG(EncodeFloatRG(0.7)), 0, 0)"),
                 new Vector4(0.3f, 0.7f, 0, 0), 1e-4f);

@@ -188,7 +188,7 @@ ENDCG } } }";
         }
 
         [Test]
-        public void Gamma_projects_compute_with_the_numbers_of_the_colours()
+        public void Gamma_projects_compute_with_the_numbers_of_the_colors()
         {
             Player.LinearColorSpace = false;
             NewCamera();

@@ -15,7 +15,7 @@ namespace Host.Tests
         static Shader Surface(string pragma, string body, string before = "", string input = "float2 uv_MainTex;",
             string output = "SurfaceOutput", string properties = "", string tags = "", string model = "") =>
             ShaderOf($@"Shader ""Test/Surface"" {{
-Properties {{ _MainTex (""Texture"", 2D) = ""white"" {{}} _Color (""Colour"", Color) = (1,1,1,1) {properties} }}
+Properties {{ _MainTex (""Texture"", 2D) = ""white"" {{}} _Color (""Color"", Color) = (1,1,1,1) {properties} }}
 SubShader {{ Tags {{ ""RenderType"" = ""Opaque"" {tags} }} LOD 200
 CGPROGRAM
 #pragma surface surf {pragma}

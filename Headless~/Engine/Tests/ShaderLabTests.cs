@@ -33,7 +33,7 @@ Shader ""Water/Test"" /* and ""another"" */
 {
     Properties
     {
-        [HDR] _Color (""Colour"", Color) = (1, 0.5, .25, 1)
+        [HDR] _Color (""Color"", Color) = (1, 0.5, .25, 1)
         [Header(Surface, ""again"")] [NoScaleOffset] _MainTex (""Texture"", 2D) = ""white"" {}
         _Range (""Range"", Range(0, 10.5)) = 5
         [Enum(UnityEngine.Rendering.CullMode)] _Cull (""Cull"", Int) = 2

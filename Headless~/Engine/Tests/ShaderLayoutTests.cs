@@ -169,7 +169,7 @@ ENDHLSL
                         new DeviceDraw { VertexCount = 3, InstanceCount = 1, FirstVertex = 6, FirstInstance = 5 });
                     device.EndPass();
                     float[] texels = MemoryMarshal.Cast<byte, float>(device.ReadTexture(target, 0, 0)).ToArray();
-                    Assert.That(texels.Take(4), Is.EqualTo(new[] { 1, 2, 0.5f, 0.5f }), "instance 0, Direct3D's w, the first texel's centre");
+                    Assert.That(texels.Take(4), Is.EqualTo(new[] { 1, 2, 0.5f, 0.5f }), "instance 0, Direct3D's w, the first texel's center");
                     Assert.That(texels.Skip(4 * (size * size - 1)), Is.EqualTo(new[] { 1, 2, size - 0.5f, size - 0.5f }));
                 }
             }

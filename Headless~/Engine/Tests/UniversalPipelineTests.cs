@@ -156,13 +156,13 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Depth_and_colour_are_there_where_a_pass_asks_for_them([Values("14", "17", "17 by Execute")] string version)
+        public void Depth_and_color_are_there_where_a_pass_asks_for_them([Values("14", "17", "17 by Execute")] string version)
         {
             Begin(version, "", Depth | Opaque);
             Frame();
             Assert.That(Errors, Is.Empty);
             Assert.That(Said, Is.EqualTo(new[] { "450 Camera", "color 48 x 32", "depth _CameraDepthTexture 96 x 64" }),
-                "the copy of the colour is of half size, as a new asset has it");
+                "the copy of the color is of half size, as a new asset has it");
         }
 
         [Test]

@@ -63,7 +63,7 @@ namespace Host.Tests
         [TestCase(1, 5, 2)]
         [TestCase(7, 1, 3)]
         [TestCase(13, 100, 29)]
-        public void Bytes_uploaded_and_copied_at_odd_offsets_are_read_back_and_their_neighbours_stay(int offset, int bytes, int targetOffset)
+        public void Bytes_uploaded_and_copied_at_odd_offsets_are_read_back_and_their_neighbors_stay(int offset, int bytes, int targetOffset)
         {
             var (a, b) = (Buffer(256), Buffer(256));
             byte[] data = Enumerable.Range(1, bytes).Select(i => (byte)i).ToArray();
@@ -389,7 +389,7 @@ namespace Host.Tests
             device.Dispatch(sample, new[] { new DeviceBinding { Texture = volume }, new DeviceBinding { Sampler = sampler },
                 new DeviceBinding { Buffer = b } }, 1, 1, 1);
             float[] got = MemoryMarshal.Cast<uint, float>(UInts(b)).ToArray();
-            Assert.That(got[0], Is.EqualTo(1.5f * 111).Within(0.5), "the mean of the eight texels around the centre");
+            Assert.That(got[0], Is.EqualTo(1.5f * 111).Within(0.5), "the mean of the eight texels around the center");
             Assert.That(got[1], Is.EqualTo(0).Within(1e-5), "clamped to the first texel");
             float[] texels = MemoryMarshal.Cast<byte, float>(device.ReadTexture(volume, 0, 0)).ToArray();
             Assert.That(texels, Is.EqualTo(Enumerable.Range(0, 64).Select(i => (float)(i % 4 + 10 * (i / 4 % 4) + 100 * (i / 16))).ToArray()));

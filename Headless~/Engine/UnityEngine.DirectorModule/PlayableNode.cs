@@ -13,10 +13,10 @@ namespace UnityEngine.Playables
         public double Time, Duration = double.MaxValue, Speed = 1.0;
         public bool IsPlaying = true, PropagatesSetTime, IsPassthrough, IsDestroyed;
 
-        public PlayableNode(GraphState graph, IPlayableBehaviour behaviour, int inputs)
+        public PlayableNode(GraphState graph, IPlayableBehaviour behavior, int inputs)
         {
             Graph = graph;
-            Behaviour = behaviour;
+            Behaviour = behavior;
             SetInputCount(inputs);
             graph.Playables.Add(this);
         }

@@ -42,7 +42,7 @@ namespace Host.Vulkan
             public byte* Mapped;
             public bool Dedicated;
             public List<Block> Pool;
-            /// <summary>Ascending by offset; neighbours are merged.</summary>
+            /// <summary>Ascending by offset; neighbors are merged.</summary>
             public readonly List<(ulong Offset, ulong Bytes)> Free = new();
             public bool IsEmpty => Free.Count == 1 && Free[0].Bytes == Bytes;
         }

@@ -10,7 +10,7 @@ namespace Host.Vulkan
         public const int MaxStreams = 16;
 
         public DeviceRasterState State;
-        /// <summary>Five formats, a byte each: four colours and depth.</summary>
+        /// <summary>Five formats, a byte each: four colors and depth.</summary>
         public ulong Formats;
         public int StreamCount;
         public PackedStreams Streams;

@@ -37,7 +37,7 @@ namespace Host.Vulkan
         public void BeginPass(in DeviceTargets wanted)
         {
             if (inPass) throw new InvalidOperationException("A pass is begun before the last one was ended.");
-            if (wanted.ColorCount == 0 && wanted.Depth == null) throw new ArgumentException("A pass needs a colour or a depth target.");
+            if (wanted.ColorCount == 0 && wanted.Depth == null) throw new ArgumentException("A pass needs a color or a depth target.");
             targets = wanted;
             inPass = true;
             clearColorDue = wanted.ClearColor && wanted.ColorCount > 0;
@@ -360,7 +360,7 @@ namespace Host.Vulkan
             if ((s.ColorMask & 4) != 0) mask |= VkColorComponentFlags.G;
             if ((s.ColorMask & 2) != 0) mask |= VkColorComponentFlags.B;
             if ((s.ColorMask & 1) != 0) mask |= VkColorComponentFlags.A;
-            // Integer targets cannot blend; Direct3D passes the colour through.
+            // Integer targets cannot blend; Direct3D passes the color through.
             bool blends = s.Blend && format.Numeric == NumericKind.Float;
             return new VkPipelineColorBlendAttachmentState
             {

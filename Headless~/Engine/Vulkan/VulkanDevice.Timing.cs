@@ -8,7 +8,7 @@ namespace Host.Vulkan
     /// <summary>GPU time between two points of the stream.</summary>
     /// <remarks>
     /// Both stamps are taken when all work before them is done, so what lies between them is the time that the sampled work
-    /// added to the stream: neighbours' work is not in it and the samples of a sequence add up.
+    /// added to the stream: neighbors' work is not in it and the samples of a sequence add up.
     /// </remarks>
     sealed unsafe partial class VulkanDevice
     {

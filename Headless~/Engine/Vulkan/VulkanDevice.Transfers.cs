@@ -133,7 +133,7 @@ namespace Host.Vulkan
         static VkExtent3D Extent(VulkanTexture texture, int mip)
             => new() { width = (uint)texture.Width(mip), height = (uint)texture.Height(mip), depth = (uint)texture.Depth(mip) };
 
-        /// <summary>Integer formats take the colour as numbers, not as fractions.</summary>
+        /// <summary>Integer formats take the color as numbers, not as fractions.</summary>
         static VkClearColorValue ClearValue(in GpuFormat format, in DeviceColor c)
         {
             var value = new VkClearColorValue();

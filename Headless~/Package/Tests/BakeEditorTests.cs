@@ -90,7 +90,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_mesh_is_analysed_once_however_often_it_is_chosen_and_whatever_is_set()
+        public void A_mesh_is_analyzed_once_however_often_it_is_chosen_and_whatever_is_set()
         {
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
             BakeWindow window = BakeWindow.Open(new Object[] { cube });
@@ -129,7 +129,7 @@ namespace Host.Tests
             Assert.That(window.Plan.Items[0].Report, Is.Not.Null);
             Assert.That(window.Analyses.Started, Is.EqualTo(1));
 
-            GuiDrawing.Press = text => text == "Analyse Again";
+            GuiDrawing.Press = text => text == "Analyze Again";
             Draw(window, "OnGUI");
             GuiDrawing.Press = null;
             EditorTick.Run();
@@ -153,7 +153,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_cancelled_analysis_waits_to_be_asked_for_and_a_bake_makes_up_for_it()
+        public void A_canceled_analysis_waits_to_be_asked_for_and_a_bake_makes_up_for_it()
         {
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
             BakeWindow window = BakeWindow.Open(new Object[] { cube });
@@ -164,7 +164,7 @@ namespace Host.Tests
             Assert.That((window.Analyses.Started, window.Plan.Items[0].Analysis.IsDone), Is.EqualTo((0, false)));
             GuiDrawing.Buttons.Clear();
             Draw(window, "OnGUI");
-            Assert.That(GuiDrawing.Buttons, Has.Member("Analyse").And.Member("Bake"));
+            Assert.That(GuiDrawing.Buttons, Has.Member("Analyze").And.Member("Bake"));
             Draw(window, "Bake");
             Assert.That(window.Plan.Items[0].Failed, Is.False, window.Plan.Items[0].Outcome);
             AssetDatabase.DeleteAsset("Assets/Distance Fields");

@@ -61,7 +61,7 @@ namespace Host.Tests
             return project.LoadAtPath<SignedDistanceField>("Assets/Baked.asset");
         }
 
-        /// <summary>Against all triangles one after the other, at the centres of voxels drawn at random.</summary>
+        /// <summary>Against all triangles one after the other, at the centers of voxels drawn at random.</summary>
         static (double Near, double Mean, double Most, double WrongSigns) Errors(SignedDistanceField field, TriangleMesh mesh, int points = Points)
         {
             var random = new Random(5);

@@ -97,8 +97,8 @@ namespace Host.Tests
         [TestCase("public interface ISerializationCallbackReceiver { void OnBeforeSerialize(); }",
             "class X : ISerializationCallbackReceiver { public void OnBeforeSerialize() { } }", "X", "void OnAfterDeserialize()",
             TestName = "A_member_of_an_interface_that_is_not_implemented_is_named")]
-        [TestCase("public class CreateAssetMenuAttribute : Attribute { public string colour { get; set; } }",
-            "[CreateAssetMenu(colour = \"red\")] class X { }", "CreateAssetMenuAttribute.set_colour(string)", "has no such member",
+        [TestCase("public class CreateAssetMenuAttribute : Attribute { public string color { get; set; } }",
+            "[CreateAssetMenu(color = \"red\")] class X { }", "CreateAssetMenuAttribute.set_color(string)", "has no such member",
             TestName = "An_attribute_s_argument_that_Unity_lacks_is_named")]
         public void A_fault_of_the_package_is_named(string unity, string package, string what, string why)
             => planted.Catches(Members(unity, package), "Rill.dll: ", what, why);
@@ -115,7 +115,7 @@ namespace Host.Tests
         {
             UnityApiLists lists = UnityApiLists.Read(new StringReader("unity-api 1 unity-2022.3\nUnityEngine.Thing\n\t1\tclass\n\t1\t"
                 + signature + "\n"));
-            planted.Catches(new UnityMembersRule(new string[0], () => UnityCatalogues.Make(lists)), "UnityEngine.Thing | " + signature, why,
+            planted.Catches(new UnityMembersRule(new string[0], () => UnityCatalogs.Make(lists)), "UnityEngine.Thing | " + signature, why,
                 "SignatureParser");
         }
 

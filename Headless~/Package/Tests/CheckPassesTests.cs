@@ -45,7 +45,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Transparent_ones_need_their_colour_alone()
+        public void Transparent_ones_need_their_color_alone()
         {
             string[] transparent = { "", "\"RenderPipeline\" = \"UniversalPipeline\"", "\"RenderPipeline\" = \"HDRenderPipeline\"" };
             string[] modes = { "ForwardBase", "UniversalForwardOnly", "ForwardOnly" };

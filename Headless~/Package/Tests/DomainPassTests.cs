@@ -101,7 +101,7 @@ namespace Host.Tests
             SetBox(Matrix4x4.TRS(new Vector3(0, 0.1f, 0), Quaternion.identity, new Vector3(6, 1, 6))
                 * Matrix4x4.Translate(new Vector3(-0.5f, 0, -0.5f)));
             block.SetFloat("_DrawFloor", 1);
-            block.SetFloat("_FloorTile", 100);      // of one colour
+            block.SetFloat("_FloorTile", 100);      // of one color
             var draw = new RenderParams(MaterialOf("Domain.shader")) { worldBounds = new Bounds(Vector3.zero, Vector3.one * 6),
             matProps = block, shadowCastingMode = ShadowCastingMode.Off, receiveShadows = true };
             Graphics.RenderPrimitives(draw, MeshTopology.Triangles, FloorVertices);

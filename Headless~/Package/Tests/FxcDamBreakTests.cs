@@ -113,7 +113,7 @@ namespace Host.Tests
             Assert.That(ShaderBackend.Bytecode().Count(name => name.Contains(".shader")), Is.GreaterThanOrEqualTo(4),
                 "both stages of particles and domain from bytecode");
             Assert.That(expected.Distinct().Count(), Is.GreaterThan(20), "there is something to see");
-            // A sphere's edge may fall on the other side of a pixel's centre.
+            // A sphere's edge may fall on the other side of a pixel's center.
             int different = Enumerable.Range(0, expected.Length).Count(i => Math.Abs(expected[i] - got[i]) > 2);
             Assert.That(different, Is.LessThanOrEqualTo(expected.Length / 500));
         }

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Host.Tests
 {
-    /// <summary>In projects in gamma space the water follows the same formulas, in the numbers of the colours. FluidSurfaceTests has them
+    /// <summary>In projects in gamma space the water follows the same formulas, in the numbers of the colors. FluidSurfaceTests has them
     /// in linear space.</summary>
     public class GammaSurfaceTests : PipelineSurfaceFixture
     {

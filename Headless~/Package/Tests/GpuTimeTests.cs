@@ -119,8 +119,8 @@ namespace Host.Tests
         }
 
         [TestCase("Samples", 0f, GpuTimeKind.Measured)]
-        [TestCase("Frames", 0f, GpuTimeKind.Modelled)]
-        [TestCase("None", 5f, GpuTimeKind.Modelled)]
+        [TestCase("Frames", 0f, GpuTimeKind.Modeled)]
+        [TestCase("None", 5f, GpuTimeKind.Modeled)]
         [TestCase("None", 0f, GpuTimeKind.None)]
         public void A_budget_takes_the_best_time_that_the_player_tells(string told, float deviceFactor, GpuTimeKind expected)
         {

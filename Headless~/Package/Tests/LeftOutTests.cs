@@ -113,8 +113,8 @@ namespace Host.Tests
                     "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "WithColliders")))
                 .Concat(new[] { "Smooth", "RestrictGrid",
                     "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "WithColliders"))).ToArray()),
-            ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
-            ("density colours without viscosity", Inviscid, ColorByDensity,
+            ("density colors", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
+            ("density colors without viscosity", Inviscid, ColorByDensity,
             new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
             ("an emitter", null, Part<FluidEmitter>(Still),
                 new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *",
@@ -126,9 +126,9 @@ namespace Host.Tests
                 $"+1 Emitters.compute FindRoom {ParticleTags.Keyword}", $"+1 Emitters.compute Emit {ParticleTags.Keyword}",
                     "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.TagsA *", "+1 Rill.TagsB *",
             }),
-            ("colours of phases", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }),
+            ("colors of phases", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }),
                 s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
-            ("colours of phases without any", null, s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
+            ("colors of phases without any", null, s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
             ("a lifetime", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), s => s.GetComponentInChildren<FluidEmitter>().Lifetime = 1f,
                 new[] { "+1 Drains.compute Drain RILL_LIFETIMES", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),
             ("a drain", null, Part<FluidDrain>(Aside), new[] { "+1 Drains.compute Drain", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),

@@ -132,7 +132,7 @@ namespace Host.Tests
 
         [TestCase(false, 2)]
         [TestCase(true, 3)]
-        public void Gauss_Seidel_does_what_one_thread_would_do_colour_by_colour(bool byConstraint, int stride)
+        public void Gauss_Seidel_does_what_one_thread_would_do_color_by_color(bool byConstraint, int stride)
         {
             AssertCloud(new GaussSeidel(byConstraint), 1, (constraint, p) => constraint.Sweep(p, byConstraint, stride));
         }
@@ -309,9 +309,9 @@ namespace Host.Tests
         /// <param name="speed">d/s, of particles that move in all directions.</param>
         static void Fill(float4[] positions, float speed, Action<NativeArray<float4>, NativeArray<float4>> add)
         {
-            using var metres = new NativeArray<float4>(positions.Select(p => p * Spacing).ToArray(), Allocator.Persistent);
+            using var meters = new NativeArray<float4>(positions.Select(p => p * Spacing).ToArray(), Allocator.Persistent);
             using var velocities = new NativeArray<float4>(positions.Select(p => speed * Spacing * math.sin(p.zxyw)).ToArray(), Allocator.Persistent);
-            add(metres, velocities);
+            add(meters, velocities);
         }
 
         static float4[] ByNumber(GraphicsBuffer positions, GraphicsBuffer numbers, int count)

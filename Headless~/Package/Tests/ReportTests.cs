@@ -157,7 +157,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_logarithmic_axis_is_labelled_between_its_ends()
+        public void A_logarithmic_axis_is_labeled_between_its_ends()
         {
             Assert.That(LogAxis.Script("y", new[] { 0.3, 4, 0, double.NaN }), Does.Contain("set ytics (0.5, 1, 2, 5)").And.Contain("set logscale y"));
             Assert.That(LogAxis.Script("x", new[] { 1e-6, 10 }), Does.Contain("(1E-06, 1E-05, 0.0001, 0.001, 0.01, 0.1, 1, 10)"));

@@ -52,7 +52,7 @@ namespace Host.Tests
             var camera = new GameObject("Camera").AddComponent<Camera>();
             camera.transform.position = new Vector3(0f, 0f, -2f);
             camera.clearFlags = CameraClearFlags.SolidColor;
-            camera.backgroundColor = Color.grey;
+            camera.backgroundColor = Color.gray;
         }
 
         // Fraction of the pixels that are not the same, by more than a rounding.

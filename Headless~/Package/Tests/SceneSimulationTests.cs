@@ -341,7 +341,7 @@ namespace Host.Tests
             Assert.That(SceneSimulation.Current.IsPaused, Is.False);
             Press(scene, "Restart");
             Assert.That(scene.Fluid.StepCount, Is.Zero);
-            Press(scene, "Save as Start");
+            Press(scene, "Save as Start State");
             Assert.That(SceneSimulation.Current.IsSaving);
             AsyncGPUReadback.WaitAllRequests();
             Update();       // no file was named
@@ -366,7 +366,7 @@ namespace Host.Tests
             Selection.activeObject = null;
             Assert.That(overlay.visible, "also while something else is selected");
             Assert.That(GuiPasses.Draw(overlay.OnGUI), Is.Null);
-            Assert.That(GuiDrawing.Buttons, Is.EqualTo(new[] { "Go On", "Step", "Restart", "Stop", "Save as Start" }));
+            Assert.That(GuiDrawing.Buttons, Is.EqualTo(new[] { "Go On", "Step", "Restart", "Stop", "Save as Start State" }));
             Assert.That(GuiTrace.HelpBoxes.Single().text, Does.StartWith("Paused: 0.00 s, step 0."));
             SceneSimulation.Stop();
             EditMode.IsOn = false;

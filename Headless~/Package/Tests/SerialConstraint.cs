@@ -34,12 +34,12 @@ namespace Host.Tests
             return p.Select((a, i) => a + Limited(c.relaxation * Sum(i, p, multipliers))).ToArray();
         }
 
-        /// <summary>One particle after the other, colour by colour, in place.</summary>
+        /// <summary>One particle after the other, color by color, in place.</summary>
         public float3[] Sweep(float3[] start, bool byConstraint, int stride)
         {
             float3[] p = start.ToArray();
             double[] multipliers = p.Select((_, i) => Multiplier(i, p, out double3 unused)).ToArray();
-            foreach (int i in Enumerable.Range(0, p.Length).OrderBy(i => Colour(blocks[i], stride)).ThenBy(i => cells[i]).ThenBy(i => i))
+            foreach (int i in Enumerable.Range(0, p.Length).OrderBy(i => Color(blocks[i], stride)).ThenBy(i => cells[i]).ThenBy(i => i))
             {
                 multipliers[i] = Multiplier(i, p, out double3 gradient);
                 double3 own = byConstraint ? multipliers[i] * gradient : Sum(i, p, multipliers);
@@ -51,10 +51,10 @@ namespace Host.Tests
             return p;
         }
 
-        /// <summary>Of the colouring.</summary>
+        /// <summary>Of the coloring.</summary>
         public static int3 Block(float3 p, SolverLayout layout) => (int3)(p / layout.CellSize) / layout.CellsPerRadius;
 
-        static int Colour(int3 block, int stride) => block.x % stride + stride * (block.y % stride + stride * (block.z % stride));
+        static int Color(int3 block, int stride) => block.x % stride + stride * (block.y % stride + stride * (block.z % stride));
 
         int Cell(float3 p)
         {

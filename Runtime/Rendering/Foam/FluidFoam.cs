@@ -23,14 +23,14 @@ namespace Rill
         [Range(0f, MaxRadius)]
         [SerializeField] float radius;
 
-        [Tooltip("Colour of the foam in white light. Each channel 0 to 1; alpha has no effect, Opacity has.")]
+        [Tooltip("Color of the foam in white light. Each channel 0 to 1; alpha has no effect, Opacity has.")]
         [SerializeField] Color color = Color.white;
 
         [Tooltip("How much one particle covers of what is behind its middle. 0 to 1.")]
         [Range(0f, 1f)]
         [SerializeField] float opacity = 0.6f;
 
-        [Tooltip("Light whose direction and colour the foam takes. None: the scene's main light; in HDRP, from above.")]
+        [Tooltip("Light whose direction and color the foam takes. None: the scene's main light; in HDRP, from above.")]
         [SerializeField] Light sun;
 
         [Tooltip("Light from all around, added to the sun's. Each channel 0 to 1; black: only the sun. Alpha has no effect.")]
@@ -47,7 +47,7 @@ namespace Rill
         /// with a warning.</summary>
         public float Radius { get => radius; set { radius = value; Validate(); } }
 
-        /// <summary>Its colour in white light.</summary>
+        /// <summary>Its color in white light.</summary>
         public Color Color { get => color; set => color = value; }
 
         /// <summary>How much one particle covers of what is behind its middle, 0 to 1.</summary>
@@ -56,7 +56,7 @@ namespace Rill
         /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
         public Color Ambient { get => ambient; set => ambient = value; }
 
-        /// <summary>Light whose direction and colour the foam takes; null for the scene's main light (in HDRP, from above).</summary>
+        /// <summary>Light whose direction and color the foam takes; null for the scene's main light (in HDRP, from above).</summary>
         public Light Sun { get => sun; set => sun = value; }
 
         FluidFoam() : base(ShadowCastingMode.Off) { }

@@ -68,7 +68,7 @@ namespace Rill
             view.Constants.Set(camera);
             view.Bounds = box.Bounds;
             view.IsPrepared = true;
-            float pixels = SurfaceConstants.PixelsPerMetre(camera.projection, camera.height);
+            float pixels = SurfaceConstants.PixelsPerMeter(camera.projection, camera.height);
             float scale = ScaleOf(fluid, pixels / box.NearestDepth);
             int divisor = SurfaceThickness.DivisorFor(scale * fluid.spacing * pixels / box.MiddleDepth);
             view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor, fluid.phases);
@@ -218,7 +218,7 @@ namespace Rill
         void SetFilterEye(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, int eye)
         {
             cmd.SetComputeIntParam(filter, SurfaceIds.SurfaceEye, eye);
-            float texels = camera.IsProbe ? 0f : SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Height);
+            float texels = camera.IsProbe ? 0f : SurfaceConstants.PixelsPerMeter(camera.ProjectionOf(eye), view.Height);
             cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(fluid.filterRadius * texels, fluid.filterRange, 0f, 0f));
         }
 
@@ -246,10 +246,10 @@ namespace Rill
         }
 
         // Where the filter would be wider than its kernel holds, the textures get smaller: a close-up costs no more than a wide view.
-        static float ScaleOf(in SurfaceFrame fluid, float pixelsPerMetre)
+        static float ScaleOf(in SurfaceFrame fluid, float pixelsPerMeter)
         {
             float scale = fluid.scale;
-            while (scale > 0.25f && fluid.filterRadius * pixelsPerMetre * scale > 1.5f * MaxFilterRadius)
+            while (scale > 0.25f && fluid.filterRadius * pixelsPerMeter * scale > 1.5f * MaxFilterRadius)
                 scale *= 0.5f;
             return scale;
         }

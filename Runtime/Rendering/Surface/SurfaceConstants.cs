@@ -59,6 +59,6 @@ namespace Rill
         }
 
         /// <summary>Pixels of a picture of that height that 1 m takes up at a depth of 1 m with perspective, at any without.</summary>
-        public static float PixelsPerMetre(Matrix4x4 projection, int height) => 0.5f * height * Mathf.Abs(projection.m11);
+        public static float PixelsPerMeter(Matrix4x4 projection, int height) => 0.5f * height * Mathf.Abs(projection.m11);
     }
 }

@@ -7,16 +7,16 @@ namespace Rill
     [Serializable]
     public struct SurfaceLook
     {
-        /// <summary>Colour that white light has left after Color Depth of the fluid (Beer and Lambert). White: perfectly clear.</summary>
-        [Tooltip("Colour that white light has left after Color Depth of the fluid (Beer and Lambert). White: perfectly clear.")]
+        /// <summary>Color that white light has left after Color Depth of the fluid (Beer and Lambert). White: perfectly clear.</summary>
+        [Tooltip("Color that white light has left after Color Depth of the fluid (Beer and Lambert). White: perfectly clear.")]
         public Color colorAtDepth;
 
-        /// <summary>Path through the fluid after which white light has that colour, m, above 0.</summary>
-        [Tooltip("Path through the fluid after which white light has that colour, m, above 0.")]
+        /// <summary>Path through the fluid after which white light has that color, m, above 0.</summary>
+        [Tooltip("Path through the fluid after which white light has that color, m, above 0.")]
         public float colorDepth;
 
-        /// <summary>Colour of the light that the fluid scatters back: milk, mud, plankton.</summary>
-        [Tooltip("Colour of the light that the fluid scatters back: milk, mud, plankton.")]
+        /// <summary>Color of the light that the fluid scatters back: milk, mud, plankton.</summary>
+        [Tooltip("Color of the light that the fluid scatters back: milk, mud, plankton.")]
         public Color scattering;
 
         /// <summary>Path after which 63 % of the light is scattered, m. 0: nothing scatters.</summary>

@@ -74,7 +74,7 @@ namespace Rill
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
                 cmd.SetComputeFloatParam(shader, Ids.BlurRadius,
-                    BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Thickness.height));
+                    BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMeter(camera.ProjectionOf(eye), view.Thickness.height));
                 cmd.SetComputeBufferParam(shader, blur, Ids.Amounts, view.Amounts);
                 cmd.SetComputeTextureParam(shader, blur, SurfaceIds.Depth, view.Smoothed);
                 cmd.SetComputeTextureParam(shader, blur, Ids.Thickness, view.Thickness);

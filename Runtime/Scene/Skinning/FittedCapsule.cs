@@ -47,7 +47,7 @@ namespace Rill
                 across[i] = math.length(offset - along[i] * axis);
             }
             float radius = Quantile(across, weights, coverage);
-            // A point lies within the round end of a capsule if that is centred no further in than this.
+            // A point lies within the round end of a capsule if that is centered no further in than this.
             var low = new float[points.Length];
             var high = new float[points.Length];
             for (int i = 0; i < points.Length; i++)

@@ -8,18 +8,18 @@ namespace Rill
         const float LostSeconds = 1f;
 
         readonly IGpuTimeSource measured;
-        readonly FrameGpuTime modelled;
+        readonly FrameGpuTime modeled;
         float sinceMeasured;
 
         /// <param name="measured">Null on a device that cannot.</param>
-        public BestGpuTime(IGpuTimeSource measured, FrameGpuTime modelled)
+        public BestGpuTime(IGpuTimeSource measured, FrameGpuTime modeled)
         {
             this.measured = measured;
-            this.modelled = modelled;
+            this.modeled = modeled;
         }
 
-        public static BestGpuTime OfThisPlayer(FrameGpuTime modelled)
-            => new BestGpuTime(MeasuredGpuTime.IsSupported ? new MeasuredGpuTime() : null, modelled);
+        public static BestGpuTime OfThisPlayer(FrameGpuTime modeled)
+            => new BestGpuTime(MeasuredGpuTime.IsSupported ? new MeasuredGpuTime() : null, modeled);
 
         public GpuTimeKind Kind { get; private set; }
 
@@ -35,15 +35,15 @@ namespace Rill
                 Kind = time.Milliseconds > 0f ? GpuTimeKind.Measured : Kind;
                 return time;
             }
-            time = modelled.Read(seconds, work);
-            Kind = modelled.Kind;
+            time = modeled.Read(seconds, work);
+            Kind = modeled.Kind;
             return time;
         }
 
         public void Dispose()
         {
             measured?.Dispose();
-            modelled.Dispose();
+            modeled.Dispose();
         }
     }
 }

@@ -108,9 +108,9 @@ namespace Rill
             sinceChange += reading.seconds;
             sinceReading += reading.seconds;
             blockedFor += reading.seconds;
-            if (reading.milliseconds > 0f && reading.modelled > 0f && reading.source != GpuTimeKind.None)
+            if (reading.milliseconds > 0f && reading.modeled > 0f && reading.source != GpuTimeKind.None)
             {
-                factor.Add(reading.milliseconds / reading.modelled, Math.Min(sinceReading, LostSeconds));
+                factor.Add(reading.milliseconds / reading.modeled, Math.Min(sinceReading, LostSeconds));
                 sinceReading = 0f;
             }
             if (reading.densityError != lastError && !float.IsNaN(reading.densityError))

@@ -8,7 +8,7 @@ namespace Rill
         /// <summary>GPU time of one step of an earlier frame, ms; 0 where it is not known.</summary>
         public float milliseconds;
         /// <summary>What the cost model says of that step, ms.</summary>
-        public float modelled;
+        public float modeled;
         public GpuTimeKind source;
         /// <summary>Steps of a frame that takes any, on the mean; at least 1.</summary>
         public float stepsPerFrame;

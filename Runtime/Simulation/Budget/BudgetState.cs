@@ -62,7 +62,7 @@ namespace Rill
             switch (kind)
             {
                 case GpuTimeKind.Measured: return "measured";
-                case GpuTimeKind.Modelled: return "modelled";
+                case GpuTimeKind.Modeled: return "modeled";
                 default: return "time unknown";
             }
         }

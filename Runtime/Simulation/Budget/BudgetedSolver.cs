@@ -57,7 +57,7 @@ namespace Rill
             {
                 seconds = seconds,
                 milliseconds = time.Milliseconds,
-                modelled = time.Modelled,
+                modeled = time.Modeled,
                 source = source.Kind,
                 stepsPerFrame = Math.Max(stepsPerFrame, 1f),
                 particles = scene.particles,

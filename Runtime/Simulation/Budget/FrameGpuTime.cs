@@ -29,7 +29,7 @@ namespace Rill
         /// <summary>Time of a step on this device over the model's, as the user knows it; 0 for unknown.</summary>
         public float DeviceFactor { get; set; }
 
-        public GpuTimeKind Kind => DeviceFactor > 0f || sinceReading < LostSeconds && weight > 0.0 ? GpuTimeKind.Modelled : GpuTimeKind.None;
+        public GpuTimeKind Kind => DeviceFactor > 0f || sinceReading < LostSeconds && weight > 0.0 ? GpuTimeKind.Modeled : GpuTimeKind.None;
 
         public void BeginStep(CommandBuffer commands) { }
         public void EndStep(CommandBuffer commands) { }
@@ -45,15 +45,15 @@ namespace Rill
         internal StepTime Read(float seconds, WorkHistory history, double frameMilliseconds)
         {
             sinceReading += seconds;
-            float modelled = history.StepCost(FramesLate);
-            if (frameMilliseconds > 0.0 && modelled > 0f)
+            float modeled = history.StepCost(FramesLate);
+            if (frameMilliseconds > 0.0 && modeled > 0f)
             {
                 sinceReading = 0f;
-                Add(history.Steps(FramesLate) * modelled, frameMilliseconds, Math.Exp(-seconds / MemorySeconds));
+                Add(history.Steps(FramesLate) * modeled, frameMilliseconds, Math.Exp(-seconds / MemorySeconds));
             }
             // The model says it for the work of now; nothing has to be waited for.
             float current = history.StepCost(1);
-            return Kind == GpuTimeKind.Modelled && current > 0f ? new StepTime((float)Slope() * current, current) : default;
+            return Kind == GpuTimeKind.Modeled && current > 0f ? new StepTime((float)Slope() * current, current) : default;
         }
 
         public void Dispose() { }

@@ -22,12 +22,12 @@ namespace Rill
     /// <summary>One step's time and what the cost model says of it, ms; 0 where it is not known.</summary>
     readonly struct StepTime
     {
-        public readonly float Milliseconds, Modelled;
+        public readonly float Milliseconds, Modeled;
 
-        public StepTime(float milliseconds, float modelled)
+        public StepTime(float milliseconds, float modeled)
         {
             Milliseconds = milliseconds;
-            Modelled = modelled;
+            Modeled = modeled;
         }
     }
 }

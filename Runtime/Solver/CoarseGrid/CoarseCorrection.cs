@@ -72,7 +72,7 @@ namespace Rill
         /// <summary><see cref="CoarseConstants"/>, which do not change.</summary>
         public GraphicsBuffer Constants { get; private set; }
 
-        /// <summary>float4 [cells], xyz displacement at a cell's centre, d.</summary>
+        /// <summary>float4 [cells], xyz displacement at a cell's center, d.</summary>
         public GraphicsBuffer Displacements { get; private set; }
 
         /// <summary>uint [cells, 8], see CoarseBins.hlsl; the density constraint sums its errors there.</summary>

@@ -104,7 +104,7 @@ namespace Rill
             }
             if (motion.shape == ColliderShape.Mesh)
             {
-                state.size = motion.size - 0.5f * motion.voxel;       // to the centres of the outermost voxels
+                state.size = motion.size - 0.5f * motion.voxel;       // to the centers of the outermost voxels
                 state.voxel = motion.voxel;
                 state.fieldUnit = motion.fieldUnit;
                 state.fieldScale = math.select(brick.VoxelFraction, -brick.VoxelFraction, motion.mirrored) / motion.voxel;

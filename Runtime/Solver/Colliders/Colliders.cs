@@ -14,7 +14,7 @@ namespace Rill
         const int MaxCells = 1 << 17;
         const int WordBits = 32;
 
-        /// <summary>a particle's centre stays this far from a wall, d</summary>
+        /// <summary>a particle's center stays this far from a wall, d</summary>
         [SharedWithHlsl("Solver")] public const float ContactOffset = 0.5f;
 
         /// <summary>Keyword of the kernels that know of meshes that deform.</summary>

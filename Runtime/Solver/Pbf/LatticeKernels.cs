@@ -12,10 +12,10 @@ namespace Rill
         /// <summary>support radius h, d</summary>
         [SharedWithHlsl("Solver")] public const double Support = 2.0;
 
-        /// <summary>poly6 normalisation 315 / (64 π h⁹).</summary>
+        /// <summary>poly6 normalization 315 / (64 π h⁹).</summary>
         public static readonly double Poly6Scale = 315.0 / (64.0 * Math.PI * Math.Pow(Support, 9));
 
-        /// <summary>Normalisation of the spiky kernel's gradient, −45 / (π h⁶).</summary>
+        /// <summary>Normalization of the spiky kernel's gradient, −45 / (π h⁶).</summary>
         public static readonly double SpikyGradientScale = -45.0 / (Math.PI * Math.Pow(Support, 6));
 
         /// <summary>Rest density ρ0: poly6 summed over the lattice, a particle's own contribution included.</summary>

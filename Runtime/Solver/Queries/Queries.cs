@@ -36,7 +36,7 @@ namespace Rill
         /// <summary>box: half sides; sphere and capsule: x radius, y half the straight part; mesh: half of its field, negative where
         /// mirrored</summary>
         public float3 size;
-        /// <summary>mesh: d for a metre of its field</summary>
+        /// <summary>mesh: d for a meter of its field</summary>
         public float fieldUnit;
         /// <summary>lowest corner of what it can find particles in, d</summary>
         public float3 low;

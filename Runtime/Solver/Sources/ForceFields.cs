@@ -27,7 +27,7 @@ namespace Rill
         public float strength;
         /// <summary>direction or axis, length 1; of a wind: its velocity, d/s</summary>
         public float3 flow;
-        /// <summary>distance below which a point or vortex fades towards its centre, d, above 0</summary>
+        /// <summary>distance below which a point or vortex fades towards its center, d, above 0</summary>
         public float core;
 
         public bool Equals(FieldRegion other) => center.Equals(other.center) && kind == other.kind && axisX.Equals(other.axisX)

@@ -48,7 +48,7 @@ namespace Rill
 
         public int Bits => IsWide ? WideBits : NarrowBits;
 
-        /// <summary>The number that stands for the highest coordinate that a particle's centre can have; 0 stands for the lowest.</summary>
+        /// <summary>The number that stands for the highest coordinate that a particle's center can have; 0 stands for the lowest.</summary>
         public uint MaxSteps => (1u << Bits) - 1u;
 
         /// <summary>Length of a step of a coordinate, d; a particle is stored within half of it.</summary>

@@ -8,7 +8,7 @@ namespace Rill
     {
         /// <summary>Positions alone: 6 bytes a particle, 8 in a box of more than 1,024 spacings.</summary>
         None = 0,
-        /// <summary>Velocities, 6 bytes a particle: playback then moves between frames, and colours show the speed.</summary>
+        /// <summary>Velocities, 6 bytes a particle: playback then moves between frames, and colors show the speed.</summary>
         Velocities = 1,
         /// <summary>Phases, 1 byte a particle: what emitters give for a look of their own.</summary>
         Phases = 2,

@@ -47,7 +47,7 @@ uint PackFaces(float3 open)
     return steps.x | steps.y << 10 | steps.z << 20;
 }
 
-// Centre of what is open, from that of the cell or the face, in sides of the cell.
+// Center of what is open, from that of the cell or the face, in sides of the cell.
 uint PackCenter(float3 offset)
 {
     uint3 steps = uint3(clamp(offset, -0.5, 0.5) * kCenterSteps + (0.5 * kCenterSteps + 0.5));

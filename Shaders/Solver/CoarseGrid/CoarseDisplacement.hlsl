@@ -2,9 +2,9 @@
 #ifndef RILL_COARSE_DISPLACEMENT_INCLUDED
 #define RILL_COARSE_DISPLACEMENT_INCLUDED
 
-StructuredBuffer<float4> _Displacements;    // [coarse cells], xyz at the cell's centre, d
+StructuredBuffer<float4> _Displacements;    // [coarse cells], xyz at the cell's center, d
 
-// Trilinear between the centres, constant beyond the outermost ones, and no longer than 'longest'.
+// Trilinear between the centers, constant beyond the outermost ones, and no longer than 'longest'.
 float3 CoarseDisplacement(float3 p, float longest)
 {
     float3 place = p * _InverseCoarseSize - 0.5;
@@ -34,7 +34,7 @@ static const float kAlone = 0.3;        // density relative to rest of a particl
 static const float kCovered = 0.55;     // and of one on an edge of water at rest
 
 // What the projection gives a particle; velocity.w is its density. Displacements continue around the water, for particles between
-// its last cells' centres and its surface; spray there is pressed by nothing, and would hover where they cancel gravity.
+// its last cells' centers and its surface; spray there is pressed by nothing, and would hover where they cancel gravity.
 float3 ProjectedDisplacement(float3 p, float4 velocity)
 {
     return saturate((velocity.w - kAlone) / (kCovered - kAlone)) * CoarseDisplacement(AlongFlow(p, velocity.xyz), _MaxFlow);

@@ -15,7 +15,7 @@ Texture3D<float> _Field;        // distance, m of the mesh's frame
 SamplerState sampler_LinearClamp;
 #endif
 
-// Fraction of a particle's cube that is in the shape: of a box along its axes exactly, else by the distance of its centre.
+// Fraction of a particle's cube that is in the shape: of a box along its axes exactly, else by the distance of its center.
 float FractionInside(DetectorRegion detector, float3 p)
 {
     float3 local = Unrotate(detector.rotation, p - detector.center);

@@ -3,18 +3,18 @@
 #ifndef RILL_SURFACE_COLUMNS_INCLUDED
 #define RILL_SURFACE_COLUMNS_INCLUDED
 
-static const uint kRingColumns = kColumns / 2;  // of a ring around the centre's
+static const uint kRingColumns = kColumns / 2;  // of a ring around the center's
 static const uint kRingLanes = kProbeGroup / kGroupColumns;     // threads of a column
 static const uint kColumnGroups = kColumns / kGroupColumns;
 static const float kNearRing = 3.0;             // radius, d
 static const float kFarRing = 6.0;
 static const float kFolded = 1.6;
-static const float kRingReach = 3.5;            // of heights that differ from the centre's, d: kRingSamples over twice that
+static const float kRingReach = 3.5;            // of heights that differ from the center's, d: kRingSamples over twice that
 static const float kRingMargin = 0.25;          // columns that come nearer to a wall are left out, d
 static const float kMinSpread = 1.0;            // determinant of the columns' second moments, d^4
 static const float kNoHeight = 1e9;
 
-groupshared float3 g_Columns[kColumns];     // xy offset from the centre's, z height over it, d
+groupshared float3 g_Columns[kColumns];     // xy offset from the center's, z height over it, d
 
 // Two directions across 'up' and each other, length 1.
 void Across(float3 up, out float3 x, out float3 y)
@@ -35,7 +35,7 @@ bool IsInside(float3 p)
     return all(p > kRingMargin) && all(p < _DomainSize - kRingMargin);
 }
 
-// Of a column from the centre's. One that would be beyond a wall stands on the other side and further off: beside a wall there are
+// Of a column from the center's. One that would be beyond a wall stands on the other side and further off: beside a wall there are
 // then as many columns, as far apart.
 float2 RingOffset(uint column, float3 center, float3 up)
 {
@@ -54,7 +54,7 @@ float RingHeight(uint k)
     return kRingReach - k * kSampleStep;
 }
 
-// Densities along the columns of a group, from kRingReach above the centre to as much below.
+// Densities along the columns of a group, from kRingReach above the center to as much below.
 void AddRings(uint thread, uint firstColumn, float3 center, float3 up)
 {
     uint slot = thread / kRingLanes;
@@ -86,7 +86,7 @@ void AddRings(uint thread, uint firstColumn, float3 center, float3 up)
         ListInTube(slot, true, start, -up, -kSupport, 2.0 * kRingReach + kSupport, _Positions[late].xyz);
 }
 
-// Height of the surface in a column over the centre's: of those in reach the nearest; kNoHeight for none.
+// Height of the surface in a column over the center's: of those in reach the nearest; kNoHeight for none.
 float FindRingHeight(uint slot, uint column, float3 center, float3 up)
 {
     float3 p = RingPoint(column, center, up);

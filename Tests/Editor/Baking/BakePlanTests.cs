@@ -188,7 +188,7 @@ namespace Rill.Editor.Tests
         public void The_memory_is_told_before_and_a_cap_that_is_too_low_refuses()
         {
             BakeItem item = Plan(Cube("Good")).Items.Single();
-            Assert.That(item.TryEstimate(Settings(64), out _, out string early), Is.False, "before it is analysed");
+            Assert.That(item.TryEstimate(Settings(64), out _, out string early), Is.False, "before it is analyzed");
             Assert.That(early, Is.Null);
             Assert.That(item.Analysis.Finish(GoOn, out _));
             Assert.That(item.TryEstimate(Settings(64), out MeshSdfEstimate estimate, out _));
@@ -205,13 +205,13 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
-        public void A_plan_that_is_cancelled_keeps_what_was_done_and_writes_nothing_more()
+        public void A_plan_that_is_canceled_keeps_what_was_done_and_writes_nothing_more()
         {
             Mesh one = MeshAsset("One"), two = MeshAsset("Two"), three = MeshAsset("Three");
             BakePlan plan = Plan(one, two, three);
             Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, (fraction, what) => fraction < 0.5f), Is.False);
             Assert.That(plan.Items[0].Field, Is.Not.Null);
-            Assert.That(plan.Items[1].Outcome, Does.StartWith("Cancelled"));
+            Assert.That(plan.Items[1].Outcome, Does.StartWith("Canceled"));
             Assert.That(plan.Items[2].Outcome, Is.Null);
             Assert.That(AssetDatabase.LoadAssetAtPath<SignedDistanceField>(plan.Items[1].Path), Is.Null);
         }

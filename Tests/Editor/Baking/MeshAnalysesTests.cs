@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>Meshes are analysed once, beside the editor, and again when they have changed.</summary>
+    /// <summary>Meshes are analyzed once, beside the editor, and again when they have changed.</summary>
     public class MeshAnalysesTests
     {
         // Milliseconds in which a thread has surely looked through a cube.
@@ -38,7 +38,7 @@ namespace Rill.Editor.Tests
 
         static bool GoOn(float fraction, string stage) => true;
 
-        MeshAnalysis[] Analysed(params Mesh[] meshes)
+        MeshAnalysis[] Analyzed(params Mesh[] meshes)
         {
             MeshAnalysis[] wanted = meshes.Select(analyses.Of).ToArray();
             Assert.That(SpinWait.SpinUntil(() =>
@@ -50,23 +50,23 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
-        public void A_mesh_is_analysed_once_for_as_long_as_it_stays_the_same()
+        public void A_mesh_is_analyzed_once_for_as_long_as_it_stays_the_same()
         {
             Mesh one = Box(), two = Box(2f);
-            MeshAnalysis[] first = Analysed(one, two), again = Analysed(two, one, two);
+            MeshAnalysis[] first = Analyzed(one, two), again = Analyzed(two, one, two);
             Assert.That(again, Is.EqualTo(new[] { first[1], first[0], first[1] }));
             Assert.That(first.All(analysis => analysis.Report.IsWatertight && analysis.Problem == null));
             Assert.That(analyses.Started, Is.EqualTo(2));
         }
 
         [Test]
-        public void A_mesh_that_has_changed_is_analysed_again()
+        public void A_mesh_that_has_changed_is_analyzed_again()
         {
             Mesh mesh = Box();
-            MeshAnalysis before = Analysed(mesh)[0];
+            MeshAnalysis before = Analyzed(mesh)[0];
             mesh.vertices = mesh.vertices.Select(v => 3f * v).ToArray();
             mesh.RecalculateBounds();
-            MeshAnalysis after = Analysed(mesh)[0];
+            MeshAnalysis after = Analyzed(mesh)[0];
             Assert.That(after, Is.Not.SameAs(before));
             Assert.That(after.Report.Bounds.size.x, Is.EqualTo(3f * before.Report.Bounds.size.x).Within(1e-4f));
             Assert.That(analyses.Started, Is.EqualTo(2));
@@ -76,7 +76,7 @@ namespace Rill.Editor.Tests
         public void A_change_that_is_not_seen_without_reading_the_mesh_is_seen_by_the_bake()
         {
             Mesh mesh = Box();
-            MeshAnalysis analysis = Analysed(mesh)[0];
+            MeshAnalysis analysis = Analyzed(mesh)[0];
             MeshReport before = analysis.Report;
             Assert.That(analysis.Finish(GoOn, out _));
             Assert.That(analysis.Report, Is.SameAs(before));
@@ -99,13 +99,13 @@ namespace Rill.Editor.Tests
             analyses.Resume();
             Assert.That(analyses.Update(wanted), Is.True);
             Assert.That(analyses.Started, Is.EqualTo(1));
-            Analysed(wanted[0].Mesh);
+            Analyzed(wanted[0].Mesh);
             Assert.That(analyses.Update(wanted), Is.False, "nothing new to show");
             Assert.That(analyses.Started, Is.EqualTo(1));
         }
 
         [Test]
-        public void A_cancelled_analysis_knows_nothing_and_can_be_finished_later()
+        public void A_canceled_analysis_knows_nothing_and_can_be_finished_later()
         {
             var analysis = new MeshAnalysis(Box());
             Assert.That(analysis.Finish((fraction, stage) => false, out _), Is.False);

@@ -31,7 +31,7 @@ namespace Rill.Editor.Tests
         static bool IsOrange(Color32 c) => c.r > c.b + 15;
 
         [Test]
-        public void Colours_tell_the_sign_of_the_smallest_distance_and_darken_to_the_ends()
+        public void Colors_tell_the_sign_of_the_smallest_distance_and_darken_to_the_ends()
         {
             Assert.That(IsBlue(DistanceColors.At(-1e-6f)) && IsOrange(DistanceColors.At(0f)));
             Assert.That(DistanceColors.At(-5f), Is.EqualTo(DistanceColors.At(-1f)));

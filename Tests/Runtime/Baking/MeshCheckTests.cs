@@ -215,7 +215,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void The_check_tells_how_far_it_is_and_can_be_cancelled_at_each_stage()
+        public void The_check_tells_how_far_it_is_and_can_be_canceled_at_each_stage()
         {
             TriangleMesh mesh = TestMeshes.Torus(1f, 0.4f, 60);
             var told = new List<(float fraction, string stage)>();

@@ -598,7 +598,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_bake_that_is_cancelled_ends_at_once()
+        public void A_bake_that_is_canceled_ends_at_once()
         {
             int asked = 0;
             Assert.That(MeshSdfBaker.Bake(TestMeshes.Sphere(1f, 12), Settings(24), (fraction, stage) => ++asked < 3), Is.Null);
@@ -609,7 +609,7 @@ namespace Rill.Tests
             baker.Dispose();
             baker.Dispose();
             Assert.That(baker.Result, Is.Null);
-            Assert.That(Assert.Throws<ObjectDisposedException>(() => baker.Step()).Message, Does.Contain("'Sphere' was cancelled"));
+            Assert.That(Assert.Throws<ObjectDisposedException>(() => baker.Step()).Message, Does.Contain("'Sphere' was canceled"));
         }
 
         [Test]
@@ -666,7 +666,7 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator A_bake_can_be_cancelled_while_it_is_read_back()
+        public IEnumerator A_bake_can_be_canceled_while_it_is_read_back()
         {
             var baker = new MeshSdfBaker(TestMeshes.Sphere(1f, 12), Settings(24));
             while (baker.Stage != "Reading back")

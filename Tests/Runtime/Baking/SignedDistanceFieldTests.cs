@@ -35,7 +35,7 @@ namespace Rill.Tests
 
         [TestCase(SdfFormat.Float)]
         [TestCase(SdfFormat.Half)]
-        public void Samples_at_the_centre_of_a_voxel_are_its_distance(SdfFormat format)
+        public void Samples_at_the_center_of_a_voxel_are_its_distance(SdfFormat format)
         {
             SdfBake bake = Box(1f, 16, format);
             DestroyReplaced(field.Apply(bake));

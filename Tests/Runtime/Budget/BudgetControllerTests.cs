@@ -195,7 +195,7 @@ namespace Rill.Tests
             BudgetPlant plant = new BudgetPlant().Run(2f);
             var reading = new BudgetReading
             {
-                seconds = BudgetPlant.Frame, milliseconds = 9f, modelled = 1f, source = GpuTimeKind.Measured,
+                seconds = BudgetPlant.Frame, milliseconds = 9f, modeled = 1f, source = GpuTimeKind.Measured,
                 stepsPerFrame = 1f, particles = 1e6f, densityError = 0.01f
             };
             TestDelegate update = () =>

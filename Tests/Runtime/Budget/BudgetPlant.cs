@@ -34,7 +34,7 @@ namespace Rill.Tests
         /// <summary>Of each frame.</summary>
         public readonly List<int> Rungs = new List<int>();
         public readonly List<float> Times = new List<float>();
-        readonly List<float> stepTimes = new List<float>(), modelled = new List<float>(), changes = new List<float>();
+        readonly List<float> stepTimes = new List<float>(), modeled = new List<float>(), changes = new List<float>();
         public Chooser Choose;
 
         public BudgetPlant()
@@ -98,7 +98,7 @@ namespace Rill.Tests
             {
                 seconds = Frame,
                 milliseconds = of >= 0 ? Told(frame, stepTimes[of]) : 0f,
-                modelled = of >= 0 ? modelled[of] : 0f,
+                modeled = of >= 0 ? modeled[of] : 0f,
                 source = GpuTimeKind.Measured,
                 stepsPerFrame = StepsPerFrame,
                 particles = Particles,
@@ -109,7 +109,7 @@ namespace Rill.Tests
                 changes.Add(time);
             Rungs.Add(rung);
             stepTimes.Add(TrueStep(rung, time));
-            modelled.Add(Ladder.Cost(rung, Particles));
+            modeled.Add(Ladder.Cost(rung, Particles));
             Times.Add(TrueTime(rung, time));
         }
     }

@@ -25,9 +25,9 @@ namespace Rill.Tests
         {
             var source = new FrameGpuTime { DeviceFactor = 3f };
             StepTime last = Play(source, 30, frame => 1.5f, (frame, fluid) => 0.0);
-            Assert.That(source.Kind, Is.EqualTo(GpuTimeKind.Modelled));
+            Assert.That(source.Kind, Is.EqualTo(GpuTimeKind.Modeled));
             Assert.That(last.Milliseconds, Is.EqualTo(4.5f).Within(1e-4f));
-            Assert.That(last.Modelled, Is.EqualTo(1.5f));
+            Assert.That(last.Modeled, Is.EqualTo(1.5f));
         }
 
         [Test]
@@ -45,8 +45,8 @@ namespace Rill.Tests
         {
             var source = new FrameGpuTime();
             StepTime last = Play(source, 240, frame => frame / 30 % 2 == 0 ? 1f : 2f, (frame, fluid) => fluid + other);
-            Assert.That(last.Milliseconds / last.Modelled, Is.EqualTo(Factor).Within(0.15 * Factor + 0.1 * other));
-            Assert.That(last.Milliseconds / last.Modelled, Is.LessThanOrEqualTo((Factor * 1.5 + 0.8 * other) / 1.5 + 1e-6),
+            Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(Factor).Within(0.15 * Factor + 0.1 * other));
+            Assert.That(last.Milliseconds / last.Modeled, Is.LessThanOrEqualTo((Factor * 1.5 + 0.8 * other) / 1.5 + 1e-6),
                 "less than the whole frame");
         }
 
@@ -56,7 +56,7 @@ namespace Rill.Tests
             var source = new FrameGpuTime { DeviceFactor = 6f };
             var random = new Random(9);
             StepTime last = Play(source, 600, frame => frame / 30 % 2 == 0 ? 1f : 2f, (frame, fluid) => (fluid + 2.0) * random.NextDouble(0.9, 1.1));
-            Assert.That(last.Milliseconds / last.Modelled, Is.EqualTo(Factor).Within(25).Percent);
+            Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(Factor).Within(25).Percent);
         }
 
         [Test]
@@ -64,7 +64,7 @@ namespace Rill.Tests
         {
             var source = new FrameGpuTime { DeviceFactor = 3f };
             StepTime last = Play(source, 600, frame => 1.5f, (frame, fluid) => fluid + (frame / 60 % 2 == 0 ? 1.0 : 9.0));
-            Assert.That(last.Milliseconds / last.Modelled, Is.EqualTo(Factor).Within(5).Percent);
+            Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(Factor).Within(5).Percent);
         }
 
         [Test]
@@ -72,7 +72,7 @@ namespace Rill.Tests
         {
             var source = new FrameGpuTime();
             StepTime with = Play(source, 240, frame => frame / 30 % 2 == 0 ? 1f : 2f, (frame, fluid) => frame % 3 == 0 ? fluid + 1.0 : 0.0);
-            Assert.That(with.Milliseconds / with.Modelled, Is.EqualTo(Factor).Within(20).Percent);
+            Assert.That(with.Milliseconds / with.Modeled, Is.EqualTo(Factor).Within(20).Percent);
             for (int i = 0; i < 90; i++)
                 source.Read(Seconds, new WorkHistory(), 0.0);
             Assert.That(source.Kind, Is.EqualTo(GpuTimeKind.None), "for longer than a second");

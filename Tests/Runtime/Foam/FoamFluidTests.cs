@@ -41,8 +41,8 @@ namespace Rill.Tests
             // The same slice of the flow, at the same number of spacings in a substep; and in shorter ones.
             double coarse = OfWidth(0.025f, substeps: 1), fine = OfWidth(0.0125f, substeps: 2), often = OfWidth(0.025f, substeps: 4);
             TestContext.Out.WriteLine(
-                $"{coarse:0} foam particles a metre; {fine / coarse:0.00} of it at half the spacing, {often / coarse:0.00} in four substeps");
-            Assert.That(coarse, Is.GreaterThan(1000.0), "foam particles in 1.8 s of a metre of width");
+                $"{coarse:0} foam particles a meter; {fine / coarse:0.00} of it at half the spacing, {often / coarse:0.00} in four substeps");
+            Assert.That(coarse, Is.GreaterThan(1000.0), "foam particles in 1.8 s of a meter of width");
             Assert.That(fine / coarse, Is.EqualTo(1.0).Within(0.3), $"{fine} where twice the spacing makes {coarse}");
             // Over six dams that differ in their first jitter the mean is 0.70, and each within 0.04 of it.
             Assert.That(often / coarse, Is.InRange(0.6, 1.2), $"{often} where one substep makes {coarse}");

@@ -155,7 +155,7 @@ namespace Rill.Tests
                 var random = new Unity.Mathematics.Random(seed);
                 var state = new ParticleState(20f * finer, block.positions.Select(p => p.xyz).Where(_ => random.NextFloat() < 0.6f).ToArray());
                 FoamSettings settings = FoamStage.Settings(1f);
-                settings.referenceSpeed *= finer;       // the same in metres
+                settings.referenceSpeed *= finer;       // the same in meters
                 settings.referenceDepth *= finer;
                 using (var stage = new FoamStage(state.With(p => new float3(12f * finer + 20f * p.y, 0f, 0f)), settings, fluidStep: 1e-4f))
                 {

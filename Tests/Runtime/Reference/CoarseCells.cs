@@ -17,7 +17,7 @@ namespace Rill.Tests.Reference
         /// <summary>Particles per volume relative to rest; a cell that has less than two layers of them across it is not active.</summary>
         public readonly double[] fill;
         public readonly bool[] active;
-        /// <summary>The same where the free surface is: of particles weighted by how near the cell's centre is, once it was known there.</summary>
+        /// <summary>The same where the free surface is: of particles weighted by how near the cell's center is, once it was known there.</summary>
         public readonly double[] water;
 
         public CoarseCells(double3 box, int3 counts)
@@ -85,7 +85,7 @@ namespace Rill.Tests.Reference
         public bool IsAtSurface(int cell) => Enumerable.Range(0, 3).SelectMany(axis => new[] { Beside(cell, axis, false), Beside(cell, axis, true) })
             .Any(beside => beside >= 0 && active[beside] != active[cell]);
 
-        /// <summary>Weights at the surface: a particle's is 1 at a cell's centre and falls to 0 a cell away on each axis, but not towards a
+        /// <summary>Weights at the surface: a particle's is 1 at a cell's center and falls to 0 a cell away on each axis, but not towards a
         /// wall.</summary>
         public CoarseCells Weigh(double3[] points)
         {
@@ -128,7 +128,7 @@ namespace Rill.Tests.Reference
 
         /// <summary>
         /// Of a face between an active cell and its neighbor: 1, or what the free surface's distance of θ cells makes of it. With water on
-        /// the other side the distance is from the cell's centre, else from the middle of the water.
+        /// the other side the distance is from the cell's center, else from the middle of the water.
         /// </summary>
         public double FaceWeight(int cell, int axis, bool up)
         {
@@ -174,7 +174,7 @@ namespace Rill.Tests.Reference
         /// <summary>g Δt², d.</summary>
         public double3 gravityStep;
 
-        /// <summary>−∇φ at the centre of an active cell: half the sum of its faces on each axis.</summary>
+        /// <summary>−∇φ at the center of an active cell: half the sum of its faces on each axis.</summary>
         /// <param name="flow">What a wall has to cancel of it; null where walls only let nothing through.</param>
         public double3 Displacement(int cell, double[] potential, double3[] flow)
         {
@@ -238,7 +238,7 @@ namespace Rill.Tests.Reference
             }
         }
 
-        /// <summary>Trilinear between the centres, the outermost ones' values beyond them, at most so long.</summary>
+        /// <summary>Trilinear between the centers, the outermost ones' values beyond them, at most so long.</summary>
         public double3 LookUp(double3[] displacements, double3 p, double longest)
         {
             double3 place = p / size - 0.5;

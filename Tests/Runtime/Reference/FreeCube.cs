@@ -17,7 +17,7 @@ namespace Rill.Tests.Reference
 
         /// <param name="side">Of the cube.</param>
         /// <param name="elements">Along half of the side.</param>
-        /// <param name="velocity">At a place from the centre: x odd in y, y odd in x, z odd in all three.</param>
+        /// <param name="velocity">At a place from the center: x odd in y, y odd in x, z odd in all three.</param>
         public FreeCube(double side, int elements, Func<double3, double3> velocity)
         {
             this.elements = elements;

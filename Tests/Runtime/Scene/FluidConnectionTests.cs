@@ -279,7 +279,7 @@ namespace Rill.Tests
             return state.positions.Where(p => math.all(math.isfinite(p.xyz))).Select(p => toWorld.MultiplyPoint3x4(p.xyz)).ToArray();
         }
 
-        // Height of the water's surface over the floor between two places along x: twice that of its centre of mass.
+        // Height of the water's surface over the floor between two places along x: twice that of its center of mass.
         static float Level(FluidSimulation fluid, float from, float to)
         {
             float[] heights = Own(fluid).Where(p => p.x >= from && p.x < to).Select(p => p.y + 0.5f * Box.y).ToArray();

@@ -56,7 +56,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_sphere_a_capsule_and_a_turned_box_remove_exactly_the_particles_whose_centre_is_inside([Values(0, 1, 2)] int kind,
+        public void A_sphere_a_capsule_and_a_turned_box_remove_exactly_the_particles_whose_center_is_inside([Values(0, 1, 2)] int kind,
             [Values(false, true)] bool sleeps)
         {
             using (SourceScene scene = Basin())
@@ -169,7 +169,7 @@ namespace Rill.Tests
                     scene.Fluid.Fill(FluidShape.Box(Vector3.zero, Box));
                     ParticleState state = scene.Read();
                     float nearest = state.positions.Min(p => Vector3.Distance(scene.Fluid.DomainToWorld.MultiplyPoint3x4(p.xyz), Vector3.zero));
-                    TestContext.Out.WriteLine($"{state.Count} particles, the nearest {nearest:0.000} m from the centre");
+                    TestContext.Out.WriteLine($"{state.Count} particles, the nearest {nearest:0.000} m from the center");
                     Assert.That(state.Count, Is.InRange(420, 490));     // of 500; the ball with half a spacing around it holds 65
                     Assert.That(nearest, Is.GreaterThan(0.2f + 0.4f * Spacing));
                 }

@@ -13,7 +13,7 @@ namespace Rill.Tests
     public class DrawnBetweenStepsTests
     {
         const int Width = 512, Height = 256;
-        const float PixelsPerMetre = 256f, Spacing = 0.05f;
+        const float PixelsPerMeter = 256f, Spacing = 0.05f;
         static readonly Vector3 Box = new Vector3(2f, 1f, 1f);
 
         FluidSimulation fluid;
@@ -32,7 +32,7 @@ namespace Rill.Tests
             camera = new GameObject("Camera").AddComponent<Camera>();
             camera.transform.position = new Vector3(0f, 0f, -5f);
             camera.orthographic = true;
-            camera.orthographicSize = 0.5f * Height / PixelsPerMetre;
+            camera.orthographicSize = 0.5f * Height / PixelsPerMeter;
             camera.clearFlags = CameraClearFlags.SolidColor;
             camera.backgroundColor = Color.black;
             camera.targetTexture = target;
@@ -78,7 +78,7 @@ namespace Rill.Tests
             yield return Frames(20, rate);
             Assert.That(fluid.StepCount, Is.GreaterThan(5));
             for (int frame = 0; frame < seen.Count; frame++)
-                Assert.That(seen[frame], Is.EqualTo(-0.8 + speed * (times[frame] - addedTime)).Within(0.3f / PixelsPerMetre),
+                Assert.That(seen[frame], Is.EqualTo(-0.8 + speed * (times[frame] - addedTime)).Within(0.3f / PixelsPerMeter),
                     $"frame {frame} at {times[frame]} s");
             Assert.That(times.Last() - times[2], Is.EqualTo((times.Count - 3.0) / rate).Within(1e-5), "the rate of the frames");
         }
@@ -94,7 +94,7 @@ namespace Rill.Tests
             fluid.Solver.Velocities.SetData(new[] { new float4(0f, 0f, 0f, 1f) });
             yield return Frames(2, 120);
             Assert.That(times.Last(), Is.GreaterThan(fluid.FluidTime));
-            Assert.That(seen.Last(), Is.EqualTo(-0.8 + 2.0 * (times.Last() - addedTime)).Within(0.3f / PixelsPerMetre));
+            Assert.That(seen.Last(), Is.EqualTo(-0.8 + 2.0 * (times.Last() - addedTime)).Within(0.3f / PixelsPerMeter));
         }
 
         [UnityTest]
@@ -107,7 +107,7 @@ namespace Rill.Tests
             yield return Frames(1, 200);
             Assert.That(fluid.FluidTime, Is.EqualTo(addedTime), "no step");
             Assert.That(times.Last(), Is.GreaterThan(addedTime));
-            Assert.That(seen.Last(), Is.EqualTo(-0.5 + 6.0 * (times.Last() - addedTime)).Within(0.3f / PixelsPerMetre));
+            Assert.That(seen.Last(), Is.EqualTo(-0.5 + 6.0 * (times.Last() - addedTime)).Within(0.3f / PixelsPerMeter));
         }
 
         [UnityTest]
@@ -116,7 +116,7 @@ namespace Rill.Tests
             AddParticle(new Vector3(0.5f, 0f, 0f), new Vector3(8f, 0f, 0f));
             yield return Frames(16, 130);
             float wall = 0.5f * Box.x - 0.5f * Spacing;
-            Assert.That(seen.Max(), Is.EqualTo(wall).Within(0.3f / PixelsPerMetre));
+            Assert.That(seen.Max(), Is.EqualTo(wall).Within(0.3f / PixelsPerMeter));
         }
 
         [UnityTest]
@@ -192,7 +192,7 @@ namespace Rill.Tests
                     lit++;
                 }
             Assert.That(lit, Is.GreaterThan(50), "pixels of the particle");
-            return (float)(sum / lit - 0.5 * Width) / PixelsPerMetre;
+            return (float)(sum / lit - 0.5 * Width) / PixelsPerMeter;
         }
     }
 }

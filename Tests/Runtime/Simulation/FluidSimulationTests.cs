@@ -300,13 +300,13 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator Ten_kilometres_from_the_origin_the_fluid_does_as_at_home()
+        public IEnumerator Ten_kilometers_from_the_origin_the_fluid_does_as_at_home()
         {
             FluidSimulation far = Dam(f => f.transform.position = new Vector3(1e4f, 1e4f, -1e4f)), near = Dam();
             yield return Frames(40);
             ParticleState there = State(far), here = State(near);
             Assert.That(there.Count, Is.EqualTo(800));
-            // Places are filled in by world space, whose floats are a thousandth of a metre apart out there.
+            // Places are filled in by world space, whose floats are a thousandth of a meter apart out there.
             Assert.That(math.distance(Mean(there), Mean(here)), Is.LessThan(0.1f));
 
             float3 Mean(ParticleState state) => new float3(state.positions.Average(p => p.x), state.positions.Average(p => p.y),

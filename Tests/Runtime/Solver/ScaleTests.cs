@@ -71,7 +71,7 @@ namespace Rill.Tests
             public readonly float VolumeRatio;
 
             /// <summary>
-            /// From when on the centre of mass stays within 10 % of its settled height, s: the settling time of any
+            /// From when on the center of mass stays within 10 % of its settled height, s: the settling time of any
             /// oscillation. Height is potential energy, and a dam half as long as the box falls by its settled height: so
             /// no wave lifts a tenth of what the fall released again. Here the wave thrown back by the far wall decides
             /// (18 to 25 %; the next lifts 7 %). How long the water sways within the tenth depends on the spacing.

@@ -45,7 +45,7 @@ namespace Rill.Tests
                 Assert.That(math.cmax(math.abs(seen / expected - 1f)), Is.LessThan(0.03f));
             else
                 Assert.That(math.csum(seen) / 3f, Is.EqualTo(math.csum(expected) / 3f).Within(0.03f * math.csum(expected) / 3f),
-                "one coverage for all colours");
+                "one coverage for all colors");
         }
 
         [UnityTest]
@@ -62,7 +62,7 @@ namespace Rill.Tests
             dark.transform.localScale = new Vector3(3f, 10f, 1f);
             fluid.gameObject.SetActive(true);
             yield return Frames(4);
-            // The water is a metre wide in a picture of 5.2 m and reaches from half a metre below its middle to 0.1 m above.
+            // The water is a meter wide in a picture of 5.2 m and reaches from half a meter below its middle to 0.1 m above.
             float left = scene.Mean(28, 30, 27, 31).g, right = scene.Mean(34, 36, 27, 31).g;
             Assert.That(left, Is.LessThan(0.1f));
             Assert.That(right, Is.GreaterThan(0.9f));

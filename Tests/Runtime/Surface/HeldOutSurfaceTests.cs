@@ -28,7 +28,7 @@ namespace Rill.Tests
             Assert.That(drawn.degrees, Is.LessThanOrEqualTo(2.0));
         }
 
-        // 24 x 6 x 24: the surface lies at the centres of the coarse grid's cells, which is where it is found worst.
+        // 24 x 6 x 24: the surface lies at the centers of the coarse grid's cells, which is where it is found worst.
         [TestCase(24f, 6f, 0.5f, 150, 0f, 0.2f, 5f)]
         [TestCase(30f, 8f, 0.5f, 200, 0f, 0.1f, 2.5f)]
         [TestCase(30f, 8f, 0.01f, 400, 0f, 0.1f, 2.5f)]

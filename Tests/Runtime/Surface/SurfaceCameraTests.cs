@@ -44,7 +44,7 @@ namespace Rill.Tests
             scene.Root.SetActive(true);
             yield return Frames(20);
             Color fromAbove = scene.Mean(), fromTheSide = Mean(other);
-            // 0.6 m from above; a metre from the side, where it reaches up to the middle of the picture and beyond.
+            // 0.6 m from above; a meter from the side, where it reaches up to the middle of the picture and beyond.
             Assert.That(fromAbove.g, Is.EqualTo(0.98f * Mathf.Pow(Left.y, Depth / 0.5f)).Within(0.02f));
             Assert.That(fromTheSide.g, Is.LessThan(fromAbove.g));
         }
@@ -79,7 +79,7 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator Of_two_waters_that_overlap_the_nearer_one_hides_the_other([Values(true, false)] bool nearerIsFirst)
         {
-            // A copy of it, clear, half a metre aside and a metre up or down.
+            // A copy of it, clear, half a meter aside and a meter up or down.
             GameObject copy = scene.Keep(Object.Instantiate(scene.Root));
             copy.transform.position = new Vector3(0.5f, nearerIsFirst ? -1f : 1f, 0f);
             copy.GetComponent<FluidSurface>().Look = Absorbing(1f, 0.5f);
@@ -94,7 +94,7 @@ namespace Rill.Tests
                 "the nearer one before the opaque scene, without the other");
         }
 
-        // From an angle, over a floor of two colours: what is refracted is looked up beside where it is seen.
+        // From an angle, over a floor of two colors: what is refracted is looked up beside where it is seen.
         void LookAcross(Camera camera)
         {
             GameObject floor = scene.NewUnlit(PrimitiveType.Quad, new float3(0.1f, 0.6f, 0.3f));

@@ -91,7 +91,7 @@ namespace Host.Assets
         /// <summary>Files number the modes differently from the API: 0 ping-pong, 1 loop, 2 clamp.</summary>
         static WrapMode Wrap(int stored) => stored switch { 0 => WrapMode.PingPong, 1 => WrapMode.Loop, _ => WrapMode.ClampForever };
 
-        /// <summary>Eight colours and sixteen times, of which the first so many count; times are 16-bit fractions, alpha lies in key's a.</summary>
+        /// <summary>Eight colors and sixteen times, of which the first so many count; times are 16-bit fractions, alpha lies in key's a.</summary>
         static Gradient Gradient(YamlNode n)
         {
             float Time(string key) => n.Int(key) / 65535f;

@@ -23,7 +23,7 @@ namespace Host.Assets
                 ["Collider.m_Material"] = "sharedMaterial",
             ["Rigidbody.m_LinearDamping"] = "drag", ["Rigidbody.m_AngularDamping"] = "angularDrag", ["Rigidbody.m_Interpolate"] = "interpolation",
             ["Rigidbody.m_CollisionDetection"] = "collisionDetectionMode", ["Rigidbody.m_InertiaRotation"] = "inertiaTensorRotation",
-            // After the tensor and the centre, which they take back.
+            // After the tensor and the center, which they take back.
             ["Rigidbody.m_ImplicitCom"] = "automaticCenterOfMass", ["Rigidbody.m_ImplicitTensor"] = "automaticInertiaTensor",
             // Set with the object itself; a tag or name is no property of these.
             ["Object.m_Name"] = "", ["Object.m_ObjectHideFlags"] = "", ["Component.m_GameObject"] = "",

@@ -39,7 +39,7 @@ namespace Host.Assets
 
         public TextAsset Text(AssetEntry entry) => AsAsset(new TextAsset(File.ReadAllBytes(entry.File)), entry.Name);
 
-        /// <summary>Colours are sRGB unless the .meta file says otherwise, as the importer has it.</summary>
+        /// <summary>Colors are sRGB unless the .meta file says otherwise, as the importer has it.</summary>
         public Texture2D Texture(AssetEntry entry)
         {
             var image = PngImage.Read(File.ReadAllBytes(entry.File), entry.Path);

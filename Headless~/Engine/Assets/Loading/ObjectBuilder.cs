@@ -151,7 +151,7 @@ namespace Host.Assets
                 return;
             }
             var component = ObjectFactory.AddComponent(owner, type);
-            if (component is Behaviour behaviour) behaviour.SetEnabledSilently(document.Fields.Bool("m_Enabled", true));
+            if (component is Behaviour behavior) behavior.SetEnabledSilently(document.Fields.Bool("m_Enabled", true));
             Made(document, component);
         }
 

@@ -12,7 +12,7 @@ namespace Host.Assets
     internal sealed class MeshFile
     {
         public readonly string Name;
-        /// <summary>In the file's unit, which Unity takes for metres.</summary>
+        /// <summary>In the file's unit, which Unity takes for meters.</summary>
         public readonly Vector3[] Vertices;
         /// <summary>Three indices a triangle.</summary>
         public readonly int[] Triangles;

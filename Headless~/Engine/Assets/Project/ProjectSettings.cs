@@ -8,7 +8,7 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Assets
 {
-    /// <summary>What a project's ProjectSettings folder changes in the player: colour space, names, time step, gravity of bodies, scenes of
+    /// <summary>What a project's ProjectSettings folder changes in the player: color space, names, time step, gravity of bodies, scenes of
     /// the build.</summary>
     internal static class ProjectSettings
     {

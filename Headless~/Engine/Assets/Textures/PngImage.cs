@@ -46,7 +46,7 @@ namespace Host.Assets
                 at += 12 + length;
             }
 
-            var channels = kind switch { 0 => 1, 2 => 3, 3 => 1, 4 => 2, 6 => 4, _ => throw Bad($"colour type {kind} does not exist") };
+            var channels = kind switch { 0 => 1, 2 => 3, 3 => 1, 4 => 2, 6 => 4, _ => throw Bad($"color type {kind} does not exist") };
             if (kind == 3 && palette == null) throw Bad("its palette is missing");
             var rows = Unfilter(packed, width, height, depth * channels, Bad);
             var pixels = new Color32[width * height];
@@ -66,7 +66,7 @@ namespace Host.Assets
             new Color32(palette[index * 3], palette[index * 3 + 1], palette[index * 3 + 2], transparency != null
             && index < transparency.Length ? transparency[index] : (byte)255);
 
-        /// <summary>One channel is grey, two grey and alpha, three and four colours.</summary>
+        /// <summary>One channel is gray, two gray and alpha, three and four colors.</summary>
         static Color32 Direct(ReadOnlySpan<byte> row, int first, int channels, int depth)
         {
             var red = Sample(row, first, depth, true);
@@ -85,7 +85,7 @@ namespace Host.Assets
             return (byte)(scale ? value * 255 / most : value);
         }
 
-        /// <summary>Each row tells by its first byte from which neighbours its bytes are differences (section 9).</summary>
+        /// <summary>Each row tells by its first byte from which neighbors its bytes are differences (section 9).</summary>
         static byte[] Unfilter(MemoryStream packed, int width, int height, int bitsPerPixel, Func<string, AssetException> bad)
         {
             var stride = (width * bitsPerPixel + 7) / 8;

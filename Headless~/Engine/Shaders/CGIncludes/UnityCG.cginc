@@ -137,7 +137,7 @@ inline float LinearEyeDepth(float z) { return 1.0 / (_ZBufferParams.z * z + _ZBu
 #define UNITY_TRANSFER_DEPTH(oo)
 #define UNITY_OUTPUT_DEPTH(i) return 0
 
-// ---- colours
+// ---- colors
 
 inline float Luminance(float3 rgb) { return dot(rgb, unity_ColorSpaceLuminance.rgb); }
 inline float LinearRgbToLuminance(float3 rgb) { return dot(rgb, float3(0.2126729f, 0.7151522f, 0.0721750f)); }
@@ -168,7 +168,7 @@ inline bool IsGammaSpace()
 #endif
 }
 
-// A texture's colour with its alpha as exponent or factor.
+// A texture's color with its alpha as exponent or factor.
 inline float3 DecodeHDR(float4 data, float4 instructions)
 {
     float alpha = instructions.w * (data.a - 1.0) + 1.0;
@@ -179,7 +179,7 @@ inline float3 DecodeHDR(float4 data, float4 instructions)
 #endif
 }
 
-// ---- numbers in colours
+// ---- numbers in colors
 
 inline float4 EncodeFloatRGBA(float v)
 {

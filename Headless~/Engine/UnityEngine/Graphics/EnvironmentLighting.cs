@@ -31,7 +31,7 @@ namespace UnityEngine.Headless
         static Material filter;
         static bool isCurrent;
 
-        /// <summary>Of the sky: nine coefficients of what a white surface reflects of it, a colour each; null without a sky.</summary>
+        /// <summary>Of the sky: nine coefficients of what a white surface reflects of it, a color each; null without a sky.</summary>
         public static Vector3[] Harmonics { get; private set; }
 
         /// <summary>It is made again before the next camera draws.</summary>
@@ -122,7 +122,7 @@ namespace UnityEngine.Headless
             }
         }
 
-        // Radiance by solid angle, then smoothed by the cosine: a sky of one colour gives that colour.
+        // Radiance by solid angle, then smoothed by the cosine: a sky of one color gives that color.
         static Vector3[] Project(int size)
         {
             Gpu.ClosePass();
@@ -163,7 +163,7 @@ namespace UnityEngine.Headless
             (basis[7], basis[8]) = (1.092548f * d.z * d.x, 0.546274f * (d.x * d.x - d.y * d.y));
         }
 
-        /// <summary>One colour's harmonics as shaders take them: unity_SHA, unity_SHB and unity_SHC's component.</summary>
+        /// <summary>One color's harmonics as shaders take them: unity_SHA, unity_SHB and unity_SHC's component.</summary>
         public static void ShaderHarmonics(int color, float intensity, out Vector4 a, out Vector4 b, out float c)
         {
             float At(int i) => Harmonics[i][color] * intensity;

@@ -129,7 +129,7 @@ namespace UnityEngine.Headless
             Slot(id).Assign(PropertyKind.Matrix, false, Bytes(ref copy));
         }
 
-        /// <summary>Colours are stored as shaders want them: linear when the project is.</summary>
+        /// <summary>Colors are stored as shaders want them: linear when the project is.</summary>
         public void SetColor(int id, Color value) => SetVector(id, Player.LinearColorSpace ? (Vector4)value.linear : (Vector4)value);
 
         /// <exception cref="ArgumentException">The array is empty, as Unity refuses it.</exception>

@@ -33,7 +33,7 @@ namespace UnityEngine.Headless
 
         public static void SetCameraTarget(RenderTexture target) => cameraTarget = target;
 
-        /// <summary>Colour and depth of one texture; null is the screen.</summary>
+        /// <summary>Color and depth of one texture; null is the screen.</summary>
         public static void SetTarget(RenderTexture target, int mipLevel = 0, int depthSlice = 0)
         {
             Gpu.ClosePass();
@@ -53,7 +53,7 @@ namespace UnityEngine.Headless
         public static void SetTargets(IReadOnlyList<RenderTexture> colorTargets, RenderTexture depthTarget, int mipLevel, int depthSlice)
         {
             if (colorTargets.Count > MaxColors)
-                throw new NotSupportedException($"SetRenderTarget with {colorTargets.Count} colour targets; the headless host has {MaxColors}.");
+                throw new NotSupportedException($"SetRenderTarget with {colorTargets.Count} color targets; the headless host has {MaxColors}.");
             Gpu.ClosePass();
             viewport = null;
             (mip, slice, slices) = (mipLevel, Math.Max(0, depthSlice), SlicesOf(colorTargets.Count > 0 ? colorTargets[0] : depthTarget, depthSlice));

@@ -55,7 +55,7 @@ namespace UnityEngine
             if (desc.volumeDepth <= 0)
                 throw new ArgumentException($"RenderTexture with volumeDepth {desc.volumeDepth}: it must be at least 1.");
             if (desc.graphicsFormat == GraphicsFormat.None && desc.depthStencilFormat == GraphicsFormat.None)
-                throw new ArgumentException("RenderTexture with neither a colour nor a depth format.");
+                throw new ArgumentException("RenderTexture with neither a color nor a depth format.");
             return desc;
         }
 

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>One texel of each format that scripts can read and write, to a colour and back.</summary>
+    /// <summary>One texel of each format that scripts can read and write, to a color and back.</summary>
     internal static class TexelCodec
     {
         public static Color Decode(ReadOnlySpan<byte> bytes, int index, TextureFormat format)

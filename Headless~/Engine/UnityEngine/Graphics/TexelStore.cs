@@ -103,7 +103,7 @@ namespace UnityEngine.Headless
         public void SetAll(Color[] colors, int mip, int slice = 0)
         {
             if (colors.Length < TexelCount(mip))
-                throw new ArgumentException($"{name}: level {mip} has {TexelCount(mip)} texels, but {colors.Length} colours were given.");
+                throw new ArgumentException($"{name}: level {mip} has {TexelCount(mip)} texels, but {colors.Length} colors were given.");
             for (int i = 0; i < TexelCount(mip); i++)
                 Set(mip, slice, i, colors[i]);
         }

@@ -17,7 +17,7 @@ namespace UnityEngine.Headless
     {
         DeviceInfo Info { get; }
 
-        /// <summary>Bytes are uninitialised. Size is rounded up to a multiple of 4.</summary>
+        /// <summary>Bytes are uninitialized. Size is rounded up to a multiple of 4.</summary>
         /// <exception cref="OutOfGpuMemoryException">The device has no room.</exception>
         DeviceBuffer CreateBuffer(string name, long bytes);
         DeviceTexture CreateTexture(in DeviceTextureDescription description);
@@ -128,7 +128,7 @@ namespace UnityEngine.Headless
         public DeviceTextureDimension Dimension;
         public DeviceFormat Format;
         public int Width, Height, Depth, Slices, Mips, Samples;
-        /// <summary>May be bound as RWTexture; may be a colour or depth target.</summary>
+        /// <summary>May be bound as RWTexture; may be a color or depth target.</summary>
         public bool RandomWrite, Target;
     }
 
@@ -163,7 +163,7 @@ namespace UnityEngine.Headless
     {
         public DeviceTexture Color0, Color1, Color2, Color3, Depth;
         public int ColorCount;
-        /// <summary>Mip and slice of the colour target.</summary>
+        /// <summary>Mip and slice of the color target.</summary>
         public int Mip, Slice;
         /// <summary>Above 1: so many slices from <see cref="Slice"/> on, among which SV_RenderTargetArrayIndex chooses.</summary>
         public int Slices;

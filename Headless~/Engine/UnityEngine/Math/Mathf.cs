@@ -226,7 +226,7 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>A black body's colour, by Helland's fit; kelvin from 1000 to 40000.</summary>
+        /// <summary>A black body's color, by Helland's fit; kelvin from 1000 to 40000.</summary>
         public static Color CorrelatedColorTemperatureToRGB(float kelvin)
         {
             float t = Clamp(kelvin, 1000, 40000) / 100;

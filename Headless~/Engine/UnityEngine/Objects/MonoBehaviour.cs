@@ -39,7 +39,7 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>Cancelled when this is destroyed.</summary>
+        /// <summary>Canceled when this is destroyed.</summary>
         public CancellationToken destroyCancellationToken
         {
             get

@@ -79,7 +79,7 @@ namespace Host.Check.Api
         {
             if (arguments == null || arguments.Count == 0)
                 return member;
-            ApiTypeName Place(ApiTypeName type) => type == null ? null : ApiCatalogue.Substitute(type, arguments);
+            ApiTypeName Place(ApiTypeName type) => type == null ? null : ApiCatalog.Substitute(type, arguments);
             return member.With(Place(member.Type), member.Parameters.Select(parameter => parameter with { Type = Place(parameter.Type) }).ToList());
         }
     }

@@ -11,7 +11,7 @@ namespace Host.Check.Api
         /// <summary>What a reference meets in a version. Null: the member is there, and not obsolete; or its type is not, which is told of
         /// the type.</summary>
         /// <param name="arguments">For a member whose signature names the arguments of its generic type; a reference names the parameters.</param>
-        public static string Complaint(ApiCatalogue unity, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
+        public static string Complaint(ApiCatalog unity, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
         {
             ApiType type = unity.Find(member.Owner.Key);
             if (type == null)
@@ -22,14 +22,14 @@ namespace Host.Check.Api
             return found.Obsolete && !type.WithinObsolete ? "has it as obsolete" : null;
         }
 
-        public static string Complaint(ApiCatalogue unity, ApiTypeName type)
+        public static string Complaint(ApiCatalog unity, ApiTypeName type)
         {
             ApiType found = unity.Find(type.Key);
             return found == null ? "has no such type" : found.WithinObsolete ? "has it as obsolete" : null;
         }
 
         /// <summary>The listed member of a type or of what it inherits from; one that is not obsolete before one that is.</summary>
-        public static ApiMember Find(ApiCatalogue unity, ApiType type, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
+        public static ApiMember Find(ApiCatalog unity, ApiType type, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
         {
             ApiMember obsolete = null;
             foreach ((ApiType owner, IReadOnlyList<ApiTypeName> inherited) in unity.Lineage(type))
@@ -64,7 +64,7 @@ namespace Host.Check.Api
             return implied ? type.Declaration : null;
         }
 
-        static string Others(ApiCatalogue unity, ApiType type, CompiledMember member)
+        static string Others(ApiCatalog unity, ApiType type, CompiledMember member)
         {
             string[] others = unity.Lineage(type).SelectMany(inherited => inherited.Type.Named(member.SourceName))
                 .Select(listed => listed.Line.Signature).Distinct().Take(3).ToArray();

@@ -73,7 +73,7 @@ namespace Host.Check.Api
         /// <summary>Properties and fields that attributes of other assemblies are given by name: they stand in no table of references.</summary>
         /// <param name="wanted">Which assemblies' attributes to read.</param>
         /// <param name="unity">Knows how large enums are.</param>
-        public IEnumerable<CompiledMember> AttributeArguments(Func<string, bool> wanted, ApiCatalogue unity)
+        public IEnumerable<CompiledMember> AttributeArguments(Func<string, bool> wanted, ApiCatalog unity)
         {
             var names = new CompiledTypeNames(unity);
             foreach (CustomAttributeHandle handle in Metadata.CustomAttributes)

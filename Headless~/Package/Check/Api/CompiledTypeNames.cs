@@ -13,10 +13,10 @@ namespace Host.Check.Api
     {
         public static readonly CompiledTypeNames Instance = new(null);
 
-        readonly ApiCatalogue unity;
+        readonly ApiCatalog unity;
 
         /// <param name="unity">Knows how large Unity's enums are: needed for attributes' arguments alone.</param>
-        public CompiledTypeNames(ApiCatalogue unity) => this.unity = unity;
+        public CompiledTypeNames(ApiCatalog unity) => this.unity = unity;
 
         public static ApiTypeName Of(MetadataReader reader, EntityHandle type) => type.Kind switch
         {

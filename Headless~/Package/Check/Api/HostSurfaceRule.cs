@@ -26,11 +26,11 @@ namespace Host.Check.Api
         public override Findings Examine(PackageTree package)
         {
             var findings = new Findings();
-            ApiCatalogue unity = UnityCatalogues.All.FirstOrDefault(catalogue => catalogue.Version == version);
+            ApiCatalog unity = UnityCatalogs.All.FirstOrDefault(catalog => catalog.Version == version);
             if (unity == null)
             {
                 findings.Fault($"The host says it is Unity {version}, of which there is no list; there are " +
-                    $"{string.Join(", ", UnityCatalogues.All.Select(catalogue => catalogue.Version))}.");
+                    $"{string.Join(", ", UnityCatalogs.All.Select(catalog => catalog.Version))}.");
                 return findings;
             }
             int types = 0, members = 0;
@@ -42,7 +42,7 @@ namespace Host.Check.Api
         }
 
         /// <summary>What of one assembly is too much for a version.</summary>
-        internal static void Examine(CompiledAssembly assembly, ApiCatalogue unity, ref int types, ref int members, Findings findings)
+        internal static void Examine(CompiledAssembly assembly, ApiCatalog unity, ref int types, ref int members, Findings findings)
         {
             foreach (OfferedType type in OfferedType.Of(assembly))
             {
@@ -62,21 +62,21 @@ namespace Host.Check.Api
             }
         }
 
-        static string Complaint(ApiCatalogue unity, ApiType listed, OfferedType type)
+        static string Complaint(ApiCatalog unity, ApiType listed, OfferedType type)
         {
             if (listed.Kind != type.Kind)
                 return $"has it as {listed.Kind.ToString().ToLowerInvariant()}, not as {type.Kind.ToString().ToLowerInvariant()}";
             if (listed.WithinObsolete && !type.Obsolete)
                 return "has it as obsolete: mark it [Obsolete] here as well";
             List<ApiTypeName> bases = unity.Lineage(listed)
-                .SelectMany(inherited => inherited.Type.Bases.Select(parent => ApiCatalogue.Substitute(parent, inherited.Arguments)))
+                .SelectMany(inherited => inherited.Type.Bases.Select(parent => ApiCatalog.Substitute(parent, inherited.Arguments)))
                 .ToList();
             List<ApiTypeName> extra = type.Bases.Where(parent => !bases.Any(known => ApiComparison.Same(known, parent))
                 && !ImpliedInterfaces.Contains(bases, parent)).ToList();
             return extra.Count == 0 ? null : $"has it without {string.Join(", ", extra)}";
         }
 
-        static string Complaint(ApiCatalogue unity, ApiType listed, OfferedMember offered)
+        static string Complaint(ApiCatalog unity, ApiType listed, OfferedMember offered)
         {
             // Fields of an enum are its values; the one that is not says how they are stored.
             if (listed.Kind == ApiKind.Enum && offered.Member.Name == "value__")
@@ -84,7 +84,7 @@ namespace Host.Check.Api
             ApiMember found = ApiLookup.Find(unity, listed, offered.Member);
             if (found == null)
             {
-                IEnumerable<string> later = UnityCatalogues.All.Where(other => other.Find(listed.Key) is { } type
+                IEnumerable<string> later = UnityCatalogs.All.Where(other => other.Find(listed.Key) is { } type
                     && ApiLookup.Find(other, type, offered.Member) != null).Select(other => other.Version);
                 return later.Any() ? $"has no such member, {string.Join(" and ", later)} have" : ApiLookup.Complaint(unity, offered.Member);
             }

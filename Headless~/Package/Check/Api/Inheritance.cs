@@ -54,7 +54,7 @@ namespace Host.Check.Api
             .Where(inheritance => inheritance.unityBase != null || inheritance.interfaces.Count > 0);
 
         /// <param name="members">Gets what was looked up.</param>
-        public void Examine(IReadOnlyList<ApiCatalogue> versions, ISet<string> members, Action<string, Func<ApiCatalogue, string>> report)
+        public void Examine(IReadOnlyList<ApiCatalog> versions, ISet<string> members, Action<string, Func<ApiCatalog, string>> report)
         {
             if (unityBase != null)
                 foreach (MethodDefinition method in methods.Take(own).Where(Overrides))
@@ -80,7 +80,7 @@ namespace Host.Check.Api
         bool SameSlot(MethodDefinition a, MethodDefinition b) => (a.Attributes & MethodAttributes.Virtual) != 0
             && assembly.Member(type, a).ToString() == assembly.Member(type, b).ToString();
 
-        static string OverrideComplaint(ApiCatalogue unity, CompiledMember member)
+        static string OverrideComplaint(ApiCatalog unity, CompiledMember member)
         {
             IReadOnlyList<ApiTypeName> arguments = member.Owner.Arguments;
             if (ApiLookup.Complaint(unity, member, arguments) is { } complaint)
@@ -92,7 +92,7 @@ namespace Host.Check.Api
         }
 
         // Abstract members and those of interfaces that neither the type nor any of its bases has.
-        string MissingComplaint(ApiCatalogue unity, ApiTypeName parent, Func<ApiMember, bool> required)
+        string MissingComplaint(ApiCatalog unity, ApiTypeName parent, Func<ApiMember, bool> required)
         {
             if (unity.Find(parent.Key) is not { } listedParent)
                 return null;            // the reference to the type is a fault already
@@ -111,7 +111,7 @@ namespace Host.Check.Api
             return missing.Count == 0 ? null : $"wants what it does not implement: {string.Join("; ", missing)}";
         }
 
-        bool InheritedFromUnity(ApiCatalogue unity, ApiMember wanted) =>
+        bool InheritedFromUnity(ApiCatalog unity, ApiMember wanted) =>
             unity.Find(unityBase.Key) is { } found && unity.Lineage(found).Any(inherited => inherited.Type.Kind != ApiKind.Interface
             && inherited.Type.Named(wanted.Name).Any(member => !member.Abstract && member.Parameters.Count == wanted.Parameters.Count));
 

@@ -73,7 +73,7 @@ namespace Host.Check.Api
             if (image == null)
                 return;
 
-            IReadOnlyList<ApiCatalogue> unity = UnityCatalogues.All.Where(catalogue => catalogue.Version == version.ListedAs).ToList();
+            IReadOnlyList<ApiCatalog> unity = UnityCatalogs.All.Where(catalog => catalog.Version == version.ListedAs).ToList();
             using (var assembly = new CompiledAssembly(new MemoryStream(image)))
             {
                 Func<string, string, bool> isKnown = version.HasCompatibilityPath ? IsCompatibilityPath : null;

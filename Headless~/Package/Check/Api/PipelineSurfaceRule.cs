@@ -25,7 +25,7 @@ namespace Host.Check.Api
             int types = 0, members = 0;
             foreach (PipelineVersion version in PipelineVersion.All)
             {
-                ApiCatalogue unity = UnityCatalogues.All.First(catalogue => catalogue.Version == version.ListedAs);
+                ApiCatalog unity = UnityCatalogs.All.First(catalog => catalog.Version == version.ListedAs);
                 foreach (byte[] image in images(version))
                     using (var assembly = new CompiledAssembly(new MemoryStream(image)))
                         HostSurfaceRule.Examine(assembly, unity, ref types, ref members, findings);

@@ -42,9 +42,9 @@ namespace Host.Check.Api
                 new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
             var constants = new HashSet<string>();
             int arguments = Examine(compilation, ConstantNames(PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings)),
-                UnityCatalogues.All, constants, findings);
+                UnityCatalogs.All, constants, findings);
             findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} " +
-                $"sources, against {string.Join(", ", UnityCatalogues.All.Select(unity => unity.Version))}";
+                $"sources, against {string.Join(", ", UnityCatalogs.All.Select(unity => unity.Version))}";
             return findings;
         }
 
@@ -52,7 +52,7 @@ namespace Host.Check.Api
         /// <param name="names">Of constants and values of enums that are there at all.</param>
         /// <param name="constants">Gets those that are used.</param>
         /// <returns>How many arguments were passed by name.</returns>
-        internal static int Examine(CSharpCompilation compilation, ISet<string> names, IReadOnlyList<ApiCatalogue> versions,
+        internal static int Examine(CSharpCompilation compilation, ISet<string> names, IReadOnlyList<ApiCatalog> versions,
             ISet<string> constants, Findings findings)
         {
             int arguments = 0;
@@ -129,7 +129,7 @@ namespace Host.Check.Api
                 yield return MetadataReference.CreateFromFile(path);
         }
 
-        static void NamedArgument(IMethodSymbol method, IdentifierNameSyntax argument, IReadOnlyList<ApiCatalogue> versions, Findings findings)
+        static void NamedArgument(IMethodSymbol method, IdentifierNameSyntax argument, IReadOnlyList<ApiCatalog> versions, Findings findings)
         {
             string parameter = argument.Identifier.ValueText;
             string name = method.MethodKind == MethodKind.Constructor ? ".ctor" : method.Name;
@@ -159,7 +159,7 @@ namespace Host.Check.Api
 
         static string Where(Location location) => $"{location.SourceTree?.FilePath}:{location.GetLineSpan().StartLinePosition.Line + 1}";
 
-        static void Report(Findings findings, IReadOnlyList<ApiCatalogue> versions, SyntaxNode node, string what, Func<ApiCatalogue, string> complain)
+        static void Report(Findings findings, IReadOnlyList<ApiCatalog> versions, SyntaxNode node, string what, Func<ApiCatalog, string> complain)
         {
             foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity)))
                 .Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))

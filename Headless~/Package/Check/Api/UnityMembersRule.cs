@@ -11,12 +11,12 @@ namespace Host.Check.Api
     sealed class UnityMembersRule : Rule
     {
         readonly IReadOnlyList<string> names;
-        readonly Func<IReadOnlyList<ApiCatalogue>> lists;
+        readonly Func<IReadOnlyList<ApiCatalog>> lists;
 
-        public UnityMembersRule(IReadOnlyList<string> assemblies = null, Func<IReadOnlyList<ApiCatalogue>> lists = null)
+        public UnityMembersRule(IReadOnlyList<string> assemblies = null, Func<IReadOnlyList<ApiCatalog>> lists = null)
         {
             names = assemblies ?? PackageAssemblies.Package;
-            this.lists = lists ?? (() => UnityCatalogues.All);
+            this.lists = lists ?? (() => UnityCatalogs.All);
         }
 
         public override string Name => "API: every Unity member exists in every version";
@@ -24,8 +24,8 @@ namespace Host.Check.Api
         public override Findings Examine(PackageTree package)
         {
             var findings = new Findings();
-            IReadOnlyList<ApiCatalogue> versions = lists();
-            foreach (string line in UnityCatalogues.Unreadable(versions))
+            IReadOnlyList<ApiCatalog> versions = lists();
+            foreach (string line in UnityCatalogs.Unreadable(versions))
                 findings.Fault($"API lists: {line}: teach Headless~/Engine/UnityApi/SignatureParser.cs this form.");
 
             var types = new HashSet<string>();
@@ -40,7 +40,7 @@ namespace Host.Check.Api
 
         /// <summary>What one assembly names, against these versions.</summary>
         /// <param name="isKnown">Faults that are meant so: what is named, and the complaint. Null: none.</param>
-        internal static void Examine(CompiledAssembly assembly, IReadOnlyList<ApiCatalogue> versions, ISet<string> types,
+        internal static void Examine(CompiledAssembly assembly, IReadOnlyList<ApiCatalog> versions, ISet<string> types,
             ISet<string> members, Findings findings, Func<string, string, bool> isKnown = null)
         {
             foreach (ApiTypeName type in assembly.TypesUsed.Where(use => IsUnity(use.Assembly)).Select(use => use.Type))
@@ -69,8 +69,8 @@ namespace Host.Check.Api
             => !reference.IsNil && assembly.FirstUser(reference) is { } user ? $"; first used in {user}" : "";
 
         // One line for all versions that say the same.
-        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalogue> versions,
-            Func<ApiCatalogue, string> complain, Func<string, string, bool> isKnown, MemberReferenceHandle reference = default)
+        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalog> versions,
+            Func<ApiCatalog, string> complain, Func<string, string, bool> isKnown, MemberReferenceHandle reference = default)
         {
             foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity)))
                 .Where(v => v.complaint != null && !(isKnown != null && isKnown(what, v.complaint)))

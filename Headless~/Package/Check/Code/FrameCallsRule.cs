@@ -42,7 +42,7 @@ namespace Host.Check
         static readonly (string method, string member, string reason)[] Allowed =
         {
             ("MeshSdfBaker.Complete", "WaitForCompletion", "a bake that is waited for is a tool; Step does not wait"),
-            ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is cancelled"),
+            ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is canceled"),
             ("FluidSimulation.MeasureNow", "WaitAllRequests", "for the assertions of Rill.Testing, which nothing of a game calls"),
             ("FluidSimulation.FindFurthestOut", "GetData", "the same"),
             ("FluidSimulation.FlushQueries", "WaitAllRequests", "for tests and tools of a user, as its documentation says; nothing of " +

@@ -9,11 +9,11 @@ namespace Host.Check
     /// <summary>
     /// A shader that writes depth has the passes by which each render pipeline asks for its depth, shadow and motion: what lacks one
     /// vanishes under a depth prepass, casts no shadow or smears under temporal antialiasing. Transparent ones are asked for their
-    /// colour alone, and those of the menu "Hidden" by no one but our own command buffers.
+    /// color alone, and those of the menu "Hidden" by no one but our own command buffers.
     /// </summary>
     sealed class RenderPassesRule : Rule
     {
-        // By the RenderPipeline tag: for each pass, the colour first, the values of LightMode that will do; "" is a pass without.
+        // By the RenderPipeline tag: for each pass, the color first, the values of LightMode that will do; "" is a pass without.
         static readonly Dictionary<string, string[][]> Wanted = new Dictionary<string, string[][]>
         {
             [""] = new[] { new[] { "ForwardBase" }, new[] { "ShadowCaster" }, new[] { "MotionVectors" } },

@@ -35,7 +35,7 @@ namespace Host.Baking
             var memory = new Option<string>("--memory") {
                 Description = $"Most memory of the bake in bytes, or with K, M, G: 512M; {normal.memoryCap}M by default." };
             var scale = new Option<float>("--scale") {
-                Description = "The mesh is scaled by it, as by Scale Factor in Unity's import settings: 0.01 for a file in centimetres.",
+                Description = "The mesh is scaled by it, as by Scale Factor in Unity's import settings: 0.01 for a file in centimeters.",
                 DefaultValueFactory = _ => 1f };
 
             var again = new Option<bool>("--again") {

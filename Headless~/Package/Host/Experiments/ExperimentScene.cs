@@ -83,7 +83,7 @@ namespace Host.Experiments
         static ExperimentScene Still(string name, int layers, int side, float spacing) =>
             new ExperimentScene(name, spacing, new float3(side, 3 * layers, side)).Add(0f, new int3(side, layers, side));
 
-        /// <summary>A block that falls at 25 m/s onto a pool of 4 layers, from half a metre above the floor; 540,672 particles at scale 4.</summary>
+        /// <summary>A block that falls at 25 m/s onto a pool of 4 layers, from half a meter above the floor; 540,672 particles at scale 4.</summary>
         /// <param name="scale">Of all counts but the pool's layers, in eighths.</param>
         /// <param name="spacing">m; 0: 0.05 m / scale.</param>
         public static ExperimentScene Drop(float scale, float spacing = 0f)

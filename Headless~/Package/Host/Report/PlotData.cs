@@ -28,7 +28,7 @@ namespace Host.Report
             return this;
         }
 
-        /// <summary>The blocks, and after <paramref name="before"/> the plot command; an axis without any point is labelled as such.</summary>
+        /// <summary>The blocks, and after <paramref name="before"/> the plot command; an axis without any point is labeled as such.</summary>
         public string Script(string before) => blocks + before.TrimEnd('\n') + "\n" +
             (parts.Count > 0 ? "plot " + string.Join(", ", parts) : "unset logscale\nset label 1 'no values' at graph 0.5,0.5 " +
             "center\nset xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\nunset label 1") + "\n";

@@ -79,7 +79,7 @@ namespace Host.Report
         /// <summary>Draws by gnuplot and shows the picture.</summary>
         /// <param name="name">Of the file.</param>
         /// <param name="alt">What can be seen.</param>
-        /// <param name="script">After terminal, output, separator, grid and colours (line styles 1 to 8) are set.</param>
+        /// <param name="script">After terminal, output, separator, grid and colors (line styles 1 to 8) are set.</param>
         public void Plot(string name, string alt, string script, int width = 900, int height = 420)
         {
             string file = name + ".png";

@@ -79,7 +79,7 @@ namespace Rill.Tests
         static void AssertSurface(SourceScene scene, FluidProbe[] probes, Vector3 up)
         {
             Vector3 box = scene.Fluid.DomainSize;
-            // Depth over the middle of the floor by the centre of mass, which lies at (h² + v) / 2h under a plane: v is the mean square of what it
+            // Depth over the middle of the floor by the center of mass, which lies at (h² + v) / 2h under a plane: v is the mean square of what it
             // leans by. The depth by volume is more by what the water is pressed together.
             ParticleState state = scene.Read();
             float low = state.positions.Average(p => p.y) * Spacing;

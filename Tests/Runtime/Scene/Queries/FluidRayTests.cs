@@ -23,7 +23,7 @@ namespace Rill.Tests
                 scene.Fluid.Inertial = false;
                 scene.Fluid.transform.SetPositionAndRotation(new Vector3(30f, 2f, -7f), Quaternion.Euler(0f, 40f, 0f));
                 scene.Run(60);
-                // Under a flat surface the centre of mass lies at half of its height.
+                // Under a flat surface the center of mass lies at half of its height.
                 float level = 2f - 0.4f + 2f * scene.Read().positions.Average(p => p.y) * Spacing;
                 var rays = new List<FluidRay>();
                 foreach (float degrees in new[] { 0f, 30f, 60f, 75f, 84f })     // from the vertical
@@ -33,7 +33,7 @@ namespace Rill.Tests
                             Vector3 direction = scene.Fluid.transform.rotation * Quaternion.Euler(0f, 25f, -degrees) * Vector3.down;
                             Vector3 target = scene.Fluid.transform.TransformPoint(new Vector3(x, level - 2f, 0.05f));
                             float back = Mathf.Min(0.3f / Mathf.Cos(degrees * Mathf.Deg2Rad), 0.35f);
-                            Vector3 touch = target + radius * Vector3.up;       // of a ball's centre when it touches
+                            Vector3 touch = target + radius * Vector3.up;       // of a ball's center when it touches
                             rays.Add(FluidRay.Sphere(touch - back * direction, radius, 3f * direction, 2f));
                         }
                 batch.SetRays(rays);

@@ -121,7 +121,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Particles_beyond_the_outermost_centres_take_those_cells_displacement()
+        public void Particles_beyond_the_outermost_centers_take_those_cells_displacement()
         {
             ParticleState state = Block(24, box: 24f).With(p => 60f * math.sin(p.yzx));
             using (var stages = new CoarseStages(state, Gravity).Project())

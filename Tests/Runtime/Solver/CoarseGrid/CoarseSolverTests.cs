@@ -55,7 +55,7 @@ namespace Rill.Tests
         static IEnumerable<string> Names => Boxes.Keys;
 
         // What the residual falls to in a cycle, at most. Aggregates that keep the free surface's faces in full are too stiff
-        // below it, the more so the deeper the water is; a calm surface is worth that. So is a surface that lies near a cell's centre,
+        // below it, the more so the deeper the water is; a calm surface is worth that. So is a surface that lies near a cell's center,
         // whose row is up to ten times as large.
         static double MaxLeft(string name)
         {

@@ -27,7 +27,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_wall_of_one_spacing_stops_a_block_at_100_metres_a_second([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater,
+        public void A_wall_of_one_spacing_stops_a_block_at_100_meters_a_second([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater,
             [Values(0f, 0.5f)] float tilt)
         {
             using (TestFluid fluid = Box(deepWater).AddBlock(6f * Spacing, 6f * Spacing, new float3(100f, 0f, 0f)))

@@ -219,7 +219,7 @@ namespace Rill.Tests
             double Off(uint id, Tensor stretch) => (stretch - Tensor.Symmetric(id < first ? Mark(id) : 0f, 0.0)).Length;
         }
 
-        // A cube of half a metre under its own weight. Where it slides freely, an incompressible neo-Hookean column is shortened by λ
+        // A cube of half a meter under its own weight. Where it slides freely, an incompressible neo-Hookean column is shortened by λ
         // with 1/λ² − λ = ρ g (H − Z) / G, and its middle lies as high as the mean of (H − Z) λ / H: 3.34 d, 5 d unloaded.
         [TestCase(DeepWater.Off)]
         [TestCase(DeepWater.On)]

@@ -134,7 +134,7 @@ namespace Rill.Tests
             public double spin, inertia, energy;
         }
 
-        // About the vertical through the centre: Σ r v, Σ r², Σ v², d and s.
+        // About the vertical through the center: Σ r v, Σ r², Σ v², d and s.
         static Turning TurningOf(ParticleState state)
         {
             float3 center = state.positions.Aggregate((a, b) => a + b).xyz / state.Count;

@@ -60,10 +60,10 @@ namespace Rill.Tests
                 for (int i = 0; i < state.Count; i++)
                 {
                     float age = steps / 60f - (state.ids[i] + 1) * scene.ParticleVolume / rate;
-                    float3 metres = state.positions[i].xyz * Spacing - (float3)Box * 0.5f;
-                    Assert.That(metres.x, Is.EqualTo(-0.9f + 0.5f * Spacing + speed * age).Within(0.1f * Spacing),
+                    float3 meters = state.positions[i].xyz * Spacing - (float3)Box * 0.5f;
+                    Assert.That(meters.x, Is.EqualTo(-0.9f + 0.5f * Spacing + speed * age).Within(0.1f * Spacing),
                         $"particle {state.ids[i]} of age {age}");
-                    Assert.That(math.length(metres.yz - new float2(0.1f, 0.2f)), Is.LessThan(0.1f + 0.1f * Spacing));
+                    Assert.That(math.length(meters.yz - new float2(0.1f, 0.2f)), Is.LessThan(0.1f + 0.1f * Spacing));
                     Assert.That(math.distance(state.velocities[i].xyz * Spacing, new float3(speed, 0f, 0f)), Is.LessThan(0.15f));
                 }
             }

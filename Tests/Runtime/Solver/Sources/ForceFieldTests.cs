@@ -51,7 +51,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void At_the_centre_nothing_is_infinite([ValueSource(nameof(Kinds))] ForceFieldKind kind, [Values] ForceFieldFalloff falloff)
+        public void At_the_center_nothing_is_infinite([ValueSource(nameof(Kinds))] ForceFieldKind kind, [Values] ForceFieldFalloff falloff)
         {
             var state = new ParticleState(10f,
                 new[] { new float3(5f), new float3(5f + 1e-6f), new float3(5f, 5f, 5.001f), new float3(float.NaN), new float3(1f) });

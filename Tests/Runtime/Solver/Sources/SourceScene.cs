@@ -17,7 +17,7 @@ namespace Rill.Tests
         readonly List<GameObject> made = new List<GameObject>();
         public readonly FluidSimulation Fluid;
 
-        /// <param name="box">m; its centre is the origin.</param>
+        /// <param name="box">m; its center is the origin.</param>
         public SourceScene(Vector3 box, float spacing, int capacity, DeepWater deepWater = DeepWater.Off)
         {
             GameObject gameObject = Make("Fluid", null);

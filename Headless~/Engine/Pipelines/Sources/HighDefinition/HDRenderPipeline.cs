@@ -7,7 +7,7 @@ namespace UnityEngine.Rendering.HighDefinition
 {
     /// <summary>
     /// All cameras begin before the first is drawn. Of each: depth, opaque draws, sky, custom passes, draws before the refraction, the copy
-    /// of the colour for what refracts, custom passes, transparent draws, picture. Textures are arrays with a slice for each eye, larger
+    /// of the color for what refracts, custom passes, transparent draws, picture. Textures are arrays with a slice for each eye, larger
     /// than the camera, which
     /// uses their first texels; what lies beyond is magenta. No shadow maps, lights or volumes of its own; no tone mapping.
     /// </summary>

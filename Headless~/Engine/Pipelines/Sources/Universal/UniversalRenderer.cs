@@ -9,12 +9,12 @@ using UnityEngine.Rendering.RenderGraphModule;
 namespace UnityEngine.Rendering.Universal
 {
     /// <summary>
-    /// Forward: shadow map, depth prepass where a pass reads depth before the opaque draws, opaque draws, sky, copies of depth and colour
+    /// Forward: shadow map, depth prepass where a pass reads depth before the opaque draws, opaque draws, sky, copies of depth and color
     /// where somebody reads them, transparent draws, blit. Always through an intermediate texture, never with several samples.
     /// </summary>
     /// <remarks>
     /// Execute: Setup in Runtime/UniversalRenderer.cs (14.0.x): passes are sorted by event, URP's own of the same event
-    /// come after those of users; depth is copied one before the first event that reads it, or after the opaque draws; colour
+    /// come after those of users; depth is copied one before the first event that reads it, or after the opaque draws; color
     /// after the sky. A target is bound only where it is another than the last that the renderer bound (SetRenderPassAttachments in
     /// Runtime/ScriptableRenderer.cs, 17.1.0): who binds one of his own and leaves it spoils the next draws.
     /// Render graph: OnMainRendering in Runtime/UniversalRendererRenderGraph.cs (17.1.0): all passes from one event up to

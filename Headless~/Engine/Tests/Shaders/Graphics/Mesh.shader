@@ -1,4 +1,4 @@
-// Draws a mesh with its vertex colours; uv goes to blue so that attributes can be told apart.
+// Draws a mesh with its vertex colors; uv goes to blue so that attributes can be told apart.
 Shader "Tests/Mesh"
 {
     SubShader

@@ -1,4 +1,4 @@
-// Procedural triangles: positions from SV_VertexID, colours from properties, a buffer of offsets for instances.
+// Procedural triangles: positions from SV_VertexID, colors from properties, a buffer of offsets for instances.
 Shader "Tests/Triangle"
 {
     Properties

@@ -70,7 +70,7 @@ namespace Host.Report.Extremes
             using var fluid = new ExtremeFluid(3f * size, Spacing, size * size * size, setting.Solver).AddLattice(size, size);
             fluid.Input.gravity = 0f;
             fluid.Step(120, 10);
-            check.AtMost("displacement of the centre of mass in d",
+            check.AtMost("displacement of the center of mass in d",
                 math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.05);
             check.AtMost("speed at the end", fluid.Last.speed, 0.05, "m/s");
             return fluid.Counts;

@@ -27,7 +27,7 @@ namespace Host.Report.Extremes
             var (early, late) = (fluid.Samples[first], fluid.Last);
             check.AtMost("drift of the energy", Math.Abs(late.Energy / (double)early.Energy - 1), 0.02, "%");
             check.AtMost("drift of the volume", Math.Abs(late.volumeRatio / (double)early.volumeRatio - 1), 0.02, "%");
-            check.AtMost("speed of the centre of mass", math.length(late.momentum) / (1000.0 * 384 * Math.Pow(Spacing, 3)), 0.02, "m/s");
+            check.AtMost("speed of the center of mass", math.length(late.momentum) / (1000.0 * 384 * Math.Pow(Spacing, 3)), 0.02, "m/s");
             check.AtMost("rms speed at the end", late.speed, 0.1, "m/s");
             return fluid.Counts;
         });
@@ -39,9 +39,9 @@ namespace Host.Report.Extremes
             fluid.Input.gravity = 0f;
             fluid.Step(steps, steps / 100);
             double mass = 1000.0 * 512 * Math.Pow(Spacing, 3);
-            check.AtMost("displacement of the centre of mass in d",
+            check.AtMost("displacement of the center of mass in d",
                 math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.1);
-            check.AtMost("speed of the centre of mass", math.length(fluid.Last.momentum) / mass, 1e-3, "m/s");
+            check.AtMost("speed of the center of mass", math.length(fluid.Last.momentum) / mass, 1e-3, "m/s");
             check.AtMost("rms speed at the end", fluid.Last.speed, 0.02, "m/s");
             return fluid.Counts;
         });

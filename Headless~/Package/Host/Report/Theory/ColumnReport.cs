@@ -38,7 +38,7 @@ namespace Host.Report
             page.Line("The coarse grid's two potentials are a pressure, p = ρ (φ_v + φ) / Δt² with Δt the substep and φ in m²: −∇φ " +
                 "displaces within a substep and so changes the velocity by −∇φ/Δt. Water at rest has p = ρ g (H − y); what the Jacobi " +
                 "iterations carry is missing from the potentials. Errors are fractions of the pressure on the floor, of the lowest layer " +
-                "of coarse cells and the largest of all layers; height is twice that of the centre of mass over the initial one.");
+                "of coarse cells and the largest of all layers; height is twice that of the center of mass over the initial one.");
             page.Line();
             page.Table(new[] { "layers", "substeps x iterations", "lowest cells", "largest", "height" },
                 table.Rows.Select(row => new[] { row["layers"], $"{row["substeps"]} x {row["iterations"]}",

@@ -10,7 +10,7 @@ using UnityEngine.Rendering;
 
 namespace Host.Report
 {
-    /// <summary>A scene played step by step, with what can be asked of its state in between. Metres and seconds.</summary>
+    /// <summary>A scene played step by step, with what can be asked of its state in between. Meters and seconds.</summary>
     sealed class FluidRun : IDisposable
     {
         public readonly PbfSolver Solver;

@@ -20,7 +20,7 @@ namespace Host.Report
         public double Theory { get; private set; }
         /// <summary>What steps of Δt do that first speed up and then move: g t (t + Δt)/2, m.</summary>
         public double Discrete { get; private set; }
-        /// <summary>Rms distance from the centre of mass, over that at the start.</summary>
+        /// <summary>Rms distance from the center of mass, over that at the start.</summary>
         public double RadiusRatio { get; private set; }
 
         public double Error => Fallen / Theory - 1;

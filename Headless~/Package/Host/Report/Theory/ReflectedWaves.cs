@@ -8,7 +8,7 @@ using Random = Unity.Mathematics.Random;
 namespace Host.Report
 {
     /// <summary>
-    /// A dam breaks in a closed tank four times as long as the water is wide, and its wave runs to and fro: when the centre of mass turns
+    /// A dam breaks in a closed tank four times as long as the water is wide, and its wave runs to and fro: when the center of mass turns
     /// back at the far wall, at the near one and at the far one again.
     /// </summary>
     static class ReflectedWaves
@@ -19,11 +19,11 @@ namespace Host.Report
         public const double Width = 0.5;
         public const double Seconds = 5;
         const int Thickness = 8;            // d
-        // A wave that breaks at a wall rocks the centre of mass by less than that, its own turns are ten times as far apart.
+        // A wave that breaks at a wall rocks the center of mass by less than that, its own turns are ten times as far apart.
         const double Ripple = 0.03, Window = 0.15;      // of its whole path; s
         const double Bar = 0.03;
 
-        /// <summary>Of the water's centre along the tank, m, over time, s.</summary>
+        /// <summary>Of the water's center along the tank, m, over time, s.</summary>
         /// <param name="across">Particles across the water, which is twice as high.</param>
         /// <param name="seed">Of the offsets at the start; not 0.</param>
         public static List<(double Time, double Value)> Run(int across, uint seed, in StepInput input)

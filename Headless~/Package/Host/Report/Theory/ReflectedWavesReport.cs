@@ -53,7 +53,7 @@ namespace Host.Report
             ReportTable table = page.Load(Times);
             var groups = table.Rows.GroupBy(row => (Across: row["across"], Damping: row["damping"], Substeps: row["substeps"])).ToArray();
             page.Heading("Reflected waves");
-            page.Line("A dam breaks in a closed tank, and its wave runs to and fro. A wave has arrived at a wall when the centre of " +
+            page.Line("A dam breaks in a closed tank, and its wave runs to and fro. A wave has arrived at a wall when the center of " +
                 "mass along the tank turns back there, as then no more water comes than goes. That is one number of all the water, so " +
                 "spray does not move it. Its time is that of a parabola through the samples within 0.15 s of the extreme. First: at " +
                 "the far wall; second: at the near one; third: at the far one again. Mean ± standard deviation over starts whose " +
@@ -76,8 +76,8 @@ namespace Host.Report
             IEnumerable<string> lines = groups.Select((group, i) => $"'{file}' using ($1=={group.Key.Across} && " +
                 $"$2=={group.Key.Damping} && $3=={group.Key.Substeps} ? $4 : NaN):5 with lines ls {i + 1} title 'a/d = " +
                 $"{group.Key.Across}, {group.Key.Substeps} substeps, damping {group.Key.Damping}'");
-            page.Plot("damping-reflected", "The centre of mass of water along a closed tank after a dam break, for substeps and spacings",
-                "set xlabel 't, s'\nset ylabel 'centre of mass, m'\nplot " + string.Join(", \\\n", lines));
+            page.Plot("damping-reflected", "The center of mass of water along a closed tank after a dam break, for substeps and spacings",
+                "set xlabel 't, s'\nset ylabel 'center of mass, m'\nplot " + string.Join(", \\\n", lines));
         }
     }
 }

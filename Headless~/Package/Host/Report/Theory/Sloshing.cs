@@ -8,7 +8,7 @@ namespace Host.Report
 {
     /// <summary>
     /// The first sloshing mode of water in a box 1 m long: level water in gravity that leans a little swings about the
-    /// surface that is level to that gravity, and its centre of mass with it.
+    /// surface that is level to that gravity, and its center of mass with it.
     /// </summary>
     static class Sloshing
     {
@@ -27,7 +27,7 @@ namespace Host.Report
         /// <summary>Of the box, m.</summary>
         public const double Middle = Length / 2;
 
-        /// <summary>How far from the middle the centre of mass lies under a surface that is level to leaning gravity, m.</summary>
+        /// <summary>How far from the middle the center of mass lies under a surface that is level to leaning gravity, m.</summary>
         public static double Offset(double depth, double lean) => Length * Length * Math.Tan(lean) / (12 * depth);
 
         /// <summary>Height of the wave at the wall, from its middle, m.</summary>
@@ -36,7 +36,7 @@ namespace Host.Report
         /// <summary>Layers of water that come nearest to a depth, which is a whole number of them.</summary>
         public static double NearestDepth(int particlesAlong, double depth) => Math.Round(depth * particlesAlong) / particlesAlong * Length;
 
-        /// <summary>The centre of mass along the box over time, m.</summary>
+        /// <summary>The center of mass along the box over time, m.</summary>
         /// <param name="depth">m, a multiple of the spacing.</param>
         /// <param name="lean">Of gravity from the vertical, rad.</param>
         public static List<(double Time, double Value)> Run(int particlesAlong, double depth, double lean, StepInput input, double seconds)

@@ -55,9 +55,9 @@ namespace Host.Report
             ReportTable table = page.Load(Periods);
             page.Heading("Sloshing");
             page.Line("Level water in a box is let go under gravity that leans a little: it swings in its first mode about the surface " +
-                "that is level to that gravity. The period is that of a damped cosine fitted to the centre of mass along the box; " +
+                "that is level to that gravity. The period is that of a damped cosine fitted to the center of mass along the box; " +
                 "theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted " +
-                "cosine swings about, over where the centre of mass lies under a level surface (1 where the pressure answers to the " +
+                "cosine swings about, over where the center of mass lies under a level surface (1 where the pressure answers to the " +
                 "surface as it should). Damping: of the amplitude a period, as −ln. Where the water creeps to its level without a " +
                 "swing there is no period (–): waves of half a spacing can.");
             page.Line();
@@ -85,8 +85,8 @@ namespace Host.Report
                     $"'{file}' using ({chosen} ? $6 : NaN):(100*($8-0.5)) with lines ls {i + 1} notitle",
                 };
             });
-            page.Plot("experiment-sloshing", "The centre of mass of sloshing water over time at three depths, with the fitted cosines",
-                "set xlabel 't, s'\nset ylabel 'centre of mass from the middle, cm'\nplot " + string.Join(", \\\n", lines));
+            page.Plot("experiment-sloshing", "The center of mass of sloshing water over time at three depths, with the fitted cosines",
+                "set xlabel 't, s'\nset ylabel 'center of mass from the middle, cm'\nplot " + string.Join(", \\\n", lines));
         }
 
         // A fitted period that is longer than the run is no period.

@@ -19,9 +19,9 @@ namespace Host.Report
         const double AverageSeconds = 1;
         const int AverageEvery = 3;
 
-        /// <summary>Height of a layer of coarse cells' centres, m; pressure from the potentials and rest density · g · depth, Pa.</summary>
+        /// <summary>Height of a layer of coarse cells' centers, m; pressure from the potentials and rest density · g · depth, Pa.</summary>
         public readonly List<(double Height, double Pressure, double Theory)> Layers = new();
-        /// <summary>Height as twice that of the centre of mass, over the initial one.</summary>
+        /// <summary>Height as twice that of the center of mass, over the initial one.</summary>
         public double HeightRatio { get; private set; }
         /// <summary>Pressure on the floor by theory, Pa.</summary>
         public double BottomPressure { get; private set; }

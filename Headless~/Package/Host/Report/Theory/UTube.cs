@@ -39,7 +39,7 @@ namespace Host.Report
         /// <param name="length">L, m.</param>
         public static double Period(double length) => 2 * Math.PI * Math.Sqrt(length / (2 * FluidRun.Gravity));
 
-        /// <summary>How far the right level is above that of rest, d, over time, from the centre of mass; s.</summary>
+        /// <summary>How far the right level is above that of rest, d, over time, from the center of mass; s.</summary>
         /// <param name="height">Of the left level above that of rest at first, d.</param>
         /// <param name="spacing">m.</param>
         public static List<(double Time, double Value)> Run(int width, int gap, int depth, int height, float spacing, in StepInput input,
@@ -54,7 +54,7 @@ namespace Host.Report
             float top = depth + 2 * height + width;
             using var run = new FluidRun("U-tube", new float3(length, top, Thickness), spacing, positions, _ => 0f, input);
             run.Use(Solids.Box(new float3(width, width, -width), new float3(width + gap, top + width, Thickness + width)));
-            // What left one leg is in the other, as far away as their middles: that moves the centre of mass.
+            // What left one leg is in the other, as far away as their middles: that moves the center of mass.
             double perLevel = (double)width * Thickness * (width + gap) / positions.Count * spacing, middle = length / 2.0 * spacing;
             var samples = new List<(double, double)>();
             while (run.Time < seconds)

@@ -12,7 +12,7 @@ uint Neighbor(uint i, uint base, uint k)
     return NeighborBlock(i, base, k & ~3u)[k & 3];
 }
 
-// Gradient of the spiky kernel along a pair, without its normalisation.
+// Gradient of the spiky kernel along a pair, without its normalization.
 float3 SpikyGradient(float3 difference)
 {
     float inverse = rsqrt(max(dot(difference, difference), kCoincident));

@@ -5,13 +5,13 @@ using UnityEngine.Rendering;
 
 namespace Host.Studies.Methods
 {
-    /// <summary>Coloured Gauss-Seidel: blocks of grid cells in colours, colour after colour within an iteration, in place.</summary>
+    /// <summary>Colored Gauss-Seidel: blocks of grid cells in colors, color after color within an iteration, in place.</summary>
     sealed class GaussSeidel : ConstraintMethod
     {
         readonly ComputeShader shader = StudyShader.Load("GaussSeidel");
         readonly int sweep, push, stride;
 
-        /// <param name="byConstraint">A constraint moves its neighbors too, in 27 colours; else each particle itself, in 8.</param>
+        /// <param name="byConstraint">A constraint moves its neighbors too, in 27 colors; else each particle itself, in 8.</param>
         public GaussSeidel(bool byConstraint)
         {
             sweep = shader.FindKernel(byConstraint ? "SweepConstraints" : "SweepParticles");
@@ -19,7 +19,7 @@ namespace Host.Studies.Methods
             stride = byConstraint ? 3 : 2;
         }
 
-        /// <summary>Blocks from one of a colour to the next along an axis.</summary>
+        /// <summary>Blocks from one of a color to the next along an axis.</summary>
         public int Stride => stride;
 
         public override void Record(in StepContext step, StudySolver solver)
@@ -38,12 +38,12 @@ namespace Host.Studies.Methods
                 RecordPush(step);
 
             int3 blocks = (step.Layout.CellCounts + perBlock - 1) / perBlock;
-            int3 ofColour = (blocks + stride - 1) / stride;
+            int3 ofColor = (blocks + stride - 1) / stride;
             for (int iteration = 0; iteration < settings.iterations; iteration++)
-                for (int colour = 0; colour < stride * stride * stride; colour++)
+                for (int color = 0; color < stride * stride * stride; color++)
                 {
-                    cmd.SetComputeIntParam(shader, Ids.Colour, colour);
-                    CoarseGrid.Dispatch(cmd, shader, sweep, ofColour.x * ofColour.y * ofColour.z);
+                    cmd.SetComputeIntParam(shader, Ids.Color, color);
+                    CoarseGrid.Dispatch(cmd, shader, sweep, ofColor.x * ofColor.y * ofColor.z);
                 }
             step.Particles.SwapPasses();
         }
@@ -60,7 +60,7 @@ namespace Host.Studies.Methods
         {
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Colour = Shader.PropertyToID("_Colour");
+            public static readonly int Color = Shader.PropertyToID("_Color");
             public static readonly int Stride = Shader.PropertyToID("_Stride");
             public static readonly int BlockCells = Shader.PropertyToID("_BlockCells");
         }

@@ -20,7 +20,7 @@ namespace Host.Studies.Methods
             yield return new MethodStudy("chebyshev", "Chebyshev (Wang 2015)", "spectral radius", Chebyshev(quick).ToArray());
             yield return new MethodStudy("srj", "Scheduled relaxation", "lowest eigenvalue of the schedule", Scheduled(quick).ToArray(), true);
             yield return new MethodStudy("nesterov", "Nesterov", "iterations", Nesterov(quick).ToArray(), true);
-            yield return new MethodStudy("gauss-seidel", "Coloured Gauss-Seidel", "relaxation", GaussSeidelRuns(quick).ToArray());
+            yield return new MethodStudy("gauss-seidel", "Colored Gauss-Seidel", "relaxation", GaussSeidelRuns(quick).ToArray());
             yield return new MethodStudy("substeps", "Substeps against iterations", "substeps", Substeps(quick).ToArray(), true);
             foreach (MethodStudy study in Coarse(quick))
                 yield return study;
@@ -111,12 +111,12 @@ namespace Host.Studies.Methods
         {
             foreach (float relaxation in quick ? new[] { 1f } : new[] { 0.8f, 1.2f, 1.6f, 1.9f })
             {
-                yield return At("8 colours", false, relaxation, 2, false);
-                yield return At("27 colours", true, relaxation, 2, false);
+                yield return At("8 colors", false, relaxation, 2, false);
+                yield return At("27 colors", true, relaxation, 2, false);
                 if (quick)
                     continue;
-                yield return At("two-level, 8 colours", false, relaxation, 1, true);
-                yield return At("two-level, 27 colours", true, relaxation, 1, true);
+                yield return At("two-level, 8 colors", false, relaxation, 1, true);
+                yield return At("two-level, 27 colors", true, relaxation, 1, true);
             }
 
             static MethodVariant At(string series, bool byConstraint, float relaxation, int iterations, bool twoLevel) => new()

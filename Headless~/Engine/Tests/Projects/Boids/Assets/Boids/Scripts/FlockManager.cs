@@ -28,7 +28,7 @@ namespace Flocking
         public int boidCount = 1000;
         public int seed = 42;
         public float spawnRadius = 10f;
-        [Range(0.1f, 5f)] public float neighbourDistance = 2f;
+        [Range(0.1f, 5f)] public float neighborDistance = 2f;
         public float speed = 4f;
         [Tooltip("How strongly boids steer, in 1/s")]
         public float rotationSpeed = 3f;
@@ -109,7 +109,7 @@ namespace Flocking
             flockShader.SetFloat("deltaTime", Time.deltaTime);
             flockShader.SetFloat("speed", speed);
             flockShader.SetFloat("rotationSpeed", rotationSpeed);
-            flockShader.SetFloat("neighbourDistance", neighbourDistance);
+            flockShader.SetFloat("neighborDistance", neighborDistance);
             flockShader.SetVector("goal", goal);
             flockShader.SetBuffer(simulateKernel, "boidBuffer", boidBuffer);
             flockShader.Dispatch(simulateKernel, groups, 1, 1);

@@ -6,22 +6,22 @@ using Host.UnityApi;
 namespace Host.Check.Api
 {
     /// <summary>The lists of every version, read once for all rules.</summary>
-    static class UnityCatalogues
+    static class UnityCatalogs
     {
         // Comments to a line's end stand inside of these two, on one line with what follows: not to be told from code any more.
         static readonly string[] Garbled = { "UnityEditor.TerrainTools.TerrainPaintUtilityEditor | static void DrawBrushPreview(",
             "UnityEngine.TerrainTools.TerrainPaintUtility | static void SetupTerrainToolMaterialProperties(" };
 
-        static readonly Lazy<IReadOnlyList<ApiCatalogue>> all = new(() => Make(UnityApiLists.Load(), UnityApiLists.LoadOptional()));
+        static readonly Lazy<IReadOnlyList<ApiCatalog>> all = new(() => Make(UnityApiLists.Load(), UnityApiLists.LoadOptional()));
 
-        public static IReadOnlyList<ApiCatalogue> All => all.Value;
+        public static IReadOnlyList<ApiCatalog> All => all.Value;
 
         /// <param name="optional">Of packages that not every project has, or null.</param>
-        public static IReadOnlyList<ApiCatalogue> Make(UnityApiLists lists, UnityApiLists optional = null) =>
-            lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalogue(lists, version, optional)).ToList();
+        public static IReadOnlyList<ApiCatalog> Make(UnityApiLists lists, UnityApiLists optional = null) =>
+            lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalog(lists, version, optional)).ToList();
 
         /// <summary>Lines that say nothing to the check, but for those known.</summary>
-        public static IEnumerable<string> Unreadable(IEnumerable<ApiCatalogue> catalogues) =>
-            catalogues.SelectMany(catalogue => catalogue.Unreadable).Distinct().Where(line => !Garbled.Any(line.StartsWith));
+        public static IEnumerable<string> Unreadable(IEnumerable<ApiCatalog> catalogs) =>
+            catalogs.SelectMany(catalog => catalog.Unreadable).Distinct().Where(line => !Garbled.Any(line.StartsWith));
     }
 }

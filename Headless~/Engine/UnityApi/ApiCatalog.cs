@@ -5,7 +5,7 @@ using System.Linq;
 namespace Host.UnityApi
 {
     /// <summary>The types of one Unity version, with names in signatures resolved as far as the lists reach.</summary>
-    sealed class ApiCatalogue
+    sealed class ApiCatalog
     {
         // What files of Unity's call types that the lists know under another name.
         static readonly Dictionary<string, string> Aliases = new() { ["UnityObject"] = "UnityEngine.Object", ["UObject"] = "UnityEngine.Object" };
@@ -24,7 +24,7 @@ namespace Host.UnityApi
         public int MemberCount { get; private set; }
 
         /// <param name="more">Packages whose types this version has too, or null.</param>
-        public ApiCatalogue(UnityApiLists lists, string version, UnityApiLists more = null)
+        public ApiCatalog(UnityApiLists lists, string version, UnityApiLists more = null)
         {
             Version = version;
             var members = new List<(ApiType type, ApiMember member)>();
