@@ -13,23 +13,23 @@ namespace Rill
     sealed class BakeGeometry
     {
         /// <summary>voxels along a brick</summary>
-        [SharedWithHlsl("MeshSdf")] public const int Brick = 4;
+        [GenerateHlsl("MeshSdf")] public const int Brick = 4;
 
         /// <summary>voxels around a triangle with exact distances</summary>
-        [SharedWithHlsl("MeshSdf", Signed = true)] public const int Band = 2;
+        [GenerateHlsl("MeshSdf", Signed = true)] public const int Band = 2;
 
         /// <summary>Voxels of the box around a triangle that one group of threads takes at most; the boxes of larger ones are mostly far
         /// from them.</summary>
         const int SmallBox = 4096;
 
         /// <summary>in the bits below a triangle's number: it faces the wrong side</summary>
-        [SharedWithHlsl("MeshSdf")] const uint Turned = 1;
+        [GenerateHlsl("MeshSdf")] const uint Turned = 1;
 
         /// <summary>and: it is in _Large</summary>
-        [SharedWithHlsl("MeshSdf")] const uint IsLarge = 2;
+        [GenerateHlsl("MeshSdf")] const uint IsLarge = 2;
 
         /// <summary>A triangle that reaches more than a few voxels.</summary>
-        [SharedWithHlsl("MeshSdf")]
+        [GenerateHlsl("MeshSdf")]
         [StructLayout(LayoutKind.Sequential)]
         public struct LargeTriangle
         {

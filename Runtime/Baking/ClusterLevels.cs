@@ -10,7 +10,7 @@ namespace Rill
     static class ClusterLevels
     {
         /// <summary>triangles of a leaf and children of a cluster</summary>
-        [SharedWithHlsl("MeshSdf")] public const int Fan = 4;
+        [GenerateHlsl("MeshSdf")] public const int Fan = 4;
 
         /// <summary>First cluster of each level and how many there are, leaves first.</summary>
         public static uint2[] Of(int triangles)

@@ -14,7 +14,7 @@ namespace Rill
     sealed class DeformingField : IDisposable
     {
         /// <summary>The bones of a vertex.</summary>
-        [SharedWithHlsl("MeshSdf")]
+        [GenerateHlsl("MeshSdf")]
         public struct VertexBones
         {
             public uint4 bones;

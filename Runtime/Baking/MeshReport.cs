@@ -57,7 +57,7 @@ namespace Rill
         /// <summary>Triangles that use a vertex with a coordinate that is no number or infinite. They are left out of the bake.</summary>
         public int NonFiniteTriangles { get; }
 
-        /// <summary>Vertices at the place of another, as seams of normals and textures make them.</summary>
+        /// <summary>Vertices where another is, as seams of normals and textures make them.</summary>
         public int DuplicateVertices { get; }
 
         /// <summary>Triangles thinner than 1e-10 of their longest edge.</summary>

@@ -8,29 +8,29 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>Which side of the surface a brick lies on as a whole.</summary>
-    [SharedWithHlsl("MeshSdf")]
+    [GenerateHlsl("MeshSdf")]
     enum BrickSide { Outside, Inside, Mixed }
 
     /// <summary>The buffers of one bake and its dispatches; each call runs at most one, at once.</summary>
     sealed class MeshSdfPasses : IDisposable
     {
         /// <summary>where no triangle is known</summary>
-        [SharedWithHlsl("MeshSdf")] public const uint None = uint.MaxValue;
+        [GenerateHlsl("MeshSdf")] public const uint None = uint.MaxValue;
 
         /// <summary>threads of every kernel</summary>
-        [SharedWithHlsl("MeshSdf")] const int Group = 64;
+        [GenerateHlsl("MeshSdf")] const int Group = 64;
 
         /// <summary>Of the largest buffer that a mesh's triangles need, <see cref="PackedTriangle"/>.</summary>
         public static int BytesOfTriangle => UnsafeUtility.SizeOf<PackedTriangle>();
 
         /// <summary>Corners as whole float4, which load at once; a.w is 1 in those that are in _Large.</summary>
-        [SharedWithHlsl("MeshSdf")]
+        [GenerateHlsl("MeshSdf")]
         struct PackedTriangle
         {
             public float4 a, b, c;
         }
 
-        [SharedWithHlsl("MeshSdf")]
+        [GenerateHlsl("MeshSdf")]
         struct Cluster
         {
             /// <summary>middle of the area, radius around all triangles</summary>
@@ -39,7 +39,7 @@ namespace Rill
             public float4 areaVector;
         }
 
-        [SharedWithHlsl("MeshSdf")]
+        [GenerateHlsl("MeshSdf")]
         struct Box
         {
             public float3 low, high;

@@ -80,7 +80,7 @@ namespace Rill
                     for (int j = i + 1; j < here.Count && tests < maxTests; j++, tests++)
                     {
                         int a = here[i], b = here[j];
-                        if (math.any(low[a] > high[b]) || math.any(low[b] > high[a]) || ShareVertex(edges, a, b))
+                        if (math.any(low[a] > high[b]) || math.any(low[b] > high[a]) || HaveCommonVertex(edges, a, b))
                             continue;
                         // A pair that meets in several cells counts in the lowest of them.
                         int3 meeting = Cell(math.max(low[a], low[b]), from, cell, cells);
@@ -93,7 +93,7 @@ namespace Rill
 
         static int3 Cell(float3 place, float3 from, float size, int3 cells) => math.clamp((int3)((place - from) / size), 0, cells - 1);
 
-        static bool ShareVertex(MeshEdges edges, int a, int b)
+        static bool HaveCommonVertex(MeshEdges edges, int a, int b)
         {
             for (int i = 0; i < 3; i++)
                 for (int j = 0; j < 3; j++)

@@ -8,7 +8,7 @@ namespace Rill
     sealed class BufferClear
     {
         /// <summary>threads of a group</summary>
-        [SharedWithHlsl("Clear")] public const int Group = 256;
+        [GenerateHlsl("Clear")] public const int Group = 256;
 
         readonly ComputeShader shader = StageShader.LoadCompute("Clear");
         readonly Kernel clearWords, clearBlocks, clearTriples;

@@ -11,7 +11,7 @@ namespace Rill
         public const long MaxBytes = 2048L * 1024 * 1024;
 
         /// <summary>byte of the dispatch arguments in a buffer of <see cref="Arguments"/></summary>
-        [SharedWithHlsl("Arguments")] public const uint DispatchArgumentsAt = 16;
+        [GenerateHlsl("Arguments")] public const uint DispatchArgumentsAt = 16;
 
         /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>, draw arguments for two eyes at byte
         /// 32; see Arguments.hlsl.</summary>

@@ -13,7 +13,7 @@ namespace Rill
     sealed class PrefixSum : IDisposable
     {
         /// <summary>elements that one thread group scans</summary>
-        [SharedWithHlsl("PrefixSum")] public const int Tile = 2048;
+        [GenerateHlsl("PrefixSum")] public const int Tile = 2048;
 
         /// <summary>Tiles whose sums every group can add up by itself: eight for each of its threads.</summary>
         public const int FewTiles = Tile;

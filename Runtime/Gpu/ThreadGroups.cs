@@ -8,7 +8,7 @@ namespace Rill
     static class ThreadGroups
     {
         /// <summary>of a dispatch, along each axis; more fold into y</summary>
-        [SharedWithHlsl("ThreadGroups")] public const int MaxGroups = 65535;
+        [GenerateHlsl("ThreadGroups")] public const int MaxGroups = 65535;
 
         /// <summary>Records a kernel for so many groups, folded into two dimensions: ParticleIndex of Solver.hlsl numbers its threads.</summary>
         /// <param name="groups">At least 1, at most <see cref="MaxGroups"/> squared.</param>

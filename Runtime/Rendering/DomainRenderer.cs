@@ -8,10 +8,10 @@ namespace Rill
     public sealed class DomainRenderer : FluidRenderer
     {
         /// <summary>two for each of the box's edges</summary>
-        [SharedWithHlsl("Domain")] const int EdgeVertices = 24;
+        [GenerateHlsl("Domain")] const int EdgeVertices = 24;
 
         /// <summary>two triangles</summary>
-        [SharedWithHlsl("Domain")] const int FloorVertices = 6;
+        [GenerateHlsl("Domain")] const int FloorVertices = 6;
 
 
         [Tooltip("Color of the box's edges. Each channel 0 to 1; alpha has no effect.")]

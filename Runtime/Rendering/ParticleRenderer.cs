@@ -24,7 +24,7 @@ namespace Rill
         }
 
         /// <summary>two triangles of a quad</summary>
-        [SharedWithHlsl("Arguments")] internal const int VerticesPerParticle = 6;
+        [GenerateHlsl("Arguments")] internal const int VerticesPerParticle = 6;
 
         [Tooltip("Radius of a sphere, particle spacings. Above 0.5 neighbors overlap and the surface closes.")]
         [Range(0.1f, 2f)]
@@ -62,7 +62,7 @@ namespace Rill
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
 
         /// <summary>phases with a color of their own, those beyond counting as the last</summary>
-        [SharedWithHlsl("ParticleRenderer")] const int Phases = 8;
+        [GenerateHlsl("ParticleRenderer")] const int Phases = 8;
 
         readonly Vector4[] palette = new Vector4[Phases];
         MaterialPropertyBlock properties;

@@ -12,10 +12,10 @@ namespace Rill
     static class StereoInstancing
     {
         /// <summary>first command of a draw of one instance, in a buffer of <see cref="GpuBuffer.Arguments"/></summary>
-        [SharedWithHlsl("Arguments")] public const int MonoCommand = 0;
+        [GenerateHlsl("Arguments")] public const int MonoCommand = 0;
 
         /// <summary>and of two, one for each eye</summary>
-        [SharedWithHlsl("Arguments")] public const int StereoCommand = 2;
+        [GenerateHlsl("Arguments")] public const int StereoCommand = 2;
 
         static Camera[] cameras = Array.Empty<Camera>();
         static int frame = -1;

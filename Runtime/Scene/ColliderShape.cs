@@ -1,7 +1,7 @@
 namespace Rill
 {
     /// <summary>Shape of a <see cref="FluidCollider"/>.</summary>
-    [SharedWithHlsl("Colliders")]
+    [GenerateHlsl("Colliders")]
     public enum ColliderShape
     {
         /// <summary>A ball.</summary>

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>What a force field does.</summary>
-    [SharedWithHlsl("ForceFields")]
+    [GenerateHlsl("ForceFields")]
     public enum ForceFieldKind
     {
         /// <summary>Accelerates along the object's forward axis.</summary>
@@ -19,7 +19,7 @@ namespace Rill
     }
 
     /// <summary>How a field's strength falls from its center to its bounds.</summary>
-    [SharedWithHlsl("ForceFields")]
+    [GenerateHlsl("ForceFields")]
     public enum ForceFieldFalloff
     {
         /// <summary>Not at all.</summary>
@@ -54,7 +54,7 @@ namespace Rill
         const int NoSize = FirstOwnProblem;
 
         /// <summary>of the reach: inside it a point or vortex fades towards its center</summary>
-        [SharedWithHlsl("ForceFields")] const float CoreFraction = 0.1f;
+        [GenerateHlsl("ForceFields")] const float CoreFraction = 0.1f;
 
         const float CoreWithoutBounds = 2f;     // d
 

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>In which direction a ray has to cross the water's surface to hit it.</summary>
-    [Flags, SharedWithHlsl("Queries", Prefix = "Crossing")]
+    [Flags, GenerateHlsl("Queries", Prefix = "Crossing")]
     public enum FluidCrossing
     {
         /// <summary>Into the water. Water in which the ray starts is not hit, as by Physics.Raycast.</summary>

@@ -18,7 +18,7 @@ namespace Rill
     readonly struct VolumeLattice
     {
         /// <summary>Offset of a particle from its point, spacings: breaks the symmetry that a perfect lattice would keep.</summary>
-        [SharedWithHlsl("Emitters")] const float Jitter = 0.02f;
+        [GenerateHlsl("Emitters")] const float Jitter = 0.02f;
 
         readonly int3 counts;
         readonly float spacing;

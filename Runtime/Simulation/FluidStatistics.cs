@@ -10,12 +10,12 @@ namespace Rill
     public struct FluidStatistics
     {
         /// <summary>words that <see cref="Quantity"/> numbers</summary>
-        [SharedWithHlsl("Statistics")] internal const int QuantityCount = 21;
+        [GenerateHlsl("Statistics")] internal const int QuantityCount = 21;
 
         internal const int BlockSize = QuantityCount + 2 + ParticleBuffers.CounterCount;
 
         /// <summary>What is measured: sums, then maxima.</summary>
-        [SharedWithHlsl("Statistics")]
+        [GenerateHlsl("Statistics")]
         enum Quantity
         {
             Count,

@@ -7,7 +7,7 @@ namespace Rill
 {
     /// <summary>Entries of the counter buffer. Since the reset, kAdded + kEmitted + kHandedIn = kDrained + kHandedOut +
     /// kNonFinite + kAlive at the end of a step.</summary>
-    [SharedWithHlsl("Counters")]
+    [GenerateHlsl("Counters")]
     enum ParticleCounter
     {
         /// <summary>particles at the start of the step</summary>
@@ -55,10 +55,10 @@ namespace Rill
     sealed class ParticleBuffers : IDisposable
     {
         /// <summary>threads of a particle kernel</summary>
-        [SharedWithHlsl("Solver")] public const int Group = 128;
+        [GenerateHlsl("Solver")] public const int Group = 128;
 
         /// <summary>words of the counter buffer</summary>
-        [SharedWithHlsl("Counters")] public const int CounterCount = 18;
+        [GenerateHlsl("Counters")] public const int CounterCount = 18;
 
         /// <summary>
         /// Particles up to which kernels are dispatched for all of the capacity: the GPU waits less for a dispatch whose size is known, and

@@ -13,7 +13,7 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// Positions and velocities on the GPU are in particle spacings and in the domain's frame, whose lowest corner is 0;
-    /// see <see cref="ParticleBuffers"/>. A study of other methods derives from it and takes the place of the protected members; the order of
+    /// see <see cref="ParticleBuffers"/>. A study of other methods derives from it and overrides the protected members; the order of
     /// the step is the same for all.
     /// </remarks>
     partial class PbfSolver : IDisposable

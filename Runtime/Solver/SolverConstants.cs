@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>What every kernel of the solver reads of a substep; lengths in d.</summary>
-    [SharedWithHlsl("Solver", ConstantBuffer = "RillSolver")]
+    [GenerateHlsl("Solver", ConstantBuffer = "RillSolver")]
     [StructLayout(LayoutKind.Sequential)]
     struct SolverConstants
     {

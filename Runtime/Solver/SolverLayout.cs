@@ -19,7 +19,7 @@ namespace Rill
         public const float MaxSpacingsAcross = 8192f;
 
         /// <summary>particles whose blocks of entries lie side by side</summary>
-        [SharedWithHlsl("NeighborList")] const int ParticlesPerListBlock = 32;
+        [GenerateHlsl("NeighborList")] const int ParticlesPerListBlock = 32;
 
         // Cells to the list radius. Along x a search is cut to its reach, cell by cell. Particles of a cell are neighbors in memory, so
         // that wide ones in y keep more of what a thread group fetches near it. A domain with too many cells gets wide ones.

@@ -133,7 +133,7 @@ namespace Rill.Tests
 
         static void SimulateWhatIsSeen(FluidSimulation fluid)
         {
-            #region Simulate only what is seen
+            #region Simulate only what is in view
             fluid.CullingMode = FluidCullingMode.Slow;      // or Pause
             fluid.CulledRate = 0.25f;                       // a quarter of the steps while no camera sees the box
             fluid.CullingDistance = 50f;                    // m; cameras further away do not count

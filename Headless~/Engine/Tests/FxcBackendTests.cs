@@ -283,7 +283,7 @@ namespace Host.Tests
             using (GraphicsBuffer result = Buffer(start ?? new uint[256]))
             using (GraphicsBuffer parts = Buffer(new uint[64 * 6], stride: 24))
             {
-                bool structs = kernel == "SharedStructs";
+                bool structs = kernel == "HlslStructs";
                 if (kernel != "LeaveTogether" && kernel != "OrderMemory")
                     shader.SetBuffer(k, "_Words", words);
                 shader.SetInt("_Count", count);
@@ -330,7 +330,7 @@ namespace Host.Tests
         [TestCaseSource(nameof(Backends))]
         public void Structs_in_group_memory_are_shared_whole(string backend)
         {
-            uint[] got = RunGroup(backend, "SharedStructs");
+            uint[] got = RunGroup(backend, "HlslStructs");
             for (int i = 0; i < 64; i++)
             {
                 int of = (i + 1) & 63, four = i & ~3;

@@ -98,7 +98,7 @@ groupshared uint g_A[64];
             var order = new DxbcBarriers(kernel.Value);
             Assert.That(order.Barriers, Is.EqualTo(new[] { SyncFlags.ThreadsInGroup | SyncFlags.Groupshared,
                 SyncFlags.Groupshared | SyncFlags.UavGlobal }));
-            Assert.That(order.ShareUavs, Is.True);
+            Assert.That(order.HaveCommonUavs, Is.True);
             Assert.That(new DxbcDeclarations(kernel.Value).GroupSize, Is.EqualTo((8, 4, 2)));
         }
 
@@ -106,8 +106,8 @@ groupshared uint g_A[64];
         public void A_buffer_declared_globallycoherent_is_shared_without_a_barrier()
         {
             string text = "RWStructuredBuffer<uint> _Out; [numthreads(1,1,1)] void K() { _Out[0] = 1; }";
-            Assert.That(new DxbcBarriers(new DxbcContainer(Compile(text, "K", "cs_5_0"))).ShareUavs, Is.False);
-            Assert.That(new DxbcBarriers(new DxbcContainer(Compile("globallycoherent " + text, "K", "cs_5_0"))).ShareUavs, Is.True);
+            Assert.That(new DxbcBarriers(new DxbcContainer(Compile(text, "K", "cs_5_0"))).HaveCommonUavs, Is.False);
+            Assert.That(new DxbcBarriers(new DxbcContainer(Compile("globallycoherent " + text, "K", "cs_5_0"))).HaveCommonUavs, Is.True);
         }
 
         [Test]

@@ -19,7 +19,7 @@ namespace Rill
         const int DepthPass = 0, ChordPass = 2; // of SurfaceRaster.shader
 
         /// <summary>texels</summary>
-        [SharedWithHlsl("SurfaceFilter", Signed = true)] const int MaxFilterRadius = 32;
+        [GenerateHlsl("SurfaceFilter", Signed = true)] const int MaxFilterRadius = 32;
 
 
         readonly ComputeShader filter;

@@ -6,7 +6,7 @@ namespace Rill
     readonly struct PhaseFrame
     {
         /// <summary>phases that the textures of thickness tell apart, those beyond counting as the last</summary>
-        [SharedWithHlsl("PhaseFrame")] public const int MaxPhases = 4;
+        [GenerateHlsl("PhaseFrame")] public const int MaxPhases = 4;
 
         /// <summary>See ParticleTags.hlsl; null where all particles look alike.</summary>
         public readonly GraphicsBuffer Tags;

@@ -20,7 +20,7 @@ namespace Rill
 
         /// <summary>Where each of the uniforms of the Built-in pipeline's shadow lies in the copy that ShadowCopy.hlsl makes of them,
         /// texels of one row.</summary>
-        [SharedWithHlsl("ShadowValues")]
+        [GenerateHlsl("ShadowValues")]
         enum Value
         {
             /// <summary>of four cascades, four rows each</summary>

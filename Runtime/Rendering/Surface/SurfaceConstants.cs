@@ -7,7 +7,7 @@ namespace Rill
     sealed class SurfaceConstants
     {
         /// <summary>vectors of each eye in _SurfaceRays</summary>
-        [SharedWithHlsl("SurfaceView")] const int RaysOfEye = 6;
+        [GenerateHlsl("SurfaceView")] const int RaysOfEye = 6;
 
         public readonly Matrix4x4[] WorldToClip = new Matrix4x4[2];
         public readonly Vector4[] Rays = new Vector4[2 * RaysOfEye];

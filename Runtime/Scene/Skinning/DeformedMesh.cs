@@ -116,7 +116,7 @@ namespace Rill
         /// <summary>Around the mesh as it is posed now, m; somewhat more than it takes.</summary>
         public Bounds Bounds { get; private set; }
 
-        /// <summary>Place and orientation of the frame now, world space, m.</summary>
+        /// <summary>Position and orientation of the frame now, world space, m.</summary>
         public RigidPose Pose => new RigidPose(frame.position, frame.rotation);
 
         /// <summary>Why it is no mesh any more; null where it is.</summary>
@@ -199,11 +199,11 @@ namespace Rill
             for (int i = 0; i < vertices.Count; i++)
             {
                 float3 vertex = vertices[i];
-                bool isPlace = math.all(math.isfinite(vertex));
+                bool isFinite = math.all(math.isfinite(vertex));
                 if (!moved)
-                    moved = isPlace ? !(math.cmax(math.abs(vertex - (float3)seen[i])) <= tolerance)
+                    moved = isFinite ? !(math.cmax(math.abs(vertex - (float3)seen[i])) <= tolerance)
                         : math.all(math.isfinite((float3)seen[i]));
-                if (!isPlace)
+                if (!isFinite)
                     continue;
                 low = math.min(low, vertex);
                 high = math.max(high, vertex);

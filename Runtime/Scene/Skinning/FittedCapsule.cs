@@ -24,7 +24,7 @@ namespace Rill
         public static FittedCapsule Around(float3[] points, float[] weights, float coverage, float3[] axes)
         {
             float3 middle = Middle(points, weights);
-            FittedCapsule best = Along(LongestAxis(points, weights, middle), middle, points, weights, coverage);
+            FittedCapsule best = Along(MaxAxis(points, weights, middle), middle, points, weights, coverage);
             foreach (float3 axis in axes)
             {
                 if (!(math.lengthsq(axis) > 0f))
@@ -79,7 +79,7 @@ namespace Rill
         }
 
         // The direction of the largest spread, by power iteration on the covariance.
-        static float3 LongestAxis(float3[] points, float[] weights, float3 middle)
+        static float3 MaxAxis(float3[] points, float[] weights, float3 middle)
         {
             float3 x = 0f, y = 0f, z = 0f;
             for (int i = 0; i < points.Length; i++)

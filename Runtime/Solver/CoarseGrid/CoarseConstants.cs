@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>The coarse grid, for all kernels that read it; lengths in d.</summary>
-    [SharedWithHlsl("CoarseGrid", ConstantBuffer = "RillCoarse")]
+    [GenerateHlsl("CoarseGrid", ConstantBuffer = "RillCoarse")]
     [StructLayout(LayoutKind.Sequential)]
     struct CoarseConstants
     {
@@ -40,7 +40,7 @@ namespace Rill
         public CoarseLevels levels;
 
         /// <summary>right-hand side of a cell that is not solved for: its potential is 0</summary>
-        [SharedWithHlsl("CoarseGrid")] public const float Inactive = 1e30f;
+        [GenerateHlsl("CoarseGrid")] public const float Inactive = 1e30f;
 
         /// <summary>
         /// Layers of particles across a coarse cell that make it active, whatever its size: with more, thin sheets are left to the

@@ -19,7 +19,7 @@ namespace Rill
     sealed class CoarseCorrection : IDisposable
     {
         /// <summary>words of a cell in _Bins</summary>
-        [SharedWithHlsl("CoarseBins")] const int BinStride = 8;
+        [GenerateHlsl("CoarseBins")] const int BinStride = 8;
 
         static readonly ProfilerMarker ProjectionMarker = GpuMarker.Create("Rill.Projection");
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");

@@ -13,10 +13,10 @@ namespace Rill
         public const int MaxLevels = 8;
 
         /// <summary>cells of all levels that one thread group holds</summary>
-        [SharedWithHlsl("CoarseSolver")] public const int LargeTailCells = 2048;
+        [GenerateHlsl("CoarseSolver")] public const int LargeTailCells = 2048;
 
         /// <summary>the same of the kernels for 16 KB of groupshared memory</summary>
-        [SharedWithHlsl("CoarseSolver")] public const int SmallTailCells = 1024;
+        [GenerateHlsl("CoarseSolver")] public const int SmallTailCells = 1024;
 
         /// <summary>Most cells: a larger domain gets larger ones.</summary>
         public const int MaxCells = 1 << 22;

@@ -9,13 +9,13 @@ namespace Rill
     sealed class CoarseSolver : IDisposable
     {
         /// <summary>cells along the tile of a thread group that smooths</summary>
-        [SharedWithHlsl("CoarseSolver")] const int LargeTile = 8;
+        [GenerateHlsl("CoarseSolver")] const int LargeTile = 8;
 
         /// <summary>the same of the kernels for 256 threads; even, as kTileCells at most kTailCells wants it</summary>
-        [SharedWithHlsl("CoarseSolver")] const int SmallTile = 6;
+        [GenerateHlsl("CoarseSolver")] const int SmallTile = 6;
 
         /// <summary>threads that restrict to a cell</summary>
-        [SharedWithHlsl("CoarseSolver")] const int Children = 8;
+        [GenerateHlsl("CoarseSolver")] const int Children = 8;
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>All colliders of a substep and the bins that say where they are; lengths in d.</summary>
-    [SharedWithHlsl("Colliders", ConstantBuffer = "RillColliders")]
+    [GenerateHlsl("Colliders", ConstantBuffer = "RillColliders")]
     [StructLayout(LayoutKind.Sequential)]
     struct ColliderConstants : IEquatable<ColliderConstants>
     {

@@ -10,10 +10,10 @@ namespace Rill
     sealed class ColliderReactions : IDisposable
     {
         /// <summary>words of a collider: three sums, three moments, and what was added</summary>
-        [SharedWithHlsl("Reactions", Prefix = "Reaction")] const int Stride = 13;
+        [GenerateHlsl("Reactions", Prefix = "Reaction")] const int Stride = 13;
 
         /// <summary>steps of a summed displacement in d</summary>
-        [SharedWithHlsl("Reactions", Prefix = "Reaction")] const double Scale = 65536.0;
+        [GenerateHlsl("Reactions", Prefix = "Reaction")] const double Scale = 65536.0;
 
         const int Words = Stride * ColliderSet.Most;
 

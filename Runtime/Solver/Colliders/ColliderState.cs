@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>A collider in a substep; lengths in d, in the domain's frame.</summary>
-    [SharedWithHlsl("Colliders", Name = "Collider")]
+    [GenerateHlsl("Colliders", Name = "Collider")]
     [StructLayout(LayoutKind.Sequential)]
     struct ColliderState
     {
@@ -49,14 +49,14 @@ namespace Rill
         public float padding;
 
         /// <summary>the fluid is in it</summary>
-        [SharedWithHlsl("Colliders")] const uint InsideOut = 1;
-        [SharedWithHlsl("Colliders")] const uint ContributesDensity = 2;
+        [GenerateHlsl("Colliders")] const uint InsideOut = 1;
+        [GenerateHlsl("Colliders")] const uint ContributesDensity = 2;
         /// <summary>what the fluid does to it is summed</summary>
-        [SharedWithHlsl("Colliders")] const uint Reacts = 4;
+        [GenerateHlsl("Colliders")] const uint Reacts = 4;
         /// <summary>friction is by ViscosityWalls.hlsl</summary>
-        [SharedWithHlsl("Colliders")] const uint HoldsByViscosity = 8;
+        [GenerateHlsl("Colliders")] const uint HoldsByViscosity = 8;
         /// <summary>its field changes in the substep</summary>
-        [SharedWithHlsl("Colliders")] const uint Deforms = 16;
+        [GenerateHlsl("Colliders")] const uint Deforms = 16;
 
         /// <summary>Whether its field changes in the substep.</summary>
         public bool IsDeforming => (flags & Deforms) != 0;

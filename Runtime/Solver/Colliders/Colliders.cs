@@ -15,7 +15,7 @@ namespace Rill
         const int WordBits = 32;
 
         /// <summary>a particle's center stays this far from a wall, d</summary>
-        [SharedWithHlsl("Solver")] public const float ContactOffset = 0.5f;
+        [GenerateHlsl("Solver")] public const float ContactOffset = 0.5f;
 
         /// <summary>Keyword of the kernels that know of meshes that deform.</summary>
         public const string DeformingKeyword = "RILL_DEFORMING";

@@ -28,7 +28,7 @@ namespace Rill
         public const long BytesOfVoxel = 2;
 
         /// <summary>threads of CopyField along each axis</summary>
-        [SharedWithHlsl("FieldAtlas")] const int CopyGroup = 4;
+        [GenerateHlsl("FieldAtlas")] const int CopyGroup = 4;
 
         readonly ComputeShader shader;
         readonly Kernel copyField, blendFields;

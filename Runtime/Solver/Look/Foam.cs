@@ -8,11 +8,11 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>Kind of a foam particle.</summary>
-    [SharedWithHlsl("Foam")]
+    [GenerateHlsl("Foam")]
     enum FoamKind { NoFoam, Spray, Foam, Bubble }
 
     /// <summary>Entries of the counter buffer of foam; those of each kind at its number.</summary>
-    [SharedWithHlsl("Foam", Prefix = "Foam")]
+    [GenerateHlsl("Foam", Prefix = "Foam")]
     enum FoamCounter
     {
         Alive,
@@ -24,7 +24,7 @@ namespace Rill
     }
 
     /// <summary>See Foam.hlsl for what the words are.</summary>
-    [SharedWithHlsl("Foam")]
+    [GenerateHlsl("Foam")]
     [StructLayout(LayoutKind.Sequential)]
     struct FoamParticle
     {

@@ -11,7 +11,7 @@ namespace Rill
     sealed class SurfaceParticles : IDisposable
     {
         /// <summary>An element of <see cref="Particles"/>; SurfaceParticle.hlsl says what the words are.</summary>
-        [SharedWithHlsl("SurfaceParticle", Name = "SurfaceParticle")]
+        [GenerateHlsl("SurfaceParticle", Name = "SurfaceParticle")]
         [StructLayout(LayoutKind.Sequential)]
         public struct Element
         {
@@ -19,14 +19,14 @@ namespace Rill
         }
 
         /// <summary>Entries of _SurfaceCounters.</summary>
-        [SharedWithHlsl("SurfaceParticles")]
+        [GenerateHlsl("SurfaceParticles")]
         public enum Counter { Found, Drawn, DidNotFit }
 
         /// <summary>Passes that average the planes among neighbors before the ellipsoids are made, which average them once more.</summary>
         public const int SmoothingPasses = 3;
 
         /// <summary>byte of the groups of Smooth in _SurfaceArguments</summary>
-        [SharedWithHlsl("SurfaceParticles")] const uint SmoothArgumentsAt = 48;
+        [GenerateHlsl("SurfaceParticles")] const uint SmoothArgumentsAt = 48;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
 

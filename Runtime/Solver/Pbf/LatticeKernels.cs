@@ -10,7 +10,7 @@ namespace Rill
     static class LatticeKernels
     {
         /// <summary>support radius h, d</summary>
-        [SharedWithHlsl("Solver")] public const double Support = 2.0;
+        [GenerateHlsl("Solver")] public const double Support = 2.0;
 
         /// <summary>poly6 normalization 315 / (64 π h⁹).</summary>
         public static readonly double Poly6Scale = 315.0 / (64.0 * Math.PI * Math.Pow(Support, 9));

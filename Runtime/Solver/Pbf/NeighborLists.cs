@@ -12,7 +12,7 @@ namespace Rill
         public const string TwoListsKeyword = "RILL_TWO_LISTS";
 
         /// <summary>Entries of a block; capacities are multiples of it.</summary>
-        [SharedWithHlsl("NeighborList")] public const int BlockEntries = 4;
+        [GenerateHlsl("NeighborList")] public const int BlockEntries = 4;
 
         GraphicsBuffer first, second, counts;
 

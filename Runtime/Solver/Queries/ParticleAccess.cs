@@ -8,31 +8,31 @@ namespace Rill
     sealed class ParticleAccess
     {
         /// <summary>threads of a kernel over the particles</summary>
-        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int Threads = ParticleBuffers.Group;
+        [GenerateHlsl("RillParticles", Prefix = "Rill")] public const int Threads = ParticleBuffers.Group;
 
         /// <summary>along x; more fold into y</summary>
-        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int MaxGroups = ThreadGroups.MaxGroups;
+        [GenerateHlsl("RillParticles", Prefix = "Rill")] public const int MaxGroups = ThreadGroups.MaxGroups;
 
         /// <summary>word of _RillCounters: particles alive</summary>
-        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int Alive = (int)ParticleCounter.Alive;
+        [GenerateHlsl("RillParticles", Prefix = "Rill")] public const int Alive = (int)ParticleCounter.Alive;
 
         /// <summary>word of _RillCounters: particles that took part in the last step, the first of those alive</summary>
-        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int Moved = (int)ParticleCounter.Moved;
+        [GenerateHlsl("RillParticles", Prefix = "Rill")] public const int Moved = (int)ParticleCounter.Moved;
 
         /// <summary>of the phase in a tag</summary>
-        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int PhaseShift = ParticleTags.PhaseShift;
+        [GenerateHlsl("RillParticles", Prefix = "Rill")] public const int PhaseShift = ParticleTags.PhaseShift;
 
         /// <summary>bits of a tag that are not the phase</summary>
-        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const uint TagStepMask = ParticleTags.StepMask;
+        [GenerateHlsl("RillParticles", Prefix = "Rill")] public const uint TagStepMask = ParticleTags.StepMask;
 
         /// <summary>instead of the density of a particle that goes</summary>
-        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const float Killed = -1f;
+        [GenerateHlsl("RillParticles", Prefix = "Rill")] public const float Killed = -1f;
 
         /// <summary>words before the first field of a copy</summary>
-        [SharedWithHlsl("ParticleAccess")] public const int CopyHeader = 4;
+        [GenerateHlsl("ParticleAccess")] public const int CopyHeader = 4;
 
         /// <summary>instead of the first word of a field that is not copied</summary>
-        [SharedWithHlsl("ParticleAccess")] public const uint NotCopied = uint.MaxValue;
+        [GenerateHlsl("ParticleAccess")] public const uint NotCopied = uint.MaxValue;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Kill");
 

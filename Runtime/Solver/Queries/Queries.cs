@@ -9,7 +9,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>What a detector has the shape of.</summary>
-    [SharedWithHlsl("Queries")]
+    [GenerateHlsl("Queries")]
     public enum DetectorShape
     {
         /// <summary>A box with sides along the axes of the object.</summary>
@@ -23,7 +23,7 @@ namespace Rill
     }
 
     /// <summary>A detector at the end of a step; lengths in d, in the domain's frame.</summary>
-    [SharedWithHlsl("Queries")]
+    [GenerateHlsl("Queries")]
     [StructLayout(LayoutKind.Sequential)]
     struct DetectorRegion
     {
@@ -48,7 +48,7 @@ namespace Rill
     }
 
     /// <summary>Words of a probe's result; floats by their bits.</summary>
-    [SharedWithHlsl("Queries", Prefix = "Probe")]
+    [GenerateHlsl("Queries", Prefix = "Probe")]
     enum ProbeWord
     {
         /// <summary>relative to rest</summary>
@@ -67,7 +67,7 @@ namespace Rill
     }
 
     /// <summary>What a probe's result has.</summary>
-    [Flags, SharedWithHlsl("Queries")]
+    [Flags, GenerateHlsl("Queries")]
     enum ProbeFlag
     {
         /// <summary>particles within the kernel's support</summary>
@@ -97,22 +97,22 @@ namespace Rill
         public const int MaxProbes = 64;
 
         /// <summary>most detectors of one simulation</summary>
-        [SharedWithHlsl("Queries")] public const int MaxDetectors = 32;
+        [GenerateHlsl("Queries")] public const int MaxDetectors = 32;
 
         /// <summary>phases of particles</summary>
-        [SharedWithHlsl("Queries")] public const int Phases = 8;
+        [GenerateHlsl("Queries")] public const int Phases = 8;
 
         /// <summary>words of a probe's result</summary>
-        [SharedWithHlsl("Queries")] public const int ProbeWords = 16;
+        [GenerateHlsl("Queries")] public const int ProbeWords = 16;
 
         /// <summary>words of a detector's result: 64-bit sums, of the velocity along x, y, z and of the volume of each phase</summary>
-        [SharedWithHlsl("Queries")] public const int DetectorWords = 2 * (3 + Phases);
+        [GenerateHlsl("Queries")] public const int DetectorWords = 2 * (3 + Phases);
 
         /// <summary>steps of a particle's volume</summary>
-        [SharedWithHlsl("Queries")] public const double VolumeScale = 65536.0;
+        [GenerateHlsl("Queries")] public const double VolumeScale = 65536.0;
 
         /// <summary>steps of a particle's velocity times its volume, 1 d/s</summary>
-        [SharedWithHlsl("Queries")] public const double VelocityScale = 256.0;
+        [GenerateHlsl("Queries")] public const double VelocityScale = 256.0;
 
         /// <summary>Requests that may be pending: an answer to each frame, though it comes some frames later.</summary>
         public const int RingSize = 4;

@@ -9,19 +9,19 @@ namespace Rill
     sealed class QueryShader
     {
         /// <summary>particles that a thread of the detectors visits</summary>
-        [SharedWithHlsl("Queries")] const int ParticlesPerThread = 4;
+        [GenerateHlsl("Queries")] const int ParticlesPerThread = 4;
 
         /// <summary>threads of a probe's groups</summary>
-        [SharedWithHlsl("Queries")] const int ProbeGroup = 256;
+        [GenerateHlsl("Queries")] const int ProbeGroup = 256;
 
         /// <summary>densities along a line that a group finds</summary>
-        [SharedWithHlsl("Queries")] const int Samples = 32;
+        [GenerateHlsl("Queries")] const int Samples = 32;
 
         /// <summary>columns around a point of the surface in which it is found too</summary>
-        [SharedWithHlsl("Queries")] public const int Columns = 16;
+        [GenerateHlsl("Queries")] public const int Columns = 16;
 
         /// <summary>columns of a group</summary>
-        [SharedWithHlsl("Queries")] const int GroupColumns = 4;
+        [GenerateHlsl("Queries")] const int GroupColumns = 4;
 
         const string Name = "Queries";
         const float ChunkLength = 0.5f * (Samples - 1);        // as in SurfaceLines.hlsl, d

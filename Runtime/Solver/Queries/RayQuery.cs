@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>A ray, or a ball that is cast along one, at the end of a step; lengths in d, in the domain's frame.</summary>
-    [SharedWithHlsl("Queries")]
+    [GenerateHlsl("Queries")]
     [StructLayout(LayoutKind.Sequential)]
     struct RayQuery
     {
@@ -24,10 +24,10 @@ namespace Rill
         public float2 unused;
 
         /// <summary>the number of a line is below this bit, that of its ray from there on</summary>
-        [SharedWithHlsl("Queries")] public const int LineShift = 7;
+        [GenerateHlsl("Queries")] public const int LineShift = 7;
 
         /// <summary>words of a ray's result</summary>
-        [SharedWithHlsl("Queries")] public const int RayWords = 12;
+        [GenerateHlsl("Queries")] public const int RayWords = 12;
 
         /// <summary>Largest ball, d: a ball may touch what lies between its lines up to 0.2 d late.</summary>
         public const float MaxRadius = 20f;
@@ -40,7 +40,7 @@ namespace Rill
     }
 
     /// <summary>Words of a ray's result; floats by their bits.</summary>
-    [SharedWithHlsl("Queries", Prefix = "Ray")]
+    [GenerateHlsl("Queries", Prefix = "Ray")]
     enum RayWord
     {
         /// <summary>d</summary>
@@ -57,7 +57,7 @@ namespace Rill
     }
 
     /// <summary>What a ray's result has.</summary>
-    [Flags, SharedWithHlsl("Queries", Prefix = "Ray")]
+    [Flags, GenerateHlsl("Queries", Prefix = "Ray")]
     enum RayFlag
     {
         Hit = 1,

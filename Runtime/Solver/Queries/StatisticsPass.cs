@@ -11,10 +11,10 @@ namespace Rill
     sealed class StatisticsPass : IDisposable
     {
         /// <summary>of C+ between 0 and kMaxBin, finer towards 0: bin ~ sqrt(C+)</summary>
-        [SharedWithHlsl("Statistics")] const int Bins = 4096;
+        [GenerateHlsl("Statistics")] const int Bins = 4096;
 
         /// <summary>d: how far beyond the walls and inside colliders a particle counts as escaped</summary>
-        [SharedWithHlsl("Statistics")] public const float EscapedBeyond = 0.1f;
+        [GenerateHlsl("Statistics")] public const float EscapedBeyond = 0.1f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Statistics");
 

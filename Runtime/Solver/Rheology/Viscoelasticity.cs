@@ -15,7 +15,7 @@ namespace Rill
     sealed class Viscoelasticity : IDisposable
     {
         /// <summary>of the stiffness times what its particle's neighborhood multiplies it by: as much as a substep can follow</summary>
-        [SharedWithHlsl("Viscoelasticity")] const double StableStiffness = 0.5;
+        [GenerateHlsl("Viscoelasticity")] const double StableStiffness = 0.5;
 
         /// <summary>The same over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
         public static readonly double MaxStiffness = StableStiffness / (Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
@@ -41,7 +41,7 @@ namespace Rill
         }
 
         /// <summary>A symmetric tensor of a particle.</summary>
-        [SharedWithHlsl("Viscoelasticity")]
+        [GenerateHlsl("Viscoelasticity")]
         [StructLayout(LayoutKind.Sequential)]
         public struct Symmetric
         {

@@ -11,7 +11,7 @@ namespace Rill
     /// States of a region. Particles asleep are not moved. Those at the edge still have lists and multipliers, which their neighbors that
     /// move push against; the others are further from all that moves than any kernel reaches.
     /// </summary>
-    [SharedWithHlsl("RestingRegions")]
+    [GenerateHlsl("RestingRegions")]
     enum RegionState { Asleep, AsleepAtEdge, Awake }
 
     /// <summary>
@@ -21,7 +21,7 @@ namespace Rill
     sealed class RestingRegions : IDisposable
     {
         /// <summary>side of a region, d</summary>
-        [SharedWithHlsl("RestingRegions")] public const float RegionSize = 8f;
+        [GenerateHlsl("RestingRegions")] public const float RegionSize = 8f;
 
         /// <summary>How long a region is at rest before it sleeps, s.</summary>
         public const float Delay = 0.5f;
@@ -33,7 +33,7 @@ namespace Rill
         public const string Keyword = "RILL_SLEEP";
 
         /// <summary>words of a region in _RegionMotion</summary>
-        [SharedWithHlsl("RestingRegions")] const int MotionStride = 5;
+        [GenerateHlsl("RestingRegions")] const int MotionStride = 5;
 
         const float GravityChange = 0.01f;      // fraction of it that wakes everything
 

@@ -10,12 +10,12 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>A drain in one step; lengths in d, in the domain's frame.</summary>
-    [SharedWithHlsl("Drains")]
+    [GenerateHlsl("Drains")]
     [StructLayout(LayoutKind.Sequential)]
     struct DrainRegion
     {
-        [SharedWithHlsl("Drains")] public const uint NoLimit = uint.MaxValue;
-        [SharedWithHlsl("Drains")] public const uint NoEmitter = uint.MaxValue;
+        [GenerateHlsl("Drains")] public const uint NoLimit = uint.MaxValue;
+        [GenerateHlsl("Drains")] public const uint NoEmitter = uint.MaxValue;
 
         /// <summary>from its own frame to the domain's, quaternion</summary>
         public float4 rotation;
@@ -37,7 +37,7 @@ namespace Rill
     }
 
     /// <summary>What is known of each drain on the GPU alone, words of _DrainStates.</summary>
-    [SharedWithHlsl("Drains", Prefix = "Drain")]
+    [GenerateHlsl("Drains", Prefix = "Drain")]
     enum DrainWord
     {
         /// <summary>particles of the limit that are left from the steps before</summary>
@@ -52,10 +52,10 @@ namespace Rill
     sealed class Drains : IDisposable
     {
         /// <summary>ranks among which the particles of a drain with a limit draw theirs</summary>
-        [SharedWithHlsl("Drains")] const int RandomRanks = 1024;
+        [GenerateHlsl("Drains")] const int RandomRanks = 1024;
 
         /// <summary>words of a drain in _DrainStates</summary>
-        [SharedWithHlsl("Drains", Prefix = "Drain")] public const int Words = 4;
+        [GenerateHlsl("Drains", Prefix = "Drain")] public const int Words = 4;
 
         const string LifetimesKeyword = "RILL_LIFETIMES", RecyclingKeyword = "RILL_RECYCLING";
 

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>What the kernels read of one emitter in a step; lengths in d, in the domain's frame.</summary>
-    [SharedWithHlsl("Emitters", ConstantBuffer = "RillEmitter")]
+    [GenerateHlsl("Emitters", ConstantBuffer = "RillEmitter")]
     [StructLayout(LayoutKind.Sequential)]
     struct EmitterConstants
     {

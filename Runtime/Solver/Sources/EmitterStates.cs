@@ -9,10 +9,10 @@ namespace Rill
     sealed class EmitterStates : IDisposable
     {
         /// <summary>words of an emitter in _EmitterStates</summary>
-        [SharedWithHlsl("EmitterStates", Prefix = "Emitter")] public const int Words = 8;
+        [GenerateHlsl("EmitterStates", Prefix = "Emitter")] public const int Words = 8;
 
         /// <summary>Which word of an emitter is what.</summary>
-        [SharedWithHlsl("EmitterStates", Prefix = "Emitter")]
+        [GenerateHlsl("EmitterStates", Prefix = "Emitter")]
         public enum Word
         {
             /// <summary>particles due that had no room yet</summary>

@@ -14,10 +14,10 @@ namespace Rill
     sealed class Emitters : IDisposable
     {
         /// <summary>most positions that one emitter tries in a step</summary>
-        [SharedWithHlsl("Emitters")] public const int MaxCandidates = 16384;
+        [GenerateHlsl("Emitters")] public const int MaxCandidates = 16384;
 
         /// <summary>nothing is put nearer to a particle, d</summary>
-        [SharedWithHlsl("Emitters")] public const float Clearance = 0.7f;
+        [GenerateHlsl("Emitters")] public const float Clearance = 0.7f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Emit");
 

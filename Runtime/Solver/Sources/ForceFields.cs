@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>A force field in one step; lengths in d, in the domain's frame.</summary>
-    [SharedWithHlsl("ForceFields")]
+    [GenerateHlsl("ForceFields")]
     [StructLayout(LayoutKind.Sequential)]
     struct FieldRegion : IEquatable<FieldRegion>
     {

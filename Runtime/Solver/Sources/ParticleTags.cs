@@ -9,10 +9,10 @@ namespace Rill
     sealed class ParticleTags : IDisposable
     {
         /// <summary>bits of a tag that hold a step</summary>
-        [SharedWithHlsl("ParticleTags", Prefix = "Tag")] public const uint StepMask = 0x00FFFFFFu;
+        [GenerateHlsl("ParticleTags", Prefix = "Tag")] public const uint StepMask = 0x00FFFFFFu;
 
         /// <summary>above them, the phase</summary>
-        [SharedWithHlsl("ParticleTags", Prefix = "Tag")] public const int PhaseShift = 24;
+        [GenerateHlsl("ParticleTags", Prefix = "Tag")] public const int PhaseShift = 24;
 
         /// <summary>Keyword of the kernels that write tags, and of the shader that draws them.</summary>
         public const string Keyword = "RILL_TAGS";

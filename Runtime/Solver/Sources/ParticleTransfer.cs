@@ -8,7 +8,7 @@ namespace Rill
 {
     /// <summary>Bits of _TransferRule.</summary>
     [Flags]
-    [SharedWithHlsl("ParticleTransfer", Prefix = "Transfer")]
+    [GenerateHlsl("ParticleTransfer", Prefix = "Transfer")]
     enum TransferRule
     {
         Move = 0,
@@ -23,7 +23,7 @@ namespace Rill
     }
 
     /// <summary>Words of a transfer in _TransferStates.</summary>
-    [SharedWithHlsl("ParticleTransfer", Prefix = "Transfer")]
+    [GenerateHlsl("ParticleTransfer", Prefix = "Transfer")]
     enum TransferWord
     {
         /// <summary>particles moved, since the reset</summary>
@@ -92,7 +92,7 @@ namespace Rill
         const int OwnTransfers = 3;     // of the fluid itself, behind those: see PbfSolver.Kept.cs
 
         /// <summary>words of a transfer in _TransferStates</summary>
-        [SharedWithHlsl("ParticleTransfer", Prefix = "Transfer")] public const int Words = 4;
+        [GenerateHlsl("ParticleTransfer", Prefix = "Transfer")] public const int Words = 4;
 
         const uint FirstGhost = 0x80000000u;
         const int GhostNumberShift = 24;        // a rank is below the most particles of a simulation

@@ -6,7 +6,7 @@ namespace Rill
         /// <summary>Most emitters of a simulation.</summary>
         public const int MaxEmitters = 32;
         /// <summary>most drains of a simulation</summary>
-        [SharedWithHlsl("Drains")] public const int MaxDrains = 32;
+        [GenerateHlsl("Drains")] public const int MaxDrains = 32;
         /// <summary>Most force fields of a simulation.</summary>
         public const int MaxFields = 32;
 

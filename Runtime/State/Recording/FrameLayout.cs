@@ -12,22 +12,22 @@ namespace Rill
     readonly struct FrameLayout
     {
         /// <summary>words before the first field in the buffer that the GPU fills: particles, next id</summary>
-        [SharedWithHlsl("Recording")] public const int PackedHeader = 2;
+        [GenerateHlsl("Recording")] public const int PackedHeader = 2;
 
         /// <summary>bits of a coordinate</summary>
-        [SharedWithHlsl("Recording")] public const int NarrowBits = 16;
+        [GenerateHlsl("Recording")] public const int NarrowBits = 16;
 
         /// <summary>bits of a coordinate in a box that is too long for fewer</summary>
-        [SharedWithHlsl("Recording")] public const int WideBits = 21;
+        [GenerateHlsl("Recording")] public const int WideBits = 21;
 
         /// <summary>bit of the fields that are there</summary>
-        [SharedWithHlsl("Recording")] public const int HasVelocities = (int)RecordingFields.Velocities;
+        [GenerateHlsl("Recording")] public const int HasVelocities = (int)RecordingFields.Velocities;
 
         /// <summary>bit of the fields that are there</summary>
-        [SharedWithHlsl("Recording")] public const int HasPhases = (int)RecordingFields.Phases;
+        [GenerateHlsl("Recording")] public const int HasPhases = (int)RecordingFields.Phases;
 
         /// <summary>bit of the fields that are there</summary>
-        [SharedWithHlsl("Recording")] public const int HasIds = (int)RecordingFields.Ids;
+        [GenerateHlsl("Recording")] public const int HasIds = (int)RecordingFields.Ids;
 
         /// <summary>Sides up to which 16 bits are enough, d: their steps are then no more than 1/64 of a spacing.</summary>
         public const float MaxNarrowSize = 1024f;

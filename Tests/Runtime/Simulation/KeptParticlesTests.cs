@@ -32,21 +32,21 @@ namespace Rill.Tests
                 FluidSimulation fluid = scene.Fluid;
                 fluid.Paused = true;
                 Vector3 home = fluid.transform.position, along = fluid.transform.right;
-                Vector3[] before = Places(fluid);
+                Vector3[] before = Positions(fluid);
                 uint[] ids = Ids(fluid);
                 for (int i = 1; i <= 6; i++)
                 {
                     fluid.Recenter(home + 0.25f * i * along, LeavingParticles.Keep);
-                    Assert.That(Places(fluid).Length + Kept(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i}");
+                    Assert.That(Positions(fluid).Length + Kept(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i}");
                 }
-                Assert.That(Places(fluid), Is.Empty, "in a box beyond the water");
+                Assert.That(Positions(fluid), Is.Empty, "in a box beyond the water");
                 for (int i = 5; i >= 0; i--)
                 {
                     fluid.Recenter(home + 0.25f * i * along, LeavingParticles.Keep);
-                    Assert.That(Places(fluid).Length + Kept(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i} back");
+                    Assert.That(Positions(fluid).Length + Kept(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i} back");
                 }
                 Assert.That(Kept(fluid), Is.Zero);
-                Vector3[] after = Places(fluid);
+                Vector3[] after = Positions(fluid);
                 foreach (Vector3 place in before)
                     Assert.That(after.Min(other => Vector3.Distance(place, other)), Is.LessThan(0.26f * Spacing), $"something at {place}");
                 Assert.That(Ids(fluid), Is.EquivalentTo(ids));
@@ -67,7 +67,7 @@ namespace Rill.Tests
                 Vector3 home = fluid.transform.position;
                 fluid.Recenter(home + 1.5f * Vector3.right);
                 fluid.Recenter(home);
-                Assert.That(Places(fluid), Is.Empty);
+                Assert.That(Positions(fluid), Is.Empty);
                 Assert.That(scene.Step().AssertConserved().drained, Is.EqualTo(200));
             }
         }
@@ -87,7 +87,7 @@ namespace Rill.Tests
                 scene.Step(3);
                 LogAssert.NoUnexpectedReceived();
                 fluid.Recenter(home, LeavingParticles.Keep);
-                Assert.That(Places(fluid).Length, Is.EqualTo(70));
+                Assert.That(Positions(fluid).Length, Is.EqualTo(70));
                 FluidStatistics statistics = scene.Step().AssertConserved();
                 Assert.That((statistics.drained, statistics.handedOut, statistics.handedIn), Is.EqualTo((130, 70, 70)));
             }
@@ -102,11 +102,11 @@ namespace Rill.Tests
                 Vector3 home = fluid.transform.position;
                 fluid.Clear();
                 fluid.Fill(FluidShape.Box(home + 0.3f * Vector3.down, new Vector3(1f, 0.4f, 0.5f)), default, 2);
-                int filled = Places(fluid).Length;
+                int filled = Positions(fluid).Length;
                 fluid.Recenter(home + 1.5f * Vector3.right, LeavingParticles.Keep);
                 scene.Step(2);
                 fluid.Recenter(home, LeavingParticles.Keep);
-                Assert.That(Places(fluid).Length, Is.EqualTo(filled).And.GreaterThan(100));
+                Assert.That(Positions(fluid).Length, Is.EqualTo(filled).And.GreaterThan(100));
                 scene.Step();
                 Assert.That(GpuTest.Read<uint>(fluid.Solver.Tags, filled), Is.All.EqualTo(2u << ParticleTags.PhaseShift));
                 fluid.Recenter(home + 1.5f * Vector3.right, LeavingParticles.Keep);
@@ -132,7 +132,7 @@ namespace Rill.Tests
         }
 
         // In world space.
-        static Vector3[] Places(FluidSimulation fluid)
+        static Vector3[] Positions(FluidSimulation fluid)
         {
             Matrix4x4 toWorld = fluid.DomainToWorld;
             return TestFluid.Read(fluid.Solver).positions.Where(p => math.all(math.isfinite(p.xyz)))

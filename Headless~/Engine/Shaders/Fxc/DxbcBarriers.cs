@@ -22,7 +22,7 @@ namespace Host.Shaders
         public readonly List<SyncFlags> Barriers = new List<SyncFlags>();
         /// <summary>Whether threads look at what others wrote to buffers or textures: behind such a barrier, or where one is declared
         /// globallycoherent.</summary>
-        public readonly bool ShareUavs;
+        public readonly bool HaveCommonUavs;
 
         /// <exception cref="FormatException">The program is cut off.</exception>
         public DxbcBarriers(DxbcContainer container)
@@ -39,9 +39,9 @@ namespace Host.Shaders
                 if (opcode == Sync)
                     Barriers.Add((SyncFlags)(token >> FlagsShift & 0xF));
                 else if (opcode >= TypedUav && opcode <= StructuredUav)
-                    ShareUavs |= (token & GloballyCoherent) != 0;
+                    HaveCommonUavs |= (token & GloballyCoherent) != 0;
             }
-            ShareUavs |= Barriers.Exists(b => (b & (SyncFlags.UavOfGroup | SyncFlags.UavGlobal)) != 0);
+            HaveCommonUavs |= Barriers.Exists(b => (b & (SyncFlags.UavOfGroup | SyncFlags.UavGlobal)) != 0);
         }
     }
 }

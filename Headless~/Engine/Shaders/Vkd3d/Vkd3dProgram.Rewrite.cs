@@ -50,7 +50,7 @@ namespace Host.Shaders
         {
             var order = new DxbcBarriers(container);
             var barriers = new Queue<SyncFlags>(order.Barriers);
-            if (order.ShareUavs)
+            if (order.HaveCommonUavs)
                 MakeCoherent();
             var loaded = new Dictionary<uint, uint>();      // from what would be an image to its variable
             foreach (Instruction i in Reachable(module.Instructions))

@@ -10,7 +10,7 @@ namespace Host.Check
         /// <summary>In the order in which they are written: a later one may read what an earlier one wrote.</summary>
         public static IReadOnlyList<GeneratedFiles> All { get; } = new GeneratedFiles[]
         {
-            new SharedHlslFiles(),
+            new HlslFiles(),
             new KernelNeedsFile(),
             new ReferencePage(),
         };

@@ -35,14 +35,14 @@ namespace Host.Check
         }
 
         readonly Type type;
-        readonly SharedMark mark;
+        readonly HlslMark mark;
         readonly CodeSummaries summaries;
         readonly Findings findings;
 
-        HlslStruct(Type type, SharedMark mark, CodeSummaries summaries, Findings findings) => (this.type, this.mark, this.summaries, this.findings) = (type, mark, summaries, findings);
+        HlslStruct(Type type, HlslMark mark, CodeSummaries summaries, Findings findings) => (this.type, this.mark, this.summaries, this.findings) = (type, mark, summaries, findings);
 
         /// <summary>Null where it has a fault, which is named.</summary>
-        public static HlslDeclaration Of(Type type, SharedMark mark, CodeSummaries summaries, Findings findings)
+        public static HlslDeclaration Of(Type type, HlslMark mark, CodeSummaries summaries, Findings findings)
         {
             int before = findings.Faults.Count;
             var made = new HlslStruct(type, mark, summaries, findings);
@@ -70,7 +70,7 @@ namespace Host.Check
                     findings.Fault($"{type.FullName}.{field.Name} is a {field.FieldType.Name}, which HLSL cannot hold at the same bytes: use int, uint, float, a vector of them, or a struct of equal ones for an array.");
                     continue;
                 }
-                bool isSigned = SharedMark.Of(field)?.Signed ?? mark.Signed;
+                bool isSigned = HlslMark.Of(field)?.Signed ?? mark.Signed;
                 (member.Kind, member.Count) = (shape.kind == "int" && !isSigned ? "uint" : shape.kind, shape.count);
                 member.Offset = (int)Marshal.OffsetOf(type, field.Name);
                 members.Add(member);
@@ -82,13 +82,13 @@ namespace Host.Check
         HlslDeclaration Element(List<Member> members)
         {
             string name = mark.Name ?? type.Name;
-            var text = new StringBuilder("\n" + SharedHlsl.Line("", summaries.Of(type)) + $"struct {name}\n{{\n");
+            var text = new StringBuilder("\n" + GeneratedHlsl.Line("", summaries.Of(type)) + $"struct {name}\n{{\n");
             int at = 0;
             foreach (Member member in members)
             {
                 Compare(member.Name, member.Offset, at, "a structured buffer");
                 at += 4 * member.Count * Math.Max(member.ArrayLength, 1);
-                text.Append("    " + SharedHlsl.Line(member.Declaration(member.Name), member.Summary));
+                text.Append("    " + GeneratedHlsl.Line(member.Declaration(member.Name), member.Summary));
             }
             Compare("its end", Marshal.SizeOf(type), at, "a structured buffer");
             return new HlslDeclaration(type.FullName, text.Append("};\n").ToString(), name);
@@ -96,7 +96,7 @@ namespace Host.Check
 
         HlslDeclaration Constants(List<Member> members)
         {
-            var text = new StringBuilder("\n" + SharedHlsl.Line("", summaries.Of(type)) + $"cbuffer {mark.ConstantBuffer}\n{{\n");
+            var text = new StringBuilder("\n" + GeneratedHlsl.Line("", summaries.Of(type)) + $"cbuffer {mark.ConstantBuffer}\n{{\n");
             var defines = new StringBuilder();
             var names = new List<string> { mark.ConstantBuffer };
             var declared = new List<(string name, int offset, ConstantField field)>();
@@ -111,7 +111,7 @@ namespace Host.Check
                 {
                     string nextName = Property(next.Name), both = $"{name}And{nextName.Substring(1)}";
                     text.Append($"    {member.Kind}4 {both};\n");
-                    defines.Append(SharedHlsl.Line($"#define {name} ({both}.xyz)", member.Summary)).Append(SharedHlsl.Line($"#define {nextName} ({both}.w)", next.Summary));
+                    defines.Append(GeneratedHlsl.Line($"#define {name} ({both}.xyz)", member.Summary)).Append(GeneratedHlsl.Line($"#define {nextName} ({both}.w)", next.Summary));
                     names.Add(nextName);
                     (count, i) = (4, i + 1);
                 }
@@ -121,7 +121,7 @@ namespace Host.Check
                         findings.Fault($"{type.FullName}.{member.Name} is a {member.Type} of a constant buffer, which graphics APIs put at different bytes: put a {member.Kind} behind a {member.Kind}3, or use scalars or a {member.Kind}4.");
                     else if (member.ArrayLength > 0 && count != 4)
                         findings.Fault($"{type.FullName}.{member.Name} is an array of {member.Type} in a constant buffer, of which each would take 16 bytes: use a {member.Kind}4 for each.");
-                    text.Append("    " + SharedHlsl.Line(member.Declaration(name), member.Summary));
+                    text.Append("    " + GeneratedHlsl.Line(member.Declaration(name), member.Summary));
                 }
                 declared.Add((member.Name, member.Offset, new ConstantField { Rows = 1, Columns = count, ArrayLength = member.ArrayLength }));
             }

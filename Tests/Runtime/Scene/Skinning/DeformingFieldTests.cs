@@ -35,7 +35,7 @@ namespace Rill.Tests
                 AssertDistances(distances, deforming.Grid, TriangleMesh.Of(posed));
 
                 SdfBake baked = MeshSdfBaker.Bake(posed, MeshSdfSettings.Default);
-                Assert.That(LargestDifference(distances, deforming.Grid, baked), Is.LessThan(0.5f * deforming.VoxelSize));
+                Assert.That(MaxDifference(distances, deforming.Grid, baked), Is.LessThan(0.5f * deforming.VoxelSize));
                 Object.DestroyImmediate(posed);
             }
         }
@@ -106,7 +106,7 @@ namespace Rill.Tests
             float[] distances = Bake(deforming);
             SdfGrid grid = deforming.Grid;
             for (int i = 0; i < distances.Length; i++)
-                Assert.That(distances[i], Is.EqualTo(MeshDistance.Unsigned(sheet, Place(grid, i)) - 0.05).Within(0.5f * grid.VoxelSize));
+                Assert.That(distances[i], Is.EqualTo(MeshDistance.Unsigned(sheet, VoxelCenter(grid, i)) - 0.05).Within(0.5f * grid.VoxelSize));
         }
 
         [Test]
@@ -175,7 +175,7 @@ namespace Rill.Tests
         static int[] Turned(int[] triangles)
             => triangles.Select((_, i) => triangles[i % 3 == 0 ? i : i % 3 == 1 ? i + 1 : i - 1]).ToArray();
 
-        static double3 Place(in SdfGrid grid, int i)
+        static double3 VoxelCenter(in SdfGrid grid, int i)
         {
             int3 r = grid.Resolution;
             return grid.Min + grid.VoxelSize * (new float3(i % r.x, i / r.x % r.y, i / (r.x * r.y)) + 0.5f);
@@ -187,23 +187,23 @@ namespace Rill.Tests
             int near = 0;
             for (int i = 0; i < distances.Length; i += 7)
             {
-                double3 place = Place(grid, i);
-                double expected = MeshDistance.Unsigned(mesh, place) * (MeshDistance.Winding(mesh, place) > 0.5 ? -1 : 1);
+                double3 center = VoxelCenter(grid, i);
+                double expected = MeshDistance.Unsigned(mesh, center) * (MeshDistance.Winding(mesh, center) > 0.5 ? -1 : 1);
                 bool isNear = Math.Abs(expected) < 2f * grid.VoxelSize;
                 near += isNear ? 1 : 0;
-                Assert.That(distances[i], Is.EqualTo(expected).Within((isNear ? 0.02f : 0.5f) * grid.VoxelSize), $"at {place}");
+                Assert.That(distances[i], Is.EqualTo(expected).Within((isNear ? 0.02f : 0.5f) * grid.VoxelSize), $"at {center}");
             }
             Assert.That(near, Is.GreaterThan(20));
         }
 
         // Of the baker's field, halfway between its voxels, from the voxels of this one, where both are near the surface.
-        static float LargestDifference(float[] distances, in SdfGrid grid, SdfBake baked)
+        static float MaxDifference(float[] distances, in SdfGrid grid, SdfBake baked)
         {
             float largest = 0f;
             Vector3Int size = baked.Resolution;
             for (int i = 0; i < distances.Length; i++)
             {
-                float3 at = ((float3)Place(grid, i) - (float3)baked.Bounds.min) / baked.VoxelSize - 0.5f;
+                float3 at = ((float3)VoxelCenter(grid, i) - (float3)baked.Bounds.min) / baked.VoxelSize - 0.5f;
                 int3 low = (int3)math.floor(at);
                 if (math.any(low < 0) || math.any(low + 1 >= new int3(size.x, size.y, size.z))
                     || math.abs(distances[i]) > 2f * grid.VoxelSize)

@@ -11,25 +11,25 @@ using UnityEngine;
 
 namespace Host.Tests
 {
-    /// <summary>What [SharedWithHlsl] becomes, what it refuses, and that structs lie on the device as in C#.</summary>
-    public sealed class SharedHlslTests : ShaderTextFixture
+    /// <summary>What [GenerateHlsl] becomes, what it refuses, and that structs lie on the device as in C#.</summary>
+    public sealed class GeneratedHlslTests : ShaderTextFixture
     {
         static class Constants
         {
-            [SharedWithHlsl("Planted")] public const int Group = 128;
-            [SharedWithHlsl("Planted", Signed = true)] public const int Band = 2;
-            [SharedWithHlsl("Planted")] public const int Below = -3;
-            [SharedWithHlsl("Planted")] public const uint Mask = 0x00FFFFFFu;
-            [SharedWithHlsl("Planted")] public const uint Few = 4;
-            [SharedWithHlsl("Planted", Prefix = "Rest")] public const float Side = 8f;
-            [SharedWithHlsl("Planted")] public const double Small = 1e-8;
+            [GenerateHlsl("Planted")] public const int Group = 128;
+            [GenerateHlsl("Planted", Signed = true)] public const int Band = 2;
+            [GenerateHlsl("Planted")] public const int Below = -3;
+            [GenerateHlsl("Planted")] public const uint Mask = 0x00FFFFFFu;
+            [GenerateHlsl("Planted")] public const uint Few = 4;
+            [GenerateHlsl("Planted", Prefix = "Rest")] public const float Side = 8f;
+            [GenerateHlsl("Planted")] public const double Small = 1e-8;
             public const int OfCSharpAlone = 1;
         }
 
-        [SharedWithHlsl("Planted", Prefix = "Kind")]
+        [GenerateHlsl("Planted", Prefix = "Kind")]
         enum Kinds { In, Out = 4, Off }
 
-        [SharedWithHlsl("Planted", Name = "Body")]
+        [GenerateHlsl("Planted", Name = "Body")]
         struct Element
         {
             public float3 center;
@@ -44,7 +44,7 @@ namespace Host.Tests
             public float a, b, c, d;
         }
 
-        [SharedWithHlsl("PlantedBuffer", ConstantBuffer = "PlantedConstants")]
+        [GenerateHlsl("PlantedBuffer", ConstantBuffer = "PlantedConstants")]
         struct Buffer
         {
             public float3 size;
@@ -65,12 +65,12 @@ namespace Host.Tests
         static CodeSummaries Summaries(params (string id, string text)[] members) =>
             CodeSummaries.Parse($"<doc><members>{string.Concat(members.Select(m => $"<member name=\"{m.id}\"><summary>{m.text}</summary></member>"))}</members></doc>");
 
-        static IReadOnlyDictionary<string, string> Files(params Type[] types) => SharedHlsl.Files(types, CodeSummaries.None, new Findings());
+        static IReadOnlyDictionary<string, string> Files(params Type[] types) => GeneratedHlsl.Files(types, CodeSummaries.None, new Findings());
 
         static List<string> Faults(Type type)
         {
             var findings = new Findings();
-            Assert.That(SharedHlsl.Files(new[] { type }, CodeSummaries.None, findings), Is.Null);
+            Assert.That(GeneratedHlsl.Files(new[] { type }, CodeSummaries.None, findings), Is.Null);
             return findings.Faults;
         }
 
@@ -102,7 +102,7 @@ namespace Host.Tests
         public void Summaries_become_comments_of_ASCII()
         {
             string id = typeof(Constants).FullName.Replace('+', '.');
-            string text = SharedHlsl.Files(Planted, Summaries(($"F:{id}.Group", "Threads of <see cref=\"P:A.B.C(System.Int32)\"/>,\n   1/d²."), ($"T:{typeof(Kinds).FullName.Replace('+', '.')}", "All kinds.")), new Findings())["Planted"];
+            string text = GeneratedHlsl.Files(Planted, Summaries(($"F:{id}.Group", "Threads of <see cref=\"P:A.B.C(System.Int32)\"/>,\n   1/d²."), ($"T:{typeof(Kinds).FullName.Replace('+', '.')}", "All kinds.")), new Findings())["Planted"];
             Assert.That(text, Does.Contain("static const uint kGroup = 128;    // Threads of C, 1/d^2.\n").And.Contain("\n// All kinds.\nstatic const uint kKindIn"));
         }
 
@@ -110,38 +110,38 @@ namespace Host.Tests
         public void Each_file_says_what_generates_it_and_is_read_once()
         {
             string[] lines = Files(Planted)["PlantedBuffer"].Split('\n');
-            Assert.That(lines[0], Does.Contain("rill generate").And.Contain("[SharedWithHlsl(\"PlantedBuffer\")]").And.Contain("Do not edit"));
+            Assert.That(lines[0], Does.Contain("rill generate").And.Contain("[GenerateHlsl(\"PlantedBuffer\")]").And.Contain("Do not edit"));
             Assert.That(lines.Skip(1).Take(2), Is.EqualTo(new[] { "#ifndef RILL_GENERATED_PLANTED_BUFFER_INCLUDED", "#define RILL_GENERATED_PLANTED_BUFFER_INCLUDED" }));
         }
 
         static class Twice
         {
-            [SharedWithHlsl("Planted")] public const int Group = 1;
-            [SharedWithHlsl("Planted", Prefix = "Gr")] public const int oup = 2;
+            [GenerateHlsl("Planted")] public const int Group = 1;
+            [GenerateHlsl("Planted", Prefix = "Gr")] public const int oup = 2;
         }
 
         static class NoConstant
         {
-            [SharedWithHlsl("Planted")] public static int Group = 1;
+            [GenerateHlsl("Planted")] public static int Group = 1;
         }
 
         static class OtherType
         {
-            [SharedWithHlsl("Planted")] public const string Group = "128";
+            [GenerateHlsl("Planted")] public const string Group = "128";
         }
 
         static class FileName
         {
-            [SharedWithHlsl("../Planted")] public const int Group = 128;
+            [GenerateHlsl("../Planted")] public const int Group = 128;
         }
 
-        [SharedWithHlsl("Planted")]
+        [GenerateHlsl("Planted")]
         struct NotBlittable
         {
             public bool isOn;
         }
 
-        [SharedWithHlsl("Planted")]
+        [GenerateHlsl("Planted")]
         [StructLayout(LayoutKind.Explicit)]
         struct Gap
         {
@@ -149,35 +149,35 @@ namespace Host.Tests
             [FieldOffset(8)] public float second;
         }
 
-        [SharedWithHlsl("Planted")]
+        [GenerateHlsl("Planted")]
         [StructLayout(LayoutKind.Sequential, Size = 12)]
         struct LongEnd
         {
             public float first, second;
         }
 
-        [SharedWithHlsl("Planted", ConstantBuffer = "Planted")]
+        [GenerateHlsl("Planted", ConstantBuffer = "Planted")]
         struct VectorOfTwo
         {
             public float2 size;
             public float a, b;
         }
 
-        [SharedWithHlsl("Planted", ConstantBuffer = "Planted")]
+        [GenerateHlsl("Planted", ConstantBuffer = "Planted")]
         struct VectorOfThree
         {
             public float a;
             public float3 size;
         }
 
-        [SharedWithHlsl("Planted", ConstantBuffer = "Planted")]
+        [GenerateHlsl("Planted", ConstantBuffer = "Planted")]
         struct OtherKind
         {
             public float3 size;
             public uint count;
         }
 
-        [SharedWithHlsl("Planted", ConstantBuffer = "Planted")]
+        [GenerateHlsl("Planted", ConstantBuffer = "Planted")]
         struct Across
         {
             public float a;
@@ -185,13 +185,13 @@ namespace Host.Tests
             public float c, d, e;
         }
 
-        [SharedWithHlsl("Planted", ConstantBuffer = "Planted")]
+        [GenerateHlsl("Planted", ConstantBuffer = "Planted")]
         struct ShortEnd
         {
             public float a, b, c;
         }
 
-        [SharedWithHlsl("Planted", ConstantBuffer = "Planted")]
+        [GenerateHlsl("Planted", ConstantBuffer = "Planted")]
         struct ArrayOfScalars
         {
             public Four four;
@@ -215,13 +215,13 @@ namespace Host.Tests
             Assert.That(Faults(type), Has.Some.Contains(what).And.Some.Contains(remedy));
         }
 
-        static IEnumerable<Type> Structs() => Planted.Concat(typeof(PbfSolver).Assembly.GetTypes()).Where(type => type.IsValueType && !type.IsEnum && SharedMark.Of(type) != null);
+        static IEnumerable<Type> Structs() => Planted.Concat(typeof(PbfSolver).Assembly.GetTypes()).Where(type => type.IsValueType && !type.IsEnum && HlslMark.Of(type) != null);
 
         // Numbers every word of two elements in a row and has a kernel read the second, member by member.
         [TestCaseSource(nameof(Structs))]
         public void Every_member_lies_on_the_device_where_it_lies_in_memory(Type type)
         {
-            SharedMark mark = SharedMark.Of(type);
+            HlslMark mark = HlslMark.Of(type);
             bool isBuffer = mark.ConstantBuffer != null;
             int stride = Marshal.SizeOf(type) / 4, first = isBuffer ? 0 : stride;
             var reads = new List<string>();

@@ -7,10 +7,10 @@ using System.Text;
 
 namespace Host.Check
 {
-    /// <summary>What C# and HLSL share, in HLSL: a file for each name that [SharedWithHlsl] gives in the package's main assembly.</summary>
-    sealed class SharedHlslFiles : GeneratedFiles
+    /// <summary>What C# and HLSL share, in HLSL: a file for each name that [GenerateHlsl] gives in the package's main assembly.</summary>
+    sealed class HlslFiles : GeneratedFiles
     {
-        const string OfThePackage = "Runtime/Gpu/SharedWithHlslAttribute.cs";
+        const string OfThePackage = "Runtime/Gpu/GenerateHlslAttribute.cs";
 
         public override string Folder => "Shaders/Generated/";
 
@@ -24,7 +24,7 @@ namespace Host.Check
                 findings.Fault($"{assembly} is not there: build it first (Headless~/rill does)");
                 return null;
             }
-            IReadOnlyDictionary<string, string> files = SharedHlsl.Files(Assembly.LoadFrom(assembly).GetTypes(), CodeSummaries.Load(Path.ChangeExtension(assembly, ".xml")), findings);
+            IReadOnlyDictionary<string, string> files = GeneratedHlsl.Files(Assembly.LoadFrom(assembly).GetTypes(), CodeSummaries.Load(Path.ChangeExtension(assembly, ".xml")), findings);
             if (files == null)
                 return null;
             var texts = new Dictionary<string, string> { [Folder.TrimEnd('/') + ".meta"] = Meta(Folder.TrimEnd('/'), "folderAsset: yes\nDefaultImporter") };

@@ -12,7 +12,7 @@ namespace Rill
     /// 4-vector, since graphics APIs differ in where they put a vector of three.
     /// </remarks>
     [AttributeUsage(AttributeTargets.Field | AttributeTargets.Enum | AttributeTargets.Struct)]
-    sealed class SharedWithHlslAttribute : Attribute
+    sealed class GenerateHlslAttribute : Attribute
     {
         /// <summary>Name of the file that is generated, without its extension.</summary>
         public readonly string File;
@@ -29,6 +29,6 @@ namespace Rill
         /// <summary>Whether an int stays one.</summary>
         public bool Signed;
 
-        public SharedWithHlslAttribute(string file) => File = file;
+        public GenerateHlslAttribute(string file) => File = file;
     }
 }
