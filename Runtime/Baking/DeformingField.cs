@@ -37,6 +37,8 @@ namespace Rill
             this.grid = grid;
             strides = MeshSdfBaker.Strides(grid.Resolution).ToArray();
             passes = new MeshSdfPasses(mesh.GeometryFor(grid), grid, cmd);
+            // Bricks that lie on one side spare a large grid most sums. They are too few here to fill a GPU, which waits for them longer.
+            passes.LeaveSidesToVoxels();
             rest = GpuBuffer.Structured<Vector3>("Rill.Deforming.Rest", mesh.VertexCount);
             rest.SetData(mesh.Rest);
             vertexBones = GpuBuffer.Structured<VertexBones>("Rill.Deforming.VertexBones", mesh.VertexCount);
@@ -119,7 +121,6 @@ namespace Rill
             {
                 for (int level = 0; level < passes.LevelCount; level++)
                     passes.BuildClusters(level);
-                passes.FindSides(0, passes.BlockCount, mesh.IsClosed);
                 passes.ResolveSolid(0, passes.BrickCount, older);
             }
             (older, newer) = (newer, older);

@@ -230,6 +230,14 @@ namespace Rill
             Run(findSides, count, SidesMarker);
         }
 
+        /// <summary>Instead of <see cref="FindSides"/>, once for all bakes: each voxel of a solid asks for its side by itself.</summary>
+        public void LeaveSidesToVoxels()
+        {
+            var all = new uint[sides.count];
+            Array.Fill(all, (uint)BrickSide.Mixed);
+            sides.SetData(all);
+        }
+
         /// <summary>Bricks of a solid.</summary>
         /// <param name="into">Bits of floats, m; null for <see cref="Distances"/>.</param>
         public void ResolveSolid(int first, int count, GraphicsBuffer into = null)

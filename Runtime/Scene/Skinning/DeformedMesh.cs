@@ -42,7 +42,6 @@ namespace Rill
             order = TriangleOrder.Of(taken);
             turned = edges.Turned;
             IsShell = (sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : sign) == MeshSdfSign.OpenShell;
-            IsClosed = edges.IsClosed;
             turnAll = edges.SignedVolume < 0;
 
             bones = skin != null ? skin.bones : new[] { own };
@@ -90,9 +89,6 @@ namespace Rill
         }
 
         public bool IsShell { get; }
-
-        /// <summary><see cref="MeshEdges.IsClosed"/></summary>
-        public bool IsClosed { get; }
 
         public int VertexCount => Bones.Length;
 

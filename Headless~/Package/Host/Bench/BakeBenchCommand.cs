@@ -63,7 +63,7 @@ namespace Host.Bench
                 Console.Out.WriteLine(session.DescribeDevice());
                 if (parsed.GetValue(deforming))
                 {
-                    DeformingBench.Print(count, size, asked, Console.Out);
+                    DeformingBench.Print(count, size, asked, parsed.GetValue(stages), Console.Out);
                     return session.ErrorsLogged == 0 ? 0 : 1;
                 }
                 Console.Out.WriteLine("prepare: before the first dispatch; record: between them; result: after the last; asset: into a " +

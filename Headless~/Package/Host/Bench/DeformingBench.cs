@@ -17,20 +17,21 @@ namespace Host.Bench
     static class DeformingBench
     {
         const int Bones = 60;
+        const string Whole = "Deform";
 
         static readonly int[] Resolutions = { 32, 64 };
         static readonly int[] Triangles = { 10_000, 100_000 };
 
-        public static void Print(int repeats, int? triangles, int? resolution, TextWriter output)
+        public static void Print(int repeats, int? triangles, int? resolution, bool stages, TextWriter output)
         {
             output.WriteLine($"{"triangles",10}  {"voxels",-16}{"follow",10}{"record",10}{"GPU",10}   medians, ms: {Bones} bones on the CPU, " +
                 "the commands on the CPU, one field on the GPU");
             foreach (int size in triangles is int one ? new[] { one } : Triangles)
                 foreach (int voxels in resolution is int asked ? new[] { asked } : Resolutions)
-                    Print(size, voxels, repeats, output);
+                    Print(size, voxels, repeats, stages, output);
         }
 
-        static void Print(int triangles, int resolution, int repeats, TextWriter output)
+        static void Print(int triangles, int resolution, int repeats, bool stages, TextWriter output)
         {
             TriangleMesh lump = BakeBench.Lump(triangles);
             (GameObject owner, Mesh source, Transform[] bones) = Rig(lump);
@@ -41,23 +42,27 @@ namespace Host.Bench
             MeshSdfSettings settings = MeshSdfSettings.Default;
             (settings.resolution, settings.padding) = (resolution, 2);
             using var field = new DeformingField(mesh, new SdfGrid(box, settings, mesh.IsShell));
-            var times = new List<(double Follow, double Record, double Gpu)>();
+            var times = new List<(double Follow, double Record, DeviceSample[] Gpu)>();
             for (int i = 0; i <= repeats; i++)
             {
-                (double, double, double) frame = Frame(mesh, field, bones, i);
+                (double, double, DeviceSample[]) frame = Frame(mesh, field, bones, i);
                 if (i > 0)      // the first warms up
                     times.Add(frame);
             }
-            string Of(Func<(double Follow, double Record, double Gpu), double> part)
+            string Of(Func<(double Follow, double Record, DeviceSample[] Gpu), double> part)
                 => times.Select(part).OrderBy(t => t).ElementAt(times.Count / 2).ToString("0.000", CultureInfo.InvariantCulture);
             int3 size = field.Resolution;
             output.WriteLine(string.Create(CultureInfo.InvariantCulture,
-                $"{mesh.TriangleCount,10:N0}  {size.x + " x " + size.y + " x " + size.z,-16}{Of(t => t.Follow),10}{Of(t => t.Record),10}{Of(t => t.Gpu),10}"));
+                $"{mesh.TriangleCount,10:N0}  {size.x + " x " + size.y + " x " + size.z,-16}{Of(t => t.Follow),10}{Of(t => t.Record),10}{Of(t => Sum(t.Gpu, Whole)),10}"));
+            foreach (string name in stages ? times[0].Gpu.Select(sample => sample.Name).Distinct().Where(name => name != Whole) : Array.Empty<string>())
+                output.WriteLine($"{"",12}{name,-30}{Of(t => Sum(t.Gpu, name)),36}");
             Object.DestroyImmediate(owner);
             Object.DestroyImmediate(source);
         }
 
-        static (double Follow, double Record, double Gpu) Frame(DeformedMesh mesh, DeformingField field, Transform[] bones, int frame)
+        static double Sum(DeviceSample[] samples, string name) => samples.Where(sample => sample.Name == name).Sum(sample => sample.Milliseconds);
+
+        static (double Follow, double Record, DeviceSample[] Gpu) Frame(DeformedMesh mesh, DeformingField field, Transform[] bones, int frame)
         {
             foreach (Transform bone in bones)
                 bone.localRotation = Quaternion.Euler(0f, 0f, 3f * MathF.Sin(frame + 1f));
@@ -65,13 +70,13 @@ namespace Host.Bench
             var clock = Stopwatch.StartNew();
             mesh.Follow(0f);
             double followed = clock.Elapsed.TotalMilliseconds;
-            Player.Device.BeginSample("Deform");
+            Player.Device.BeginSample(Whole);
             field.Begin();
             field.Advance(mesh.TriangleCount);
             Player.Device.EndSample();
             double recorded = clock.Elapsed.TotalMilliseconds;
             Player.Device.WaitIdle();
-            return (followed, recorded - followed, gpu.Collect().Where(sample => sample.Name == "Deform").Sum(sample => sample.Milliseconds));
+            return (followed, recorded - followed, gpu.Collect().ToArray());
         }
 
         // Bones in a row along x, each vertex between the two that are nearest.
