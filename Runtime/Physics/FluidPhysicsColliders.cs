@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>
     /// Lets the fluid on this object take the colliders of Unity's physics that lie on some layers, without a component on each: box,
-    /// sphere, capsule, character controller, and mesh by a baked field.
+    /// sphere, capsule, character controller, terrain, and mesh by a baked field.
     /// </summary>
     /// <remarks>
     /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it.
@@ -142,8 +142,13 @@ namespace Rill
                 ? "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." : null);
             problems.AddIfAny(tooManyIsKnown ? TooManyProblem : null);
             foreach (IFluidCollider collider in taken)
-                if (collider.IsThere && collider.Describe(out _) is string problem)
+            {
+                if (!collider.IsThere)
+                    continue;
+                if (collider.Describe(out _) is string problem)
                     problems.Add($"The collider '{collider.Name}' is left out: {problem}");
+                problems.AddIfAny(((GatheredCollider)collider).LeftOut is string leftOut ? $"The collider '{collider.Name}': {leftOut}" : null);
+            }
         }
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;

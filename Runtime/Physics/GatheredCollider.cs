@@ -10,16 +10,18 @@ namespace Rill
             "mesh, and put a Fluid Collider with it and a Fluid Buoyancy on the body.";
 
         readonly FluidPhysicsColliders source;
+        readonly IColliderGround ground;        // null for none
         ColliderPlace place = ColliderPlace.Origin;
         FloatingBody floating;
         FluidForce force;
         ContactWatch watch;
-        bool hasForce, isDropped, compoundIsKnown, problemIsKnown;
+        bool hasForce, isDropped, compoundIsKnown, problemIsKnown, leftOutIsKnown;
 
         public GatheredCollider(FluidPhysicsColliders source, Collider collider)
         {
             this.source = source;
             Collider = collider;
+            ground = ColliderGround.Of(collider);
         }
 
         public Collider Collider { get; }
@@ -45,7 +47,14 @@ namespace Rill
         public bool Floats { get; private set; }
 
         /// <summary>The fluid drops it; it counts as one that is gone.</summary>
-        public void Drop() => isDropped = true;
+        public void Drop()
+        {
+            isDropped = true;
+            ground?.Dispose();
+        }
+
+        /// <summary>What of it holds no water where it should, or too much; null for nothing.</summary>
+        public string LeftOut => ground?.LeftOut;
 
         /// <summary>Looks for the body again, which may change between frames.</summary>
         public void FindBody() => Body = Collider.attachedRigidbody;
@@ -93,6 +102,7 @@ namespace Rill
             if (problem != null && !problemIsKnown)
                 Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' leaves out the collider '{Name}': {problem}", Collider);
             problemIsKnown = problem != null;
+            SayLeftOut();
             return problem == null;
         }
 
@@ -137,9 +147,11 @@ namespace Rill
                         "the object out of Collider Layers."
                         : place.DescribeField(Field, ref motion, ref pose);
                     break;
+                case Collider _ when ground != null:
+                    problem ??= DescribeGround(ref motion, ref pose);
+                    break;
                 default:
-                    problem ??= "water takes no collider of this kind. Put a Fluid Terrain on a Terrain, a Fluid Collider on anything " +
-                        "else, or take the object out of Collider Layers.";
+                    problem ??= "water takes no collider of this kind. Put a Fluid Collider on the object, or take it out of Collider Layers.";
                     break;
             }
             motion.start = motion.end = pose;
@@ -180,6 +192,22 @@ namespace Rill
             motion.shape = ColliderShape.Capsule;
             motion.size = new float3(scaled, math.max(0.5f * height * place.scale[direction] - scaled, 0f), 0f);
             return HasSize(scaled);
+        }
+
+        string DescribeGround(ref ColliderMotion motion, ref RigidPose pose)
+        {
+            HeightField heights = ground.Take(out string problem);
+            if (problem == null)
+                place.DescribeHeights(heights, ref motion, ref pose);
+            return problem;
+        }
+
+        void SayLeftOut()
+        {
+            string leftOut = LeftOut;
+            if (leftOut != null && !leftOutIsKnown)
+                Debug.LogWarning($"Rill: FluidPhysicsColliders '{source.name}', collider '{Name}': {leftOut}", Collider);
+            leftOutIsKnown = leftOut != null;
         }
 
         // Turns the y axis to another, by thirds of a turn.

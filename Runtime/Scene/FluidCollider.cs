@@ -323,19 +323,13 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidCollider '{name}': {clamped}", this);
         }
 
-        // As Unity's Terrain it follows the object's position alone.
         string DescribeHeights(ref ColliderMotion motion, ref RigidPose pose)
         {
             if (heights == null)
                 return "it is a height field without heights. Add a Fluid Terrain beside a Terrain, or set Heights.";
             if (heights.Texture == null)
                 return "its heights were disposed of. Set others.";
-            pose = new RigidPose(place.position + heights.Center, quaternion.identity);
-            motion.size = heights.Extents;
-            motion.fieldUnit = 1f;
-            motion.field = heights.Texture;
-            motion.minFraction = heights.MinFraction;
-            motion.insideOut = false;
+            place.DescribeHeights(heights, ref motion, ref pose);
             return null;
         }
 
