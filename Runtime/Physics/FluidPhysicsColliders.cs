@@ -23,7 +23,7 @@ namespace Rill
         [Tooltip("Layers whose colliders hold the water. Nothing costs nothing.")]
         [SerializeField] LayerMask colliderLayers;
 
-        [Tooltip("Of these layers, those whose free Rigidbodies the water carries. Each with one collider. Nothing costs nothing.")]
+        [Tooltip("Of these layers, those whose colliders let the water carry their free Rigidbodies. Nothing costs nothing.")]
         [SerializeField] LayerMask floatingLayers;
 
         [Tooltip("Fields of meshes: a Mesh Collider is taken where its mesh has one.")]
@@ -47,6 +47,8 @@ namespace Rill
         readonly Dictionary<Collider, GatheredCollider> known = new Dictionary<Collider, GatheredCollider>();
         readonly List<IFluidCollider> taken = new List<IFluidCollider>();       // all of known, in the order in which they came
         readonly List<GatheredCollider> leavers = new List<GatheredCollider>();     // whose listeners are to be told
+        readonly Dictionary<Rigidbody, GatheredBody> carried = new Dictionary<Rigidbody, GatheredBody>();
+        readonly List<GatheredBody> bodies = new List<GatheredBody>();      // all of carried, in the order in which they came
         Collider[] found;       // null until a query was made
         int round;
         bool tooManyIsKnown, listens;
@@ -56,7 +58,7 @@ namespace Rill
         /// <summary>Layers whose colliders hold the water.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
 
-        /// <summary>Of the collider layers, those whose free Rigidbodies the water carries.</summary>
+        /// <summary>Of the collider layers, those whose colliders let the water carry their free Rigidbodies.</summary>
         public LayerMask FloatingLayers { get => floatingLayers; set => floatingLayers = value; }
 
         /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
@@ -93,6 +95,9 @@ namespace Rill
 
         /// <summary>Those that the newest query found, in the order in which they came.</summary>
         internal List<IFluidCollider> Taken => taken;
+
+        /// <summary>Those that the fluid carries.</summary>
+        internal List<GatheredBody> Bodies => bodies;
 
         /// <summary>Clamps what is out of range.</summary>
         /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
@@ -186,10 +191,8 @@ namespace Rill
 
         void FixedUpdate()
         {
-            if (floatingLayers == 0)
-                return;
-            foreach (IFluidCollider collider in taken)
-                ((GatheredCollider)collider).CarryBody();
+            foreach (GatheredBody body in bodies)
+                body.Carry(fluid);
         }
 
         /// <summary>Calls who listens.</summary>
@@ -258,23 +261,33 @@ namespace Rill
 
         void FollowBodies()
         {
-            if (floatingLayers != 0)
-                foreach (IFluidCollider collider in taken)
-                    ((GatheredCollider)collider).FindBody();
+            foreach (GatheredBody body in bodies)
+                body.Parts.Clear();
             foreach (IFluidCollider collider in taken)
             {
                 var gathered = (GatheredCollider)collider;
-                bool isFree = gathered.IsFree(floatingLayers);
-                gathered.FollowBody(isFree, isFree && HasOther(gathered));
+                Rigidbody body = floatingLayers != 0 ? gathered.FreeBody(floatingLayers) : null;
+                gathered.Floats = body != null;
+                if (gathered.Floats)
+                    BodyOf(body).Parts.Add(gathered);
+            }
+            for (int i = bodies.Count - 1; i >= 0; i--)
+            {
+                if (bodies[i].Parts.Count > 0)
+                    continue;
+                carried.Remove(bodies[i].Body);
+                bodies.RemoveAt(i);
             }
         }
 
-        bool HasOther(GatheredCollider one)
+        GatheredBody BodyOf(Rigidbody body)
         {
-            foreach (IFluidCollider collider in taken)
-                if (!ReferenceEquals(collider, one) && ReferenceEquals(((GatheredCollider)collider).Body, one.Body))
-                    return true;
-            return false;
+            if (carried.TryGetValue(body, out GatheredBody known))
+                return known;
+            known = new GatheredBody(body);
+            carried.Add(body, known);
+            bodies.Add(known);
+            return known;
         }
 
         void DropAll()
@@ -282,6 +295,8 @@ namespace Rill
             foreach (IFluidCollider collider in taken)
                 Drop((GatheredCollider)collider);
             taken.Clear();
+            bodies.Clear();
+            carried.Clear();
         }
 
         void Drop(GatheredCollider gathered)
