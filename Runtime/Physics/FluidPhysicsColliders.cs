@@ -11,7 +11,8 @@ namespace Rill
     /// <remarks>
     /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it.
     /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
-    /// <see cref="FluidCollider"/>, or whose Rigidbody has one, is left to that. Without the physics module this component is not there.
+    /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that. Without the physics
+    /// module this component is not there.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon)]
     [DisallowMultipleComponent]
@@ -132,7 +133,7 @@ namespace Rill
             // Half the box more on all sides: what is fast was then seen before it comes.
             int count = Ask(center, rotation, size + 2f * spacing * Vector3.one);
             for (int i = 0; i < count; i++)
-                if (!IsFluidCollider(found[i]))
+                if (!IsLeftOut(found[i]))
                     Take(found[i]);
             DropOthers();
             listens = contacts.HasListeners;
@@ -152,7 +153,8 @@ namespace Rill
                     continue;
                 if (collider.Describe(out _) is string problem)
                     problems.Add($"The collider '{collider.Name}' is left out: {problem}");
-                problems.AddIfAny(((GatheredCollider)collider).LeftOut is string leftOut ? $"The collider '{collider.Name}': {leftOut}" : null);
+                if (((GatheredCollider)collider).LeftOut is string leftOut)
+                    problems.Add($"The collider '{collider.Name}': {leftOut}");
             }
         }
 
@@ -221,12 +223,14 @@ namespace Rill
             return count;
         }
 
-        static bool IsFluidCollider(Collider collider)
+        // Whether components of the fluid stand for it.
+        static bool IsLeftOut(Collider collider)
         {
             if (collider.TryGetComponent(out FluidCollider own) && own.isActiveAndEnabled)
                 return true;
             Rigidbody body = collider.attachedRigidbody;
-            return body != null && body.TryGetComponent(out own) && own.isActiveAndEnabled;
+            return body != null && (body.TryGetComponent(out own) && own.isActiveAndEnabled
+                || body.TryGetComponent(out FluidBuoyancy buoyancy) && buoyancy.isActiveAndEnabled);
         }
 
         void Take(Collider collider)

@@ -114,7 +114,8 @@ namespace Rill
             reach = math.max(reach, math.distance(shape.end.position, centerOfMass) + shape.Radius);
         }
 
-        /// <summary>Adds what a fluid did to one of the parts. Those of the same fluid follow one another, and <see cref="EndFluid"/>.</summary>
+        /// <summary>Adds what a fluid did to one of the parts. Those of the same fluid follow one another, and
+        /// <see cref="EndFluid"/>.</summary>
         public void Add(in ColliderMotion shape, float partVolume, in FluidForce partForce)
         {
             if (count == readings.Length)
@@ -293,7 +294,8 @@ namespace Rill
             Push(middle, path * -math.max(Vector3.Dot(push, path) - MaxPropulsion * buoyancy, 0f));
         }
 
-        // Heave and turns, by a fraction of the critical damping of a prism of the body's height and volume, as wide as its parts lie apart.
+        // Heave and turns, by a fraction of the critical damping of a prism of the body's height and volume, as wide as its parts
+        // lie apart.
         void Damp(float displaced, float told, float height, Vector3 middle, float g, Vector3 up, float fraction)
         {
             float squareWidth = 0f;     // of one part the area of its prism

@@ -6,8 +6,8 @@ namespace Rill
     /// <summary>The heights of a part of a terrain as a collider has them, and whether they were edited since.</summary>
     sealed class TerrainHeights : IDisposable
     {
-        public const string HolesProblem = "its Terrain has holes, which are closed to water. Lower the ground there, or leave the terrain " +
-            "out and put Fluid Colliders where it is.";
+        public const string HolesProblem = "its Terrain has holes, which are closed to water. Lower the ground there, or leave the " +
+            "terrain out and put Fluid Colliders where it is.";
 
         readonly TerrainData data;
         readonly RectInt taken;     // of the terrain's heights

@@ -44,6 +44,8 @@ namespace Rill
 #if UNITY_EDITOR
         [UnityEditor.InitializeOnLoadMethod]
 #endif
-        static void Install() => ColliderGround.Find = collider => collider is TerrainCollider terrain ? new TerrainColliderGround(terrain) : null;
+        static void Install() => ColliderGround.Find = Find;
+
+        static IColliderGround Find(Collider collider) => collider is TerrainCollider terrain ? new TerrainColliderGround(terrain) : null;
     }
 }

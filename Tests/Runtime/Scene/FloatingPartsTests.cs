@@ -68,7 +68,8 @@ namespace Rill.Tests
         }
 
         // Half under water where it was, at Center; now it has risen and tilted. The first part has a fraction of the force.
-        static Vector3 Respond(FloatingResponse response, Split? split, float rise, float speed, float ofTheFirst, Quaternion tilt, out Vector3 torque)
+        static Vector3 Respond(FloatingResponse response, Split? split, float rise, float speed, float ofTheFirst, Quaternion tilt,
+            out Vector3 torque)
         {
             Vector3 gravity = Gravity * Vector3.down, now = Center + rise * Vector3.up;
             response.Begin(Mass, now, speed * Vector3.up, Vector3.zero, Step);
@@ -80,7 +81,6 @@ namespace Rill.Tests
             {
                 Vector3 axis = split == Split.SideBySide ? Vector3.right : Vector3.up;
                 Vector3 half = Size - 0.5f * Vector3.Scale(axis, Size), off = 0.25f * Vector3.Scale(axis, Size);
-                // Side by side both have the same arm: what one has more of would turn the body.
                 Add(response, now - tilt * off, half, ofTheFirst * force, Center - off, tilt);
                 Add(response, now + tilt * off, half, (1f - ofTheFirst) * force, Center + off, tilt);
             }
