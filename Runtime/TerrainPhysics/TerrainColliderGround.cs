@@ -8,7 +8,7 @@ namespace Rill
         readonly TerrainCollider collider;
         TerrainData used;       // null for none
 
-        TerrainColliderGround(TerrainCollider collider) => this.collider = collider;
+        public TerrainColliderGround(TerrainCollider collider) => this.collider = collider;
 
         public string LeftOut { get; private set; }
 
@@ -39,13 +39,5 @@ namespace Rill
             if (used != null)
                 SharedTerrainHeights.Use(used);
         }
-
-        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-#if UNITY_EDITOR
-        [UnityEditor.InitializeOnLoadMethod]
-#endif
-        static void Install() => ColliderGround.Find = Find;
-
-        static IColliderGround Find(Collider collider) => collider is TerrainCollider terrain ? new TerrainColliderGround(terrain) : null;
     }
 }

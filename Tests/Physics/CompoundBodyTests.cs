@@ -151,7 +151,7 @@ namespace Rill.Tests
         }
 
         /// <param name="size">Of the box that has its inertia, m.</param>
-        /// <param name="parts">Places in the body's frame and sides of boxes, m; each on a child.</param>
+        /// <param name="parts">Positions in the body's frame and sides of boxes, m; each on a child.</param>
         void Body(Vector3 size, float ratio, float height, bool byLayer, params (Vector3, Vector3)[] parts)
         {
             GameObject thing = Make("Body");

@@ -9,7 +9,8 @@ namespace Host
     sealed class RillPackage : BuiltInPackage
     {
         public override IReadOnlyList<string> Assemblies { get; } = new[] { "Rill", "Rill.Physics", "Rill.Terrain",
-            "Rill.TerrainPhysics", "Rill.Timeline", "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor" };
+            "Rill.TerrainPhysics", "Rill.Timeline", "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor",
+            "Rill.TerrainPhysics.Editor" };
 
         public override IReadOnlyList<string> Tests { get; } = new[] { "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests",
             "Rill.TerrainPhysics.Tests", "Rill.Timeline.Tests", "Rill.Editor.Tests" };
