@@ -50,8 +50,8 @@ namespace Rill
         {
             Release();
             refusal = null;
-            if (!isActiveAndEnabled)
-                return;
+            if (collider == null || !isActiveAndEnabled)
+                return;         // taken as it is enabled
             TerrainData data = GetComponent<Terrain>().terrainData;
             if (data == null)
             {
