@@ -5,6 +5,8 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Rill.Testing")]
 [assembly: InternalsVisibleTo("Rill.Terrain")]
 [assembly: InternalsVisibleTo("Rill.Terrain.Tests")]
+[assembly: InternalsVisibleTo("Rill.TerrainPhysics")]
+[assembly: InternalsVisibleTo("Rill.TerrainPhysics.Tests")]
 [assembly: InternalsVisibleTo("Rill.Timeline")]
 [assembly: InternalsVisibleTo("Rill.Timeline.Tests")]
 [assembly: InternalsVisibleTo("Rill.Universal")]

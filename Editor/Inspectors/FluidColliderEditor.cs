@@ -50,9 +50,9 @@ namespace Rill.Editor
         internal override void ListLive(List<(string label, string text)> live)
         {
             var collider = (FluidCollider)target;
-            if (!collider.MeasuresForce)
-                return;
             bool known = collider.TryGetForce(out Vector3 force, out Vector3 torque);
+            if (!known && !collider.MeasuresForce)
+                return;
             live.Add(("Force", known ? $"{force.x:0.##}, {force.y:0.##}, {force.z:0.##} N" : "not known yet"));
             if (known)
                 live.Add(("Torque", $"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its middle"));

@@ -2,11 +2,11 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Gives a Rigidbody what fluids exert on its collider, at each fixed step: <see cref="Begin"/>, the forces,
-    /// <see cref="Apply"/>.</summary>
-    struct FloatingBody
+    /// <summary>Gives a Rigidbody what fluids exert on its colliders, at each fixed step: <see cref="Begin"/>, all parts, the forces of
+    /// each fluid, <see cref="Apply"/>.</summary>
+    sealed class FloatingBody
     {
-        FloatingResponse response;
+        FloatingResponse response = new FloatingResponse();
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float SubmergedFraction => response.Fraction;
@@ -14,33 +14,40 @@ namespace Rill
         /// <summary>Whether a fluid told of its force in this step.</summary>
         public bool IsKnown => response.IsKnown;
 
-        /// <param name="shape">World space, m; where the body is now.</param>
-        /// <param name="volume">m³.</param>
+        /// <summary>Begins a step.</summary>
         /// <param name="virtualMass">As a fraction of the displaced water; holds while the forces tell nothing of it.</param>
         /// <param name="damping">As a fraction of the critical damping.</param>
-        public void Begin(Rigidbody body, in ColliderMotion shape, float volume, float virtualMass, float damping)
+        public void Begin(Rigidbody body, float virtualMass, float damping)
         {
-            response.Begin(shape, volume, body.mass, body.GetPointVelocity(body.worldCenterOfMass), body.angularVelocity, Time.fixedDeltaTime);
+            Vector3 center = body.worldCenterOfMass;
+            response.Begin(body.mass, center, body.GetPointVelocity(center), body.angularVelocity, Time.fixedDeltaTime);
             response.Tune(virtualMass, damping);
         }
 
-        /// <summary>Adds the newest of a fluid, unless it has ended.</summary>
-        public void Add(in FluidForce force)
-        {
-            if (force.From != null && force.From.isActiveAndEnabled)
-                response.Add(force, force.From.Material.density, force.From.Gravity);
-        }
+        /// <summary>Adds a collider of the body, whether or not a fluid tells of it.</summary>
+        /// <param name="shape">World space, m; where it is now.</param>
+        /// <param name="volume">m³, above 0.</param>
+        public void AddPart(in ColliderMotion shape, float volume) => response.AddPart(shape, volume);
+
+        /// <summary>Adds the newest of a fluid for one of the parts. Those of the same fluid follow one another, and
+        /// <see cref="EndFluid"/>.</summary>
+        public void Add(in ColliderMotion shape, float volume, in FluidForce force) => response.Add(shape, volume, force);
+
+        /// <summary>Ends the parts of one fluid.</summary>
+        public void EndFluid(FluidSimulation fluid) => response.EndFluid(fluid.Material.density, fluid.Gravity);
 
         /// <summary>Lets the forces act on the body.</summary>
         /// <param name="maxAcceleration">That fluids give to it, m/s².</param>
         public void Apply(Rigidbody body, float maxAcceleration)
         {
             Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
-            Vector3 torque = response.TorqueAbout(body.worldCenterOfMass);
-            response.Solve(gravity, Turn(body, torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
+            response.Solve(gravity, Turn(body, response.Torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
             body.AddForce(acceleration - gravity, ForceMode.Acceleration);      // it falls by itself
             body.AddTorque(angularAcceleration, ForceMode.Acceleration);
         }
+
+        /// <summary>Forgets the water's level and what it resisted with.</summary>
+        public void Reset() => response = new FloatingResponse();
 
         /// <summary>The water looks at an object frame by frame: one that moves in fixed steps alone seems to stop and jump.</summary>
         public static void Smooth(Rigidbody body)
@@ -50,11 +57,12 @@ namespace Rill
         }
 
         /// <summary>Of a collider, m³; 0 where it has none.</summary>
-        /// <param name="field">Of a mesh.</param>
+        /// <param name="field">Of a mesh; null for a mesh without.</param>
         public static float VolumeOf(in ColliderMotion shape, SignedDistanceField field)
         {
-            return shape.shape == ColliderShape.Mesh ? field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit
-                : ColliderMeasures.Volume(shape);
+            if (shape.shape != ColliderShape.Mesh)
+                return ColliderMeasures.Volume(shape);
+            return field != null ? field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit : 0f;
         }
 
         // Angular acceleration of the body alone, rad/s².

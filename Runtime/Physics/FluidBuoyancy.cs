@@ -5,9 +5,11 @@ namespace Rill
 {
     /// <summary>
     /// Lets the fluid carry this object's Rigidbody: at each fixed step it gets the force and the torque that the fluid exerts on its
-    /// <see cref="FluidCollider"/>, stable although they come a few frames late.
+    /// <see cref="FluidCollider"/>, and on those of objects below it that have no other Rigidbody, stable although they come a few
+    /// frames late.
     /// </summary>
     /// <remarks>
+    /// Forces, torques and volumes of several colliders add up: where they overlap, their volume counts twice.
     /// The water looks at the object frame by frame, so a body that does not interpolate is set to. Kinematic bodies are left
     /// alone. See the page on floating bodies for how a late force is made stable. Without the physics module this component
     /// is not there; <see cref="FluidCollider.TryGetForce"/> gives the force to an integrator of your own.
@@ -32,11 +34,20 @@ namespace Rill
         [Tooltip("Largest acceleration that the fluid gives to the body, m/s². Above 0. Impacts are cut off there.")]
         [SerializeField] float maxAcceleration = FloatingResponse.DefaultMaxAcceleration;
 
-        FluidCollider obstacle;
+        // A collider of the body that can float, in this step.
+        struct Part
+        {
+            public FluidCollider collider;
+            public ColliderMotion shape;
+            public float volume;        // m³
+        }
+
+        readonly FloatingBody floating = new FloatingBody();
+        readonly List<FluidCollider> colliders = new List<FluidCollider>();     // of the body
+        readonly List<Part> parts = new List<Part>();
         Rigidbody body;
-        FloatingBody floating;
         float waited;
-        bool measuredBefore, problemIsKnown;
+        bool problemIsKnown;
         string clamped;         // what the newest validation changed
 
         /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it
@@ -66,19 +77,18 @@ namespace Rill
 
         void OnEnable()
         {
-            obstacle = GetComponent<FluidCollider>();
             body = GetComponent<Rigidbody>();
-            measuredBefore = obstacle.MeasuresForce;
-            obstacle.MeasuresForce = true;
             FloatingBody.Smooth(body);
+            FindColliders();
             waited = 0f;
         }
 
         void OnDisable()
         {
-            if (obstacle != null)
-                obstacle.MeasuresForce = measuredBefore;
-            floating = default;
+            SetCarried(false);
+            colliders.Clear();
+            parts.Clear();
+            floating.Reset();
         }
 
         void OnValidate()
@@ -91,23 +101,26 @@ namespace Rill
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped);
-            var collider = GetComponent<FluidCollider>();       // its own problems are its own to tell
-            if (collider.Describe(out ColliderMotion shape) == null)
-                problems.AddIfAny(Problem(shape, FloatingBody.VolumeOf(shape, collider.Field)));
+            foreach (FluidCollider collider in GetComponentsInChildren<FluidCollider>())
+                if (collider.enabled && IsOf(GetComponent<Rigidbody>(), collider) && collider.Describe(out ColliderMotion shape) == null
+                    && Problem(shape, FloatingBody.VolumeOf(shape, collider.Field)) is string problem)
+                    problems.Add($"'{collider.name}': {problem}");
         }
 
         void FixedUpdate()
         {
-            if (body.isKinematic || !obstacle.isActiveAndEnabled || !obstacle.TryDescribe(out ColliderMotion shape))
+            if (body.isKinematic)
                 return;
-            float volume = FloatingBody.VolumeOf(shape, obstacle.Field);
-            Say(Problem(shape, volume));
-            if (problemIsKnown)
+            FindColliders();
+            FindParts();
+            if (parts.Count == 0)
                 return;
-
-            floating.Begin(body, shape, volume, virtualMass, damping);
-            foreach (FluidForce force in obstacle.Forces)
-                floating.Add(force);
+            floating.Begin(body, virtualMass, damping);
+            foreach (Part part in parts)
+                floating.AddPart(part.shape, part.volume);
+            for (int i = 0; i < parts.Count; i++)
+                foreach (FluidForce force in parts[i].collider.Forces)
+                    AddFluid(force.From, i);
             if (!floating.IsKnown)
             {
                 Wait();
@@ -118,7 +131,64 @@ namespace Rill
             floating.Apply(body, maxAcceleration);
         }
 
-        string Problem(in ColliderMotion shape, float volume)
+        // Also those that came, went or were moved below another object since the last step.
+        void FindColliders()
+        {
+            SetCarried(false);
+            GetComponentsInChildren(false, colliders);
+            for (int i = colliders.Count - 1; i >= 0; i--)
+                if (!colliders[i].enabled || !IsOf(body, colliders[i]))
+                    colliders.RemoveAt(i);
+            SetCarried(true);
+        }
+
+        void SetCarried(bool isCarried)
+        {
+            foreach (FluidCollider collider in colliders)
+                if (collider != null)       // destroyed since
+                    collider.IsCarried = isCarried;
+        }
+
+        // As colliders of Unity's physics belong to a body.
+        static bool IsOf(Rigidbody body, FluidCollider collider) => collider.GetComponentInParent<Rigidbody>() == body;
+
+        void FindParts()
+        {
+            parts.Clear();
+            string problem = null;
+            FluidCollider leftOut = null;
+            foreach (FluidCollider collider in colliders)
+            {
+                if (!collider.TryDescribe(out ColliderMotion shape))
+                    continue;       // which is logged
+                float volume = FloatingBody.VolumeOf(shape, collider.Field);
+                string own = Problem(shape, volume);
+                if (own == null)
+                {
+                    parts.Add(new Part { collider = collider, shape = shape, volume = volume });
+                    continue;
+                }
+                problem = own;
+                leftOut = collider;
+            }
+            Say(problem, leftOut);
+        }
+
+        // All parts that one fluid told of, at the first of them.
+        void AddFluid(FluidSimulation fluid, int first)
+        {
+            if (fluid == null || !fluid.isActiveAndEnabled)
+                return;         // it has ended
+            for (int i = 0; i < first; i++)
+                if (parts[i].collider.TryGetForceOf(fluid, out _))
+                    return;
+            for (int i = first; i < parts.Count; i++)
+                if (parts[i].collider.TryGetForceOf(fluid, out FluidForce force))
+                    floating.Add(parts[i].shape, parts[i].volume, force);
+            floating.EndFluid(fluid);
+        }
+
+        static string Problem(in ColliderMotion shape, float volume)
         {
             if (shape.shape == ColliderShape.Plane || shape.shape == ColliderShape.HeightField || shape.insideOut)
                 return "its FluidCollider is a plane, a height field or inside out, which has no volume that floats. Use another " +
@@ -138,10 +208,11 @@ namespace Rill
                 $"its box. Place it there, or enable the simulation.", this);
         }
 
-        void Say(string problem)
+        void Say(string problem, FluidCollider leftOut)
         {
             if (problem != null && !problemIsKnown)
-                Debug.LogError($"Rill: FluidBuoyancy '{name}' carries nothing: {problem}", this);
+                Debug.LogError($"Rill: FluidBuoyancy '{name}' {(parts.Count == 0 ? "carries nothing" : $"leaves out '{leftOut.name}'")}: " +
+                    problem, this);
             problemIsKnown = problem != null;
         }
     }

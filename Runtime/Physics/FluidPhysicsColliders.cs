@@ -6,12 +6,13 @@ namespace Rill
 {
     /// <summary>
     /// Lets the fluid on this object take the colliders of Unity's physics that lie on some layers, without a component on each: box,
-    /// sphere, capsule, character controller, and mesh by a baked field.
+    /// sphere, capsule, character controller, terrain, and mesh by a baked field.
     /// </summary>
     /// <remarks>
     /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it.
     /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
-    /// <see cref="FluidCollider"/>, or whose Rigidbody has one, is left to that. Without the physics module this component is not there.
+    /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that. Without the physics
+    /// module this component is not there.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon)]
     [DisallowMultipleComponent]
@@ -23,7 +24,7 @@ namespace Rill
         [Tooltip("Layers whose colliders hold the water. Nothing costs nothing.")]
         [SerializeField] LayerMask colliderLayers;
 
-        [Tooltip("Of these layers, those whose free Rigidbodies the water carries. Each with one collider. Nothing costs nothing.")]
+        [Tooltip("Of these layers, those whose colliders let the water carry their free Rigidbodies. Nothing costs nothing.")]
         [SerializeField] LayerMask floatingLayers;
 
         [Tooltip("Fields of meshes: a Mesh Collider is taken where its mesh has one.")]
@@ -47,6 +48,8 @@ namespace Rill
         readonly Dictionary<Collider, GatheredCollider> known = new Dictionary<Collider, GatheredCollider>();
         readonly List<IFluidCollider> taken = new List<IFluidCollider>();       // all of known, in the order in which they came
         readonly List<GatheredCollider> leavers = new List<GatheredCollider>();     // whose listeners are to be told
+        readonly Dictionary<Rigidbody, GatheredBody> carried = new Dictionary<Rigidbody, GatheredBody>();
+        readonly List<GatheredBody> bodies = new List<GatheredBody>();      // all of carried, in the order in which they came
         Collider[] found;       // null until a query was made
         int round;
         bool tooManyIsKnown, listens;
@@ -56,7 +59,7 @@ namespace Rill
         /// <summary>Layers whose colliders hold the water.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
 
-        /// <summary>Of the collider layers, those whose free Rigidbodies the water carries.</summary>
+        /// <summary>Of the collider layers, those whose colliders let the water carry their free Rigidbodies.</summary>
         public LayerMask FloatingLayers { get => floatingLayers; set => floatingLayers = value; }
 
         /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
@@ -94,6 +97,9 @@ namespace Rill
         /// <summary>Those that the newest query found, in the order in which they came.</summary>
         internal List<IFluidCollider> Taken => taken;
 
+        /// <summary>Those that the fluid carries.</summary>
+        internal List<GatheredBody> Bodies => bodies;
+
         /// <summary>Clamps what is out of range.</summary>
         /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
         public bool Validate(out string problem)
@@ -127,7 +133,7 @@ namespace Rill
             // Half the box more on all sides: what is fast was then seen before it comes.
             int count = Ask(center, rotation, size + 2f * spacing * Vector3.one);
             for (int i = 0; i < count; i++)
-                if (!IsFluidCollider(found[i]))
+                if (!IsLeftOut(found[i]))
                     Take(found[i]);
             DropOthers();
             listens = contacts.HasListeners;
@@ -142,8 +148,14 @@ namespace Rill
                 ? "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." : null);
             problems.AddIfAny(tooManyIsKnown ? TooManyProblem : null);
             foreach (IFluidCollider collider in taken)
-                if (collider.IsThere && collider.Describe(out _) is string problem)
+            {
+                if (!collider.IsThere)
+                    continue;
+                if (collider.Describe(out _) is string problem)
                     problems.Add($"The collider '{collider.Name}' is left out: {problem}");
+                if (((GatheredCollider)collider).LeftOut is string leftOut)
+                    problems.Add($"The collider '{collider.Name}': {leftOut}");
+            }
         }
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;
@@ -181,10 +193,8 @@ namespace Rill
 
         void FixedUpdate()
         {
-            if (floatingLayers == 0)
-                return;
-            foreach (IFluidCollider collider in taken)
-                ((GatheredCollider)collider).CarryBody();
+            foreach (GatheredBody body in bodies)
+                body.Carry(fluid);
         }
 
         /// <summary>Calls who listens.</summary>
@@ -213,12 +223,14 @@ namespace Rill
             return count;
         }
 
-        static bool IsFluidCollider(Collider collider)
+        // Whether components of the fluid stand for it.
+        static bool IsLeftOut(Collider collider)
         {
             if (collider.TryGetComponent(out FluidCollider own) && own.isActiveAndEnabled)
                 return true;
             Rigidbody body = collider.attachedRigidbody;
-            return body != null && body.TryGetComponent(out own) && own.isActiveAndEnabled;
+            return body != null && (body.TryGetComponent(out own) && own.isActiveAndEnabled
+                || body.TryGetComponent(out FluidBuoyancy buoyancy) && buoyancy.isActiveAndEnabled);
         }
 
         void Take(Collider collider)
@@ -253,23 +265,33 @@ namespace Rill
 
         void FollowBodies()
         {
-            if (floatingLayers != 0)
-                foreach (IFluidCollider collider in taken)
-                    ((GatheredCollider)collider).FindBody();
+            foreach (GatheredBody body in bodies)
+                body.Parts.Clear();
             foreach (IFluidCollider collider in taken)
             {
                 var gathered = (GatheredCollider)collider;
-                bool isFree = gathered.IsFree(floatingLayers);
-                gathered.FollowBody(isFree, isFree && HasOther(gathered));
+                Rigidbody body = floatingLayers != 0 ? gathered.FreeBody(floatingLayers) : null;
+                gathered.Floats = body != null;
+                if (gathered.Floats)
+                    BodyOf(body).Parts.Add(gathered);
+            }
+            for (int i = bodies.Count - 1; i >= 0; i--)
+            {
+                if (bodies[i].Parts.Count > 0)
+                    continue;
+                carried.Remove(bodies[i].Body);
+                bodies.RemoveAt(i);
             }
         }
 
-        bool HasOther(GatheredCollider one)
+        GatheredBody BodyOf(Rigidbody body)
         {
-            foreach (IFluidCollider collider in taken)
-                if (!ReferenceEquals(collider, one) && ReferenceEquals(((GatheredCollider)collider).Body, one.Body))
-                    return true;
-            return false;
+            if (carried.TryGetValue(body, out GatheredBody known))
+                return known;
+            known = new GatheredBody(body);
+            carried.Add(body, known);
+            bodies.Add(known);
+            return known;
         }
 
         void DropAll()
@@ -277,6 +299,8 @@ namespace Rill
             foreach (IFluidCollider collider in taken)
                 Drop((GatheredCollider)collider);
             taken.Clear();
+            bodies.Clear();
+            carried.Clear();
         }
 
         void Drop(GatheredCollider gathered)

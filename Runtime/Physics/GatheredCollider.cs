@@ -6,20 +6,18 @@ namespace Rill
     /// <summary>A collider of Unity's physics as one fluid sees it, sized by the rules of the physics.</summary>
     sealed class GatheredCollider : IFluidCollider
     {
-        const string CompoundProblem = "its Rigidbody has several colliders, and by layer the water carries bodies with one. Bake its " +
-            "mesh, and put a Fluid Collider with it and a Fluid Buoyancy on the body.";
-
         readonly FluidPhysicsColliders source;
+        readonly IColliderGround ground;        // null for none
         ColliderPlace place = ColliderPlace.Origin;
-        FloatingBody floating;
         FluidForce force;
         ContactWatch watch;
-        bool hasForce, isDropped, compoundIsKnown, problemIsKnown;
+        bool hasForce, isDropped, problemIsKnown, leftOutIsKnown;
 
         public GatheredCollider(FluidPhysicsColliders source, Collider collider)
         {
             this.source = source;
             Collider = collider;
+            ground = ColliderGround.Of(collider);
         }
 
         public Collider Collider { get; }
@@ -38,50 +36,39 @@ namespace Rill
 
         public bool MeasuresForce => Floats || source.ListensToContacts;
 
-        /// <summary>Its Rigidbody; null where it has none.</summary>
-        public Rigidbody Body { get; private set; }
-
         /// <summary>Whether the fluid carries its Rigidbody.</summary>
-        public bool Floats { get; private set; }
+        public bool Floats { get; set; }
 
         /// <summary>The fluid drops it; it counts as one that is gone.</summary>
-        public void Drop() => isDropped = true;
-
-        /// <summary>Looks for the body again, which may change between frames.</summary>
-        public void FindBody() => Body = Collider.attachedRigidbody;
-
-        /// <summary>Whether the body is free and of one of these layers.</summary>
-        public bool IsFree(LayerMask floatingLayers)
-            => (floatingLayers & 1 << Collider.gameObject.layer) != 0 && Body != null && !Body.isKinematic;
-
-        /// <summary>Follows whether the fluid carries the body.</summary>
-        /// <param name="isFree">Whether it is one that the fluid carries.</param>
-        /// <param name="isCompound">Whether another collider that the fluid takes is of the same body.</param>
-        public void FollowBody(bool isFree, bool isCompound)
+        public void Drop()
         {
-            bool isRefused = isFree && isCompound;
-            if (isRefused && !compoundIsKnown)
-                Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' does not carry '{Name}': {CompoundProblem}", Collider);
-            compoundIsKnown = isRefused;
-            Floats = isFree && !isCompound;
-            if (!Floats)
-                floating = default;
+            isDropped = true;
+            ground?.Dispose();
         }
 
-        /// <summary>Lets the fluid act on the body, at a fixed step.</summary>
-        public void CarryBody()
+        /// <summary>What of it holds no water where it should, or too much; null for nothing.</summary>
+        public string LeftOut => ground?.LeftOut;
+
+        /// <summary>Its Rigidbody, where that is free and the collider is of one of these layers; null else.</summary>
+        public Rigidbody FreeBody(LayerMask floatingLayers)
         {
-            if (!Floats || Body == null || !TryDescribe(out ColliderMotion shape))
+            if ((floatingLayers & 1 << Collider.gameObject.layer) == 0)
+                return null;
+            Rigidbody body = Collider.attachedRigidbody;
+            return body != null && !body.isKinematic ? body : null;
+        }
+
+        /// <summary>Adds it to its body as one of the parts, with what the fluid did to it.</summary>
+        public void AddTo(FloatingBody body)
+        {
+            if (!TryDescribe(out ColliderMotion shape))
                 return;
             float volume = FloatingBody.VolumeOf(shape, Field);
             if (!(volume > 0f))
                 return;
-            FloatingBody.Smooth(Body);
-            floating.Begin(Body, shape, volume, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);
+            body.AddPart(shape, volume);
             if (hasForce)
-                floating.Add(force);
-            if (floating.IsKnown)
-                floating.Apply(Body, FloatingResponse.DefaultMaxAcceleration);
+                body.Add(shape, volume, force);
         }
 
         public bool TryDescribe(out ColliderMotion motion)
@@ -93,6 +80,7 @@ namespace Rill
             if (problem != null && !problemIsKnown)
                 Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' leaves out the collider '{Name}': {problem}", Collider);
             problemIsKnown = problem != null;
+            SayLeftOut();
             return problem == null;
         }
 
@@ -137,9 +125,11 @@ namespace Rill
                         "the object out of Collider Layers."
                         : place.DescribeField(Field, ref motion, ref pose);
                     break;
+                case Collider _ when ground != null:
+                    problem ??= DescribeGround(ref motion, ref pose);
+                    break;
                 default:
-                    problem ??= "water takes no collider of this kind. Put a Fluid Terrain on a Terrain, a Fluid Collider on anything " +
-                        "else, or take the object out of Collider Layers.";
+                    problem ??= "water takes no collider of this kind. Put a Fluid Collider on the object, or take it out of Collider Layers.";
                     break;
             }
             motion.start = motion.end = pose;
@@ -180,6 +170,22 @@ namespace Rill
             motion.shape = ColliderShape.Capsule;
             motion.size = new float3(scaled, math.max(0.5f * height * place.scale[direction] - scaled, 0f), 0f);
             return HasSize(scaled);
+        }
+
+        string DescribeGround(ref ColliderMotion motion, ref RigidPose pose)
+        {
+            HeightField heights = ground.Take(out string problem);
+            if (problem == null)
+                place.DescribeHeights(heights, ref motion, ref pose);
+            return problem;
+        }
+
+        void SayLeftOut()
+        {
+            string leftOut = LeftOut;
+            if (leftOut != null && !leftOutIsKnown)
+                Debug.LogWarning($"Rill: FluidPhysicsColliders '{source.name}', collider '{Name}': {leftOut}", Collider);
+            leftOutIsKnown = leftOut != null;
         }
 
         // Turns the y axis to another, by thirds of a turn.

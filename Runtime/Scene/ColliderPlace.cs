@@ -56,5 +56,18 @@ namespace Rill
             return even > 1.001f * math.cmin(scale) ? $"its scale {(Vector3)scale} is not the same along all axes, and distances " +
                 $"cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
         }
+
+        /// <summary>Makes a motion that of ground. As Unity's Terrain it follows the object's position alone.</summary>
+        /// <param name="heights">Not null, nor disposed of.</param>
+        public void DescribeHeights(HeightField heights, ref ColliderMotion motion, ref RigidPose pose)
+        {
+            pose = new RigidPose(position + heights.Center, quaternion.identity);
+            motion.shape = ColliderShape.HeightField;
+            motion.size = heights.Extents;
+            motion.fieldUnit = 1f;
+            motion.field = heights.Texture;
+            motion.minFraction = heights.MinFraction;
+            motion.insideOut = false;
+        }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -11,7 +12,12 @@ namespace Rill
     /// body's displacement since; what a late force can push is limited, heave and turns are damped. All of it vanishes at rest. See
     /// floating-study.md of the documentation.
     /// </summary>
-    struct FloatingResponse
+    /// <remarks>
+    /// A body is made of parts, each a collider. Forces, moments and volumes of the parts add up; slip, resistance, the water's level and
+    /// the limits are the body's. Where parts touch, the water may push one of them by what all displace: only the sum tells the fraction
+    /// that is under water.
+    /// </remarks>
+    sealed class FloatingResponse
     {
         public const float DefaultVirtualMass = 2.5f;
         public const float DefaultDamping = 0.8f;
@@ -21,11 +27,35 @@ namespace Rill
         const float MaxPropulsion = 1.1f;      // of the buoyancy
         const float Certain = 0.95f;            // a fraction under water above this is all, and below the rest of it none
         const float LevelRate = 0.1f;           // fraction of a newly found level that is taken at a step
+        const int LevelSteps = 24;              // of the bisection for a level: to a 1e-7 of the body's height
 
-        ColliderMotion shape;                   // where the body is now
-        float volume, mass, step, virtualFraction, damping;        // m³, kg, s
-        Vector3 velocity, angularVelocity;      // m/s, rad/s
-        Vector3 force, torque;                  // N; about the middle of the shape, N m
+        // What one fluid did to one part.
+        struct Reading
+        {
+            public ColliderMotion shape;        // where the part is now
+            public float volume;                // m³
+            public FluidForce force;
+            public float height;                // upwards, m
+            public float middle, middleThen;    // upwards, m; while the force was measured
+
+            public bool IsBall => shape.shape == ColliderShape.Sphere;
+
+            /// <summary>Fraction of the part under a level: of a ball's cap, or of a prism as high as the part.</summary>
+            public float Wet(float level, bool then)
+            {
+                float depth = math.saturate((level - (then ? middleThen : middle)) / height + 0.5f);
+                return IsBall ? depth * depth * (3f - 2f * depth) : depth;
+            }
+        }
+
+        Reading[] readings = new Reading[1];    // of the fluid that is being added
+        int count;
+        Vector3 push, moment;                   // of that fluid, N; about the centre of mass, N m
+        float mass, step, virtualFraction, damping;        // kg, s
+        Vector3 centerOfMass, velocity, angularVelocity;      // m, m/s, rad/s
+        Vector3 force, torque;                  // N; about the centre of mass, N m
+        float reach;                            // from the centre of mass to the farthest point of a part, m
+        float volume, wetVolume;                // of all parts, m³
         float resistance, turnResistance;       // against slip, kg/s
         Vector3 slowed, turnSlowed;             // they times the slip in which the forces were measured, N; kg rad/s²
         SlipVelocity slip, angularSlip;
@@ -35,26 +65,26 @@ namespace Rill
         bool levelIsKnown;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
-        public float Fraction { get; private set; }
+        public float Fraction => volume > 0f ? math.min(wetVolume / volume, 1f) : 0f;
 
         /// <summary>Whether a fluid told of its force.</summary>
         public bool IsKnown { get; private set; }
 
+        /// <summary>Torque of the fluids about the centre of mass, N m.</summary>
+        public Vector3 Torque => torque;
+
         /// <summary>Begins a step; of those before, the water's level, the slip and the estimate of the virtual mass are kept.</summary>
-        /// <param name="bodyShape">World space, m; where the body is now.</param>
-        /// <param name="bodyVolume">m³.</param>
+        /// <param name="center">Of mass, world space, m.</param>
+        /// <param name="bodyVelocity">Of the centre of mass.</param>
         /// <param name="stepTime">Of this step and the last, s.</param>
-        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity,
-            float stepTime)
+        public void Begin(float bodyMass, Vector3 center, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime)
         {
-            this = new FloatingResponse
-            {
-                level = level, levelIsKnown = levelIsKnown, slip = slip, angularSlip = angularSlip,
-                memory = memory, estimate = estimate
-            };
-            shape = bodyShape;
-            volume = bodyVolume;
+            IsKnown = false;
+            count = 0;
+            force = torque = slowed = turnSlowed = Vector3.zero;
+            reach = volume = wetVolume = resistance = turnResistance = 0f;
             mass = bodyMass;
+            centerOfMass = center;
             step = stepTime;
             velocity = bodyVelocity;
             angularVelocity = bodyAngularVelocity;
@@ -75,27 +105,51 @@ namespace Rill
             damping = dampingFraction;
         }
 
-        /// <summary>Adds what one fluid did.</summary>
+        /// <summary>Adds a part of the body, whether or not a fluid tells of it.</summary>
+        /// <param name="shape">World space, m; where the part is now.</param>
+        /// <param name="partVolume">m³, above 0.</param>
+        public void AddPart(in ColliderMotion shape, float partVolume)
+        {
+            volume += partVolume;
+            reach = math.max(reach, math.distance(shape.end.position, centerOfMass) + shape.Radius);
+        }
+
+        /// <summary>Adds what a fluid did to one of the parts. Those of the same fluid follow one another, and
+        /// <see cref="EndFluid"/>.</summary>
+        public void Add(in ColliderMotion shape, float partVolume, in FluidForce partForce)
+        {
+            if (count == readings.Length)
+                Array.Resize(ref readings, 2 * count);
+            readings[count++] = new Reading { shape = shape, volume = partVolume, force = partForce };
+        }
+
+        /// <summary>Ends the parts of one fluid.</summary>
         /// <param name="density">Of the fluid, kg/m³.</param>
         /// <param name="gravity">Of the fluid, m/s².</param>
-        public void Add(in FluidForce part, float density, Vector3 gravity)
+        public void EndFluid(float density, Vector3 gravity)
         {
+            if (count == 0)
+                return;
             IsKnown = true;
-            memory = part.Motion.Memory;
-            float displaced = density * volume;     // kg
+            push = moment = Vector3.zero;
+            memory = readings[0].force.Motion.Memory;
+            TakeForces(out float told, out Vector3 middle, out Vector3 slipThen, out Vector3 angularSlipThen);
+            float displaced = density * told;     // kg
             float g = gravity.magnitude;
-            float fraction = SubmergedFraction(part, displaced, gravity, g);
-            Vector3 push = part.Force;
-            // pressure cannot turn a ball
-            Vector3 moment = shape.shape != ColliderShape.Sphere || shape.friction > 0f ? part.Torque : Vector3.zero;
+            float fraction = SubmergedFraction(slipThen, displaced, gravity, g);
             if (g > 0f)
             {
-                Vector3 up = gravity / -g;
-                fraction = BringUpToDate(part.Motion, displaced * g, up, fraction, out float fractionThen, ref push, ref moment);
+                Vector3 up = gravity / -g, measured = push;
+                float height = MeasureHeights(up);
+                FindLevel(told, fraction);
+                float fractionThen = levelIsKnown ? WetFraction(level, told, then: true) : fraction;
+                fraction = levelIsKnown ? WetFraction(level, told, then: false) : fraction;
+                for (int i = 0; i < count; i++)
+                    BringUpToDate(readings[i], density * g, up, fraction);
                 if (levelIsKnown)
-                    estimate.Add(part.Force / displaced - up * (g * fractionThen), part.Motion.Slip / memory, fractionThen, g, virtualFraction, step);
-                LimitPropulsion(displaced * g * fraction, ref push);
-                Damp(displaced, g, up, fraction, ref push, ref moment);
+                    estimate.Add(measured / displaced - up * (g * fractionThen), slipThen / memory, fractionThen, g, virtualFraction, step);
+                LimitPropulsion(displaced * g * fraction, middle);
+                Damp(displaced, told, height, middle, g, up, fraction);
             }
             force += push;
             torque += moment;
@@ -103,16 +157,14 @@ namespace Rill
             float resists = estimate.Or(virtualFraction) * carried, resistsTurns = virtualFraction * carried;
             resistance += resists;
             turnResistance += resistsTurns;
-            slowed += resists * part.Motion.Slip;
-            turnSlowed += resistsTurns * part.Motion.AngularSlip;
-            Fraction = math.min(Fraction + fraction, 1f);
+            slowed += resists * slipThen;
+            turnSlowed += resistsTurns * angularSlipThen;
+            wetVolume += fraction * told;
+            count = 0;
         }
 
-        /// <summary>Torque of the fluid, N m.</summary>
-        public Vector3 TorqueAbout(Vector3 center) => torque + Vector3.Cross((Vector3)shape.end.position - center, force);
-
         /// <param name="gravity">By which the body falls, m/s².</param>
-        /// <param name="turn">Angular acceleration of the body alone by <see cref="TorqueAbout"/>, rad/s². Turns are resisted in proportion
+        /// <param name="turn">Angular acceleration of the body alone by <see cref="Torque"/>, rad/s². Turns are resisted in proportion
         /// to the inertia as motion is to the mass.</param>
         /// <param name="limit">Largest acceleration by the fluid, m/s².</param>
         public void Solve(Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
@@ -122,87 +174,150 @@ namespace Rill
             acceleration = gravity + Limited(acceleration - gravity, limit);
             angularAcceleration = (mass * turn + turnSlowed - turnResistance * mean * (Vector3)angularSlip.Now)
                 / (mass + turnResistance * mean * step);
-            angularAcceleration = Limited(angularAcceleration, limit / math.max(shape.Radius, 1e-6f));
+            angularAcceleration = Limited(angularAcceleration, limit / math.max(reach, 1e-6f));
+        }
+
+        // Forces and moments of all parts as they were measured, their volume, and means over it.
+        void TakeForces(out float told, out Vector3 middle, out Vector3 slipThen, out Vector3 angularSlipThen)
+        {
+            told = 0f;
+            middle = slipThen = angularSlipThen = Vector3.zero;
+            for (int i = 0; i < count; i++)
+            {
+                ref Reading part = ref readings[i];
+                Push(part.shape.end.position, part.force.Force);
+                if (!part.IsBall || part.shape.friction > 0f)       // pressure cannot turn a ball
+                    moment += part.force.Torque;
+                told += part.volume;
+                middle += part.volume * (Vector3)part.shape.end.position;
+                slipThen += part.volume * part.force.Motion.Slip;
+                angularSlipThen += part.volume * part.force.Motion.AngularSlip;
+            }
+            middle /= told;
+            slipThen /= told;
+            angularSlipThen /= told;
+        }
+
+        // Of the parts, upwards. Returns that of the body, m.
+        float MeasureHeights(Vector3 up)
+        {
+            float bottom = float.PositiveInfinity, top = float.NegativeInfinity;
+            for (int i = 0; i < count; i++)
+            {
+                ref Reading part = ref readings[i];
+                part.height = ColliderMeasures.Width(part.shape, up);
+                part.middle = Vector3.Dot(part.shape.end.position, up);
+                part.middleThen = Vector3.Dot(part.force.Motion.Position, up);
+                bottom = math.min(bottom, part.middle - 0.5f * part.height);
+                top = math.max(top, part.middle + 0.5f * part.height);
+            }
+            return top - bottom;
         }
 
         // Against the weight of the water in the body's place, less what the slip took off.
-        float SubmergedFraction(in FluidForce part, float displaced, Vector3 gravity, float g)
+        float SubmergedFraction(Vector3 slipThen, float displaced, Vector3 gravity, float g)
         {
-            Vector3 whole = gravity + estimate.Or(virtualFraction) / memory * part.Motion.Slip;
+            Vector3 whole = gravity + estimate.Or(virtualFraction) / memory * slipThen;
             float square = math.max(whole.sqrMagnitude, 0.0625f * g * g);
-            return square > 0f ? math.saturate(-Vector3.Dot(part.Force, whole) / (displaced * square)) : part.Force == Vector3.zero ? 0f : 1f;
+            return square > 0f ? math.saturate(-Vector3.Dot(push, whole) / (displaced * square)) : push == Vector3.zero ? 0f : 1f;
         }
 
-        // By the rise and the tilt since, of a ball, or of a prism as high and as large as the body. Returns the fraction under water now.
-        float BringUpToDate(in RelativeMotion since, float weight, Vector3 up, float fraction, out float fractionThen, ref Vector3 push,
-            ref Vector3 moment)
+        // By the rise of the part since, and its tilt.
+        void BringUpToDate(in Reading part, float weight, Vector3 up, float bodyFraction)
         {
-            float height = ColliderMeasures.Width(shape, up);
-            float then = Vector3.Dot(since.Position, up);
-            FindLevel(then, height, fraction);
-            fractionThen = fraction;
+            weight *= part.volume;
+            float fraction = bodyFraction;
             if (levelIsKnown)
             {
-                fractionThen = Wet(then, height);
-                fraction = Wet(Vector3.Dot((Vector3)shape.end.position, up), height);
-                push += up * (weight * (fraction - fractionThen));
+                fraction = part.Wet(level, then: false);
+                Push(part.shape.end.position, up * (weight * (fraction - part.Wet(level, then: true))));
             }
-
-            Vector3 turn = ColliderTrack.RotationVector(since.Rotation, shape.end.rotation);
+            Vector3 turn = ColliderTrack.RotationVector(part.force.Motion.Rotation, part.shape.end.rotation);
             turn -= up * Vector3.Dot(turn, up);
             float angle = turn.magnitude;
-            if (shape.shape == ColliderShape.Sphere || angle < 1e-6f)
-                return fraction;
+            if (part.IsBall || angle < 1e-6f)
+                return;
             // Second moment of the waterline's area about the axis of the turn, as of a rectangle.
-            float width = ColliderMeasures.Width(shape, Vector3.Cross(up, turn / angle));
+            float width = ColliderMeasures.Width(part.shape, Vector3.Cross(up, turn / angle));
             float pierces = math.saturate(8f * math.min(fraction, 1f - fraction));
-            moment -= turn * (weight / height * width * width / 12f * pierces);
-            return fraction;
+            moment -= turn * (weight / part.height * width * width / 12f * pierces);
         }
 
         // The water's height, from a body that pierces it; what is all in or out of the water only bounds it. Filtered: the
         // force tells of more than the draft.
-        void FindLevel(float middle, float height, float fraction)
+        void FindLevel(float told, float fraction)
         {
-            float bottom = middle - 0.5f * height, top = middle + 0.5f * height;
             bool pierces = fraction > 1f - Certain && fraction < Certain;
             if (!pierces && !levelIsKnown)
                 return;
-            float found = pierces ? bottom + Depth(fraction) * height : fraction >= Certain ? math.max(level, top) : math.min(level, bottom);
+            float bottom = float.PositiveInfinity, top = float.NegativeInfinity;
+            for (int i = 0; i < count; i++)
+            {
+                bottom = math.min(bottom, readings[i].middleThen - 0.5f * readings[i].height);
+                top = math.max(top, readings[i].middleThen + 0.5f * readings[i].height);
+            }
+            float found = pierces ? LevelOf(fraction, told, bottom, top) : fraction >= Certain ? math.max(level, top) : math.min(level, bottom);
             level = levelIsKnown ? math.lerp(level, found, LevelRate) : found;
             levelIsKnown = true;
         }
 
-        float Wet(float middle, float height)
+        // At which a fraction of the body was under water.
+        float LevelOf(float fraction, float told, float low, float high)
         {
-            float depth = math.saturate((level - middle) / height + 0.5f);
-            return shape.shape == ColliderShape.Sphere ? depth * depth * (3f - 2f * depth) : depth;
+            for (int i = 0; i < LevelSteps; i++)
+            {
+                float between = 0.5f * (low + high);
+                if (WetFraction(between, told, then: true) < fraction)
+                    low = between;
+                else
+                    high = between;
+            }
+            return 0.5f * (low + high);
         }
 
-        // The inverse: under water, of the body's height. Of a ball's cap the cubic above is solved by its three angles.
-        float Depth(float fraction) => shape.shape == ColliderShape.Sphere ? 0.5f - math.sin(math.asin(1f - 2f * fraction) / 3f) : fraction;
+        float WetFraction(float at, float told, bool then)
+        {
+            float wet = 0f;
+            for (int i = 0; i < count; i++)
+                wet += readings[i].volume * readings[i].Wet(at, then);
+            return wet / told;
+        }
 
         // Water that is left behind pushes no more, which a late force does not know. Slow bodies are not concerned.
-        void LimitPropulsion(float buoyancy, ref Vector3 push)
+        void LimitPropulsion(float buoyancy, Vector3 middle)
         {
             const float Slow = 0.1f;        // m/s
             float speed = velocity.magnitude;
             if (speed < Slow)
                 return;
             Vector3 path = velocity / speed;
-            push -= path * math.max(Vector3.Dot(push, path) - MaxPropulsion * buoyancy, 0f);
+            Push(middle, path * -math.max(Vector3.Dot(push, path) - MaxPropulsion * buoyancy, 0f));
         }
 
-        // Heave and turns, by a fraction of the critical damping of a prism of the body's height and volume.
-        void Damp(float displaced, float g, Vector3 up, float fraction, ref Vector3 push, ref Vector3 moment)
+        // Heave and turns, by a fraction of the critical damping of a prism of the body's height and volume, as wide as its parts
+        // lie apart.
+        void Damp(float displaced, float told, float height, Vector3 middle, float g, Vector3 up, float fraction)
         {
-            float height = ColliderMeasures.Width(shape, up);
-            float area = volume / height;
+            float squareWidth = 0f;     // of one part the area of its prism
+            for (int i = 0; i < count; i++)
+            {
+                ref Reading part = ref readings[i];
+                Vector3 off = (Vector3)part.shape.end.position - middle;
+                off -= up * Vector3.Dot(off, up);
+                squareWidth += part.volume / told * (part.volume / part.height + 6f * off.sqrMagnitude);
+            }
             float carrying = mass + AddedMass * displaced * fraction;
             float stiffness = displaced * g / height;
             float strength = 2f * damping * math.saturate(4f * fraction);
-            push -= up * (strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up));
-            moment -= angularVelocity * (strength * TurnDamping / 12f * math.sqrt(stiffness * area * carrying * (area + height * height)));
+            Push(middle, up * (-strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up)));
+            moment -= angularVelocity * (strength * TurnDamping / 12f
+                * math.sqrt(stiffness * squareWidth * carrying * (squareWidth + height * height)));
+        }
+
+        void Push(Vector3 at, Vector3 by)
+        {
+            push += by;
+            moment += Vector3.Cross(at - centerOfMass, by);
         }
 
         static Vector3 Limited(Vector3 value, float limit)

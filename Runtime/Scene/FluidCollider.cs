@@ -125,7 +125,8 @@ namespace Rill
         /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place,
         /// upwards.</param>
         /// <param name="torque">Mean torque about <see cref="WorldCenter"/>, N m.</param>
-        /// <returns>False before the first result, or while <see cref="MeasuresForce"/> is off.</returns>
+        /// <returns>False before the first result, or while <see cref="MeasuresForce"/> is off and nothing lets the fluid carry its
+        /// body.</returns>
         public bool TryGetForce(out Vector3 force, out Vector3 torque)
         {
             force = torque = Vector3.zero;
@@ -138,8 +139,11 @@ namespace Rill
                 torque += part.Torque;
                 known = true;
             }
-            return known && measuresForce;
+            return known && (measuresForce || IsCarried);
         }
+
+        /// <summary>Whether a component lets the fluid carry the collider's body, and needs its force.</summary>
+        internal bool IsCarried { get; set; }
 
         /// <summary>The newest of each simulation; some may have ended since.</summary>
         internal List<FluidForce> Forces => forces;
@@ -155,6 +159,15 @@ namespace Rill
             }
             forces.Add(force);
             watches.Add(default);
+        }
+
+        /// <summary>The newest of one simulation.</summary>
+        /// <returns>False where there is none.</returns>
+        internal bool TryGetForceOf(FluidSimulation fluid, out FluidForce force)
+        {
+            int index = IndexOf(fluid);
+            force = index >= 0 ? forces[index] : default;
+            return index >= 0;
         }
 
         int IndexOf(FluidSimulation fluid)
@@ -245,7 +258,7 @@ namespace Rill
             return problem;
         }
 
-        bool NeedsForce => measuresForce || contacts.HasListeners;
+        bool NeedsForce => measuresForce || IsCarried || contacts.HasListeners;
 
         string IFluidCollider.Name => name;
 
@@ -323,19 +336,13 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidCollider '{name}': {clamped}", this);
         }
 
-        // As Unity's Terrain it follows the object's position alone.
         string DescribeHeights(ref ColliderMotion motion, ref RigidPose pose)
         {
             if (heights == null)
                 return "it is a height field without heights. Add a Fluid Terrain beside a Terrain, or set Heights.";
             if (heights.Texture == null)
                 return "its heights were disposed of. Set others.";
-            pose = new RigidPose(place.position + heights.Center, quaternion.identity);
-            motion.size = heights.Extents;
-            motion.fieldUnit = 1f;
-            motion.field = heights.Texture;
-            motion.minFraction = heights.MinFraction;
-            motion.insideOut = false;
+            place.DescribeHeights(heights, ref motion, ref pose);
             return null;
         }
 

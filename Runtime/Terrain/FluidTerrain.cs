@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -8,7 +7,8 @@ namespace Rill
     /// Makes a Terrain solid for the fluid: gives its heights to the <see cref="FluidCollider"/> beside it, again in the
     /// frame in which they were changed.
     /// </summary>
-    /// <remarks>Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this
+    /// <remarks>A terrain that a <c>FluidPhysicsColliders</c> takes by layer needs it for a part alone, or for a surface of its own.
+    /// Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this
     /// component is not there.</remarks>
     [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon)]
     [DisallowMultipleComponent]
@@ -19,17 +19,12 @@ namespace Rill
             "large terrains and costs less memory.")]
         [SerializeField] Rect part = new Rect(0f, 0f, 1f, 1f);
 
-        const string HolesProblem = "its Terrain has holes, which are closed to water. Lower the ground there, or leave the terrain " +
-            "out and put Fluid Colliders where it is.";
-
         FluidCollider collider;
-        Terrain terrain;
-        HeightField heights;
+        TerrainHeights heights;
         string clamped;     // what the newest validation changed
         string refusal;     // why the newest heights were not taken
         ColliderShape shapeBefore;
-        RectInt taken;      // of the terrain's heights
-        bool isStale, holesAreKnown;
+        bool holesAreKnown;
 
         /// <summary>Part of the terrain that the fluid can reach, as fractions of its sides along x and z, 0 to 1. After a change call
         /// <see cref="Refresh"/>.</summary>
@@ -49,76 +44,45 @@ namespace Rill
             return false;
         }
 
-        /// <summary>Takes the terrain's heights again: after a change of <see cref="Part"/> or of the terrain's size. Edits of heights are
-        /// noticed without it.</summary>
+        /// <summary>Takes the terrain's heights again: after a change of <see cref="Part"/>, or of the Terrain's data for other data.
+        /// Edits of heights and holes and a change of size are noticed without it.</summary>
         public void Refresh()
         {
             Release();
             refusal = null;
-            isStale = false;
+            if (collider == null || !isActiveAndEnabled)
+                return;         // taken as it is enabled
             TerrainData data = GetComponent<Terrain>().terrainData;
             if (data == null)
             {
                 Refuse("its Terrain has no terrain data. Assign some.");
                 return;
             }
-            int last = data.heightmapResolution - 1;
-            int x = Mathf.FloorToInt(part.xMin * last), z = Mathf.FloorToInt(part.yMin * last);
-            int countX = Mathf.CeilToInt(part.xMax * last) - x + 1, countZ = Mathf.CeilToInt(part.yMax * last) - z + 1;
-            if (Mathf.Max(countX, countZ) > HeightField.MaxHeights)
+            heights = new TerrainHeights(data, part);
+            SayHoles();
+            if (heights.Problem != null)
             {
-                Refuse($"it has {countX} x {countZ} heights, and {HeightField.MaxHeights} along a side can be taken. Set Part to where " +
-                    $"the fluid gets, or lower the terrain's heightmap resolution.");
-                return;
-            }
-            taken = new RectInt(x, z, countX, countZ);
-            SayHoles(data);
-            Vector3 size = data.size, spacing = size / last;
-            float[,] fractions = data.GetHeights(x, z, countX, countZ);
-            for (int i = 0; i < countZ; i++)
-                for (int k = 0; k < countX; k++)
-                    fractions[i, k] *= size.y;
-            try
-            {
-                heights = new HeightField(fractions, (countX - 1) * spacing.x, (countZ - 1) * spacing.z,
-                    new Vector3(x * spacing.x, 0f, z * spacing.z));
-            }
-            catch (ArgumentException e)
-            {
-                Refuse(e.Message);
+                Refuse(heights.Problem);
                 return;
             }
             shapeBefore = collider.Shape;
             collider.Shape = ColliderShape.HeightField;
-            collider.Heights = heights;
+            collider.Heights = heights.Field;
         }
 
         void OnEnable()
         {
             collider = GetComponent<FluidCollider>();
-            terrain = GetComponent<Terrain>();
             Refresh();
-            TerrainCallbacks.heightmapChanged += OnHeightsChanged;
         }
 
-        void OnDisable()
-        {
-            TerrainCallbacks.heightmapChanged -= OnHeightsChanged;
-            Release();
-        }
+        void OnDisable() => Release();
 
         // Before the steps of the frame; once, however many edits there were.
         void LateUpdate()
         {
-            if (isStale)
+            if (heights != null && heights.IsStale)
                 Refresh();
-        }
-
-        // Heights that were edited on the GPU come to the CPU later, which is told again.
-        void OnHeightsChanged(Terrain changed, RectInt region, bool synched)
-        {
-            if (synched && ReferenceEquals(changed, terrain) && region.Overlaps(taken))
-                isStale = true;
         }
 
         void OnValidate()
@@ -133,28 +97,14 @@ namespace Rill
         {
             problems.AddIfAny(clamped);
             problems.AddIfAny(refusal);
-            problems.AddIfAny(holesAreKnown ? HolesProblem : null);
+            problems.AddIfAny(holesAreKnown ? TerrainHeights.HolesProblem : null);
         }
 
-        void SayHoles(TerrainData data)
+        void SayHoles()
         {
-            if (holesAreKnown || !HasHoles(data))
-                return;
-            holesAreKnown = true;
-            Debug.LogWarning($"Rill: FluidTerrain '{name}': {HolesProblem}", this);
-        }
-
-        // A hole is false, between four heights.
-        bool HasHoles(TerrainData data)
-        {
-            int last = data.holesResolution;
-            int width = Mathf.Min(taken.xMax, last) - taken.xMin, length = Mathf.Min(taken.yMax, last) - taken.yMin;
-            if (width <= 0 || length <= 0)
-                return false;
-            foreach (bool isGround in data.GetHoles(taken.xMin, taken.yMin, width, length))
-                if (!isGround)
-                    return true;
-            return false;
+            if (heights.HasHoles && !holesAreKnown)
+                Debug.LogWarning($"Rill: FluidTerrain '{name}': {TerrainHeights.HolesProblem}", this);
+            holesAreKnown = heights.HasHoles;
         }
 
         void Refuse(string problem)
@@ -165,7 +115,7 @@ namespace Rill
 
         void Release()
         {
-            if (collider != null && heights != null && ReferenceEquals(collider.Heights, heights))
+            if (collider != null && heights?.Field != null && ReferenceEquals(collider.Heights, heights.Field))
             {
                 collider.Heights = null;
                 if (!Application.isPlaying)         // the scene keeps what it stores

@@ -1,6 +1,5 @@
 using System.Collections;
 using System.Collections.Generic;
-using System.Text.RegularExpressions;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -58,25 +57,32 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator A_body_with_several_colliders_is_refused_by_name_and_still_a_collider()
+        public IEnumerator All_colliders_of_a_body_on_floating_layers_carry_it_together()
         {
             FluidPhysicsColliders colliders = Pool();
             GameObject raft = Make("Raft", Vector3.zero);
             raft.AddComponent<BoxCollider>().size = 0.1f * Vector3.one;
             raft.AddComponent<Rigidbody>().useGravity = false;
-            GameObject mast = Make("Mast", new Vector3(0f, 0.1f, 0f));
-            mast.transform.SetParent(raft.transform);
-            var second = mast.AddComponent<SphereCollider>();
-            second.radius = 0.05f;
-            LogAssert.Expect(LogType.Error, new Regex("FluidPhysicsColliders 'Pool' does not carry 'Raft': its Rigidbody has several colliders"));
-            LogAssert.Expect(LogType.Error, new Regex("FluidPhysicsColliders 'Pool' does not carry 'Mast'"));
+            GameObject mast = Make("Mast", new Vector3(0f, 0.1f, 0f)), flag = Make("Flag", new Vector3(0f, 0.2f, 0f));
+            foreach (GameObject part in new[] { mast, flag })
+            {
+                part.transform.SetParent(raft.transform);
+                part.AddComponent<SphereCollider>().radius = 0.05f;
+            }
+            flag.layer = Layer + 1;
+            colliders.ColliderLayers = 1 << Layer | 1 << Layer + 1;
             yield return Frames(4);
-            var fluid = colliders.GetComponent<FluidSimulation>();
-            Assert.That(fluid.ColliderCount, Is.EqualTo(2));
-            Assert.That(fluid.Solver.Reactions, Is.Null, "no force is read back");
-            second.enabled = false;
+            Assert.That(colliders.GetComponent<FluidSimulation>().ColliderCount, Is.EqualTo(3));
+            foreach (IFluidCollider collider in colliders.Taken)
+                Assert.That(collider.MeasuresForce, Is.EqualTo(collider.Name != "Flag"), collider.Name);
+            Assert.That(colliders.Bodies.Count, Is.EqualTo(1));
+            Assert.That(colliders.Bodies[0].Parts.Count, Is.EqualTo(2));
+            mast.transform.SetParent(null);
             yield return Frames(2);
-            Assert.That(((GatheredCollider)colliders.Taken[0]).Floats);
+            Assert.That(colliders.Bodies[0].Parts.Count, Is.EqualTo(1), "it is of no body now");
+            raft.GetComponent<Rigidbody>().isKinematic = true;
+            yield return Frames(2);
+            Assert.That(colliders.Bodies, Is.Empty);
         }
 
         [UnityTest]

@@ -137,6 +137,10 @@ namespace Rill.Tests
             Assert.That(Gather(), Is.Empty);
             fluidCollider.enabled = false;
             Assert.That(Gather().Count, Is.EqualTo(2), "with its body's child");
+            var buoyancy = own.gameObject.AddComponent<FluidBuoyancy>();
+            Assert.That(Gather(), Is.Empty, "carried by the Fluid Colliders of its body");
+            buoyancy.enabled = false;
+            Assert.That(Gather().Count, Is.EqualTo(2));
         }
 
         [Test]

@@ -110,7 +110,12 @@ namespace Rill.Tests
             terrain.enabled = false;
             data.SetHeights(0, 0, new float[33, 33]);
             yield return null;
+            terrain.Refresh();
             Assert.That(collider.Heights, Is.Null, "nobody listens");
+            terrain.enabled = true;
+            data.SetHoles(3, 3, new bool[1, 1]);
+            LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': its Terrain has holes"));
+            yield return null;
         }
 
         [Test]

@@ -85,6 +85,53 @@ namespace Host.Tests
             Assert.That(box.attachedRigidbody, Is.SameAs(body));
         }
 
+        [Test]
+        public void A_terrain_is_met_at_its_ground_and_not_below_it()
+        {
+            var data = new TerrainData { heightmapResolution = 33 };
+            data.size = new Vector3(4f, 1f, 4f);
+            var heights = new float[33, 33];
+            for (int z = 0; z < 33; z++)
+                for (int x = 0; x < 33; x++)
+                    heights[z, x] = x < 16 ? 0f : 0.5f;
+            data.SetHeights(0, 0, heights);
+            var terrain = At<TerrainCollider>(new Vector3(-3f, -0.2f, -2f));
+            Assert.That(Count(), Is.Zero, "without data");
+            terrain.terrainData = data;
+            Assert.That(Count(), Is.EqualTo(1), "0.3 m up");
+            Move(terrain, new Vector3(-3f, -1.2f, -2f));
+            Assert.That(Count(), Is.Zero, "the ground is below");
+            Move(terrain, new Vector3(-3f, 0.2f, -2f));
+            Assert.That(Count(), Is.Zero, "the ground is above");
+            Move(terrain, new Vector3(-1f, 0.2f, -2f));
+            Assert.That(Count(), Is.EqualTo(1), "over its lower half");
+            Move(terrain, new Vector3(-4.6f, -0.2f, -2f));
+            Assert.That(Count(), Is.Zero, "beside it");
+            Object.DestroyImmediate(data);
+        }
+
+        static void Move(Collider collider, Vector3 position)
+        {
+            collider.transform.position = position;
+            Physics.SyncTransforms();
+        }
+
+        [Test]
+        public void Changed_holes_of_a_terrain_are_told()
+        {
+            var data = new TerrainData { heightmapResolution = 33 };
+            var told = new System.Collections.Generic.List<string>();
+            new GameObject("Hill").AddComponent<Terrain>().terrainData = data;
+            TerrainCallbacks.TextureChangedCallback listen = (terrain, texture, region, synched) =>
+                told.Add($"{terrain.name} {texture} {region.x} {region.y} {region.width} {region.height} {synched}");
+            TerrainCallbacks.textureChanged += listen;
+            data.SetHoles(3, 5, new bool[2, 1]);
+            TerrainCallbacks.textureChanged -= listen;
+            data.SetHoles(3, 5, new bool[2, 1]);
+            Assert.That(told, Is.EqualTo(new[] { $"Hill {TerrainData.HolesTextureName} 3 5 1 2 True" }));
+            Object.DestroyImmediate(data);
+        }
+
         int Count(Quaternion? rotation = null, float half = 0.5f, int mask = ~0) =>
             Physics.OverlapBoxNonAlloc(Vector3.zero, Vector3.one * half, found, rotation ?? Quaternion.identity, mask,
             QueryTriggerInteraction.Ignore);

@@ -51,6 +51,9 @@ namespace UnityEngine
             set => scale = new Vector3(value.x / (heightmapResolution - 1), value.y, value.z / (heightmapResolution - 1));
         }
 
+        /// <summary>m.</summary>
+        internal float HeightAt(int x, int z) => heights[z, x] * scale.y;
+
         /// <summary>[z, x] fractions of the height, from a place on.</summary>
         public float[,] GetHeights(int xBase, int yBase, int width, int height)
         {
@@ -74,6 +77,8 @@ namespace UnityEngine
             TerrainCallbacks.Tell(this, new RectInt(xBase, yBase, heights.GetLength(1), heights.GetLength(0)));
         }
 
+        public static string HolesTextureName => "holes";
+
         /// <summary>Along a side: one between each two heights.</summary>
         public int holesResolution => heightmapResolution - 1;
 
@@ -96,6 +101,7 @@ namespace UnityEngine
             for (int z = 0; z < holes.GetLength(0); z++)
                 for (int x = 0; x < holes.GetLength(1); x++)
                     ground[yBase + z, xBase + x] = holes[z, x];
+            TerrainCallbacks.TellOfTexture(this, HolesTextureName, new RectInt(xBase, yBase, holes.GetLength(1), holes.GetLength(0)));
         }
 
         void CheckHoles(int x, int z, int width, int length)
@@ -113,18 +119,28 @@ namespace UnityEngine
         }
     }
 
-    /// <summary>Tells of changed heights, all of which are on the CPU here.</summary>
+    /// <summary>Tells of changed heights and holes, all of which are on the CPU here.</summary>
     public static class TerrainCallbacks
     {
         public delegate void HeightmapChangedCallback(Terrain terrain, RectInt heightRegion, bool synched);
 
+        public delegate void TextureChangedCallback(Terrain terrain, string textureName, RectInt texelRegion, bool synched);
+
         public static event HeightmapChangedCallback heightmapChanged;
+        public static event TextureChangedCallback textureChanged;
 
         internal static void Tell(TerrainData data, RectInt region)
         {
             foreach (Terrain terrain in Terrain.Active.ToArray())
                 if (ReferenceEquals(terrain.terrainData, data))
                     heightmapChanged?.Invoke(terrain, region, true);
+        }
+
+        internal static void TellOfTexture(TerrainData data, string name, RectInt region)
+        {
+            foreach (Terrain terrain in Terrain.Active.ToArray())
+                if (ReferenceEquals(terrain.terrainData, data))
+                    textureChanged?.Invoke(terrain, name, region, true);
         }
     }
 }

@@ -8,11 +8,12 @@ namespace Host
     /// <summary>What the engine has to know of Rill to play its scenes and run its tests.</summary>
     sealed class RillPackage : BuiltInPackage
     {
-        public override IReadOnlyList<string> Assemblies { get; } = new[] { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.Timeline",
-            "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor" };
+        public override IReadOnlyList<string> Assemblies { get; } = new[] { "Rill", "Rill.Physics", "Rill.Terrain",
+            "Rill.TerrainPhysics", "Rill.Timeline", "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor",
+            "Rill.TerrainPhysics.Editor" };
 
         public override IReadOnlyList<string> Tests { get; } = new[] { "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests",
-            "Rill.Timeline.Tests", "Rill.Editor.Tests" };
+            "Rill.TerrainPhysics.Tests", "Rill.Timeline.Tests", "Rill.Editor.Tests" };
 
         public override IReadOnlyList<string> ProgramTests { get; } = new[] { "Host.Tests" };
 

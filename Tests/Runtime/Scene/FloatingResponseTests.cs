@@ -106,7 +106,7 @@ namespace Rill.Tests
             readonly ColliderShape shape;
             readonly float ratio, resistance, memory, drag, addedMass;
             readonly List<FluidForce> forces = new List<FluidForce>();
-            FloatingResponse response;
+            readonly FloatingResponse response = new FloatingResponse();
             SlipVelocity slip, known;
             float last;
 
@@ -150,9 +150,11 @@ namespace Rill.Tests
                 {
                     var pose = new RigidPose(new float3(0f, Height, 0f), quaternion.identity);
                     var now = new ColliderMotion { shape = shape, size = 0.5f * Size, start = pose, end = pose };
-                    response.Begin(now, volume, mass, Vector3.up * Speed, Vector3.zero, step);
+                    response.Begin(mass, now.end.position, Vector3.up * Speed, Vector3.zero, step);
                     response.Tune(FloatingResponse.DefaultVirtualMass, damping);
-                    response.Add(forces[newest], Density, gravity);
+                    response.AddPart(now, volume);
+                    response.Add(now, volume, forces[newest]);
+                    response.EndFluid(Density, gravity);
                     response.Solve(gravity, Vector3.zero, FloatingResponse.DefaultMaxAcceleration, out Vector3 acceleration, out _);
                     next = acceleration.y;
                 }

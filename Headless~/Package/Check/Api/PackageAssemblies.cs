@@ -8,12 +8,13 @@ namespace Host.Check.Api
     static class PackageAssemblies
     {
         /// <summary>Of the package: what its users compile, its samples' scripts, and its tests.</summary>
-        public static readonly string[] Package = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.Timeline", "Rill.Editor", "Rill.Samples",
-            "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor", "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests",
-            "Rill.Timeline.Tests", "Rill.Editor.Tests" };
+        public static readonly string[] Package = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.TerrainPhysics", "Rill.Timeline",
+            "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor", "Rill.TerrainPhysics.Editor",
+            "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests", "Rill.TerrainPhysics.Tests", "Rill.Timeline.Tests", "Rill.Editor.Tests" };
         /// <summary>Of the host: what stands in for Unity.</summary>
         public static readonly string[] StandIns = { "UnityEngine", "UnityEngine.PhysicsModule", "UnityEngine.TerrainModule",
-            "UnityEngine.DirectorModule", "Unity.Timeline", "UnityEditor", "Unity.Mathematics", "UnityEngine.TestRunner" };
+            "UnityEngine.TerrainPhysicsModule", "UnityEngine.DirectorModule", "Unity.Timeline", "UnityEditor", "Unity.Mathematics",
+            "UnityEngine.TestRunner" };
 
         /// <summary>Opens those that are there; each that is not is a fault.</summary>
         public static List<CompiledAssembly> Open(PackageTree package, IEnumerable<string> names, Findings findings)

@@ -83,7 +83,7 @@ namespace Host.Check
             Same("references", definition.References.Where(r => r != "UnityEditor.TestRunner"),
                 project.Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include").Value))
                     .Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEngine.TerrainModule"
-                        or "UnityEngine.DirectorModule" or "UnityEditor")));
+                        or "UnityEngine.TerrainPhysicsModule" or "UnityEngine.DirectorModule" or "UnityEditor")));
             foreach ((string property, string wanted) in new[] { ("AssemblyName", definition.Name),
                 ("RootNamespace", definition.RootNamespace), ("AllowUnsafeBlocks", definition.AllowUnsafeCode ? "true" : "false") })
                 if (project.Descendants(property).FirstOrDefault()?.Value is var value && value != wanted)

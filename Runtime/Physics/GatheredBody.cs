@@ -1,0 +1,32 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>A free Rigidbody that a fluid carries by layer: by all its colliders that the fluid takes.</summary>
+    sealed class GatheredBody
+    {
+        readonly FloatingBody floating = new FloatingBody();
+
+        public GatheredBody(Rigidbody body) => Body = body;
+
+        public Rigidbody Body { get; }
+
+        /// <summary>Looked for again before the steps of a frame.</summary>
+        public List<GatheredCollider> Parts { get; } = new List<GatheredCollider>();
+
+        /// <summary>Lets the fluid act on the body, at a fixed step.</summary>
+        public void Carry(FluidSimulation fluid)
+        {
+            if (Body == null || Body.isKinematic || !fluid.isActiveAndEnabled)
+                return;
+            FloatingBody.Smooth(Body);
+            floating.Begin(Body, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);
+            foreach (GatheredCollider part in Parts)
+                part.AddTo(floating);
+            floating.EndFluid(fluid);
+            if (floating.IsKnown)
+                floating.Apply(Body, FloatingResponse.DefaultMaxAcceleration);
+        }
+    }
+}

@@ -1,0 +1,109 @@
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill.Tests
+{
+    /// <summary>A body of several parts answers to forces as the one collider of the same shape.</summary>
+    public class FloatingPartsTests
+    {
+        const float Step = 0.02f, Memory = 4f / 60f, Density = 1000f, Gravity = 9.81f, Mass = 20f;
+        static readonly Vector3 Size = new Vector3(0.4f, 0.3f, 0.5f);
+        static readonly Vector3 Center = new Vector3(1f, 2f, -1f);
+
+        public enum Split { SideBySide, OneOverTheOther }
+
+        // Where the upper half stands on the lower, no water presses that down: the whole buoyancy is the lower one's.
+        [Test]
+        public void A_box_in_halves_heaves_as_the_one_box([Values] Split split, [Values(0f, 0.5f, 1f)] float ofTheFirst)
+        {
+            FloatingResponse one = new FloatingResponse(), halves = new FloatingResponse();
+            for (int i = 0; i < 20; i++)
+            {
+                float rise = 0.05f * Mathf.Sin(0.4f * i), speed = 1.5f * Mathf.Cos(0.4f * i);
+                Vector3 acceleration = Respond(one, null, rise, speed, 1f, Quaternion.identity, out _);
+                Vector3 same = Respond(halves, split, rise, speed, ofTheFirst, Quaternion.identity, out _);
+                Assert.That(Vector3.Distance(same, acceleration), Is.LessThan(1e-3f * (1f + acceleration.magnitude)), $"step {i}");
+                Assert.That(halves.Fraction, Is.EqualTo(one.Fraction).Within(1e-4f));
+            }
+        }
+
+        [Test]
+        public void Its_halves_right_it_as_the_one_box_does([Values] Split split)
+        {
+            FloatingResponse one = new FloatingResponse(), halves = new FloatingResponse();
+            Quaternion tilt = Quaternion.Euler(0f, 0f, 3f);
+            Vector3 turn = Vector3.zero, same = Vector3.zero;
+            for (int i = 0; i < 3; i++)
+            {
+                Respond(one, null, 0f, 0f, 1f, tilt, out turn);
+                Respond(halves, split, 0f, 0f, 0.5f, tilt, out same);
+            }
+            Assert.That(turn.z, Is.LessThan(-1f), "N m, against the tilt");
+            // A stack floats to where its halves meet, the worst for it: both have some of the waterline, each less than all.
+            Assert.That(same.z, Is.EqualTo(turn.z).Within((split == Split.SideBySide ? 0.02f : 0.15f) * Mathf.Abs(turn.z)));
+        }
+
+        [Test]
+        public void One_limit_holds_for_the_body_however_many_parts_it_has()
+        {
+            var response = new FloatingResponse();
+            response.Begin(Mass, Center, Vector3.zero, Vector3.zero, Step);
+            Add(response, Center, Size, Density * Vector3.up, Center, Quaternion.identity);
+            Add(response, Center, Size, Density * 100f * Vector3.up, Center, Quaternion.identity);
+            response.EndFluid(Density, Gravity * Vector3.down);
+            response.Solve(Vector3.zero, Vector3.zero, 5f, out Vector3 acceleration, out _);
+            Assert.That(acceleration.magnitude, Is.EqualTo(5f).Within(1e-3f));
+        }
+
+        [Test]
+        public void A_part_that_no_fluid_tells_of_counts_as_dry()
+        {
+            var response = new FloatingResponse();
+            response.Begin(Mass, Center, Vector3.zero, Vector3.zero, Step);
+            response.AddPart(Shape(Center + Vector3.up, Size, Quaternion.identity), Volume(Size));
+            Add(response, Center, Size, Density * Gravity * Volume(Size) * Vector3.up, Center, Quaternion.identity);
+            response.EndFluid(Density, Gravity * Vector3.down);
+            Assert.That(response.Fraction, Is.EqualTo(0.5f).Within(1e-3f));
+        }
+
+        // Half under water where it was, at Center; now it has risen and tilted. The first part has a fraction of the force.
+        static Vector3 Respond(FloatingResponse response, Split? split, float rise, float speed, float ofTheFirst, Quaternion tilt,
+            out Vector3 torque)
+        {
+            Vector3 gravity = Gravity * Vector3.down, now = Center + rise * Vector3.up;
+            response.Begin(Mass, now, speed * Vector3.up, Vector3.zero, Step);
+            response.Tune(FloatingResponse.DefaultVirtualMass, 0.5f);
+            Vector3 force = 0.5f * Density * Gravity * Volume(Size) * Vector3.up;
+            if (split == null)
+                Add(response, now, Size, force, Center, tilt);
+            else
+            {
+                Vector3 axis = split == Split.SideBySide ? Vector3.right : Vector3.up;
+                Vector3 half = Size - 0.5f * Vector3.Scale(axis, Size), off = 0.25f * Vector3.Scale(axis, Size);
+                Add(response, now - tilt * off, half, ofTheFirst * force, Center - off, tilt);
+                Add(response, now + tilt * off, half, (1f - ofTheFirst) * force, Center + off, tilt);
+            }
+            response.EndFluid(Density, gravity);
+            torque = response.Torque;
+            response.Solve(gravity, Vector3.zero, FloatingResponse.DefaultMaxAcceleration, out Vector3 acceleration, out _);
+            return acceleration;
+        }
+
+        static void Add(FloatingResponse response, Vector3 place, Vector3 size, Vector3 force, Vector3 placeThen, Quaternion rotation)
+        {
+            ColliderMotion shape = Shape(place, size, rotation);
+            var then = new RelativeMotion(placeThen, Quaternion.identity, Vector3.zero, Vector3.zero, Memory);
+            response.AddPart(shape, Volume(size));
+            response.Add(shape, Volume(size), new FluidForce(null, force, Vector3.zero, then));
+        }
+
+        static ColliderMotion Shape(Vector3 place, Vector3 size, Quaternion rotation)
+        {
+            var pose = new RigidPose(place, rotation);
+            return new ColliderMotion { shape = ColliderShape.Box, size = 0.5f * (float3)size, start = pose, end = pose };
+        }
+
+        static float Volume(Vector3 size) => size.x * size.y * size.z;
+    }
+}
