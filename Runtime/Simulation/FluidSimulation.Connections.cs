@@ -59,12 +59,9 @@ namespace Rill
                 FluidSimulation other = connection != null ? connection.Other(this) : null;
                 if (other == null || other.pbf == null || other.playback != null || !HasStages(StageSet.Transfer))
                     continue;
-                if (connection.Problem is string problem)
-                {
-                    connection.Say(problem);
+                if (!connection.CanFlow())
                     continue;
-                }
-                TransferRegion toThis = FluidConnectionState.RegionOf(other, this), toOther = FluidConnectionState.RegionOf(this, other);
+                TransferRegion toThis = connection.RegionTo(this), toOther = connection.RegionTo(other);
                 connection.State.Meet(this, other, toThis, toOther);
                 neighbors.isOpen = true;
                 neighbors.openFaces |= toThis.openFaces;
