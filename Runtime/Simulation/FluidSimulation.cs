@@ -358,6 +358,7 @@ namespace Rill
             ReadSources(steps);
             ReadConnections();
             ReadKept();
+            ReadHandOver();
             AfterSteps?.Invoke(true);
         }
 

@@ -131,13 +131,18 @@ namespace Rill
         // Either's particles may become the other's: with phases and lifetimes where one of them has some, and as deep.
         void Meet(PbfSolver neighbor, in TransferRegion region)
         {
+            Expect(neighbor, region);
+            Transfer.Reserve(neighbor.Layout.Capacity);
+        }
+
+        void Expect(PbfSolver neighbor, in TransferRegion region)
+        {
             if (tags != null || neighbor.tags != null)
             {
                 tags ??= new ParticleTags(Layout.Capacity);
                 neighbor.tags ??= new ParticleTags(neighbor.Layout.Capacity);
             }
             hasLifetimes |= neighbor.hasLifetimes;
-            Transfer.Reserve(neighbor.Layout.Capacity);
             maxParticles = Layout.Capacity;
             if (!math.all(neighbor.minAdded <= neighbor.maxAdded))
                 return;
