@@ -41,7 +41,7 @@ namespace Rill
         }
 
         /// <summary>Whether it feels a neighbor.</summary>
-        bool IsConnected => neighbors != null && neighbors.isOpen;
+        bool IsConnected => neighbors != null && neighbors.neighborCount > 0;
 
         /// <summary>Finds the neighbors of the coming steps, where there are any that run.</summary>
         void CollectConnections()
@@ -63,8 +63,7 @@ namespace Rill
                     continue;
                 TransferRegion toThis = connection.RegionTo(this), toOther = connection.RegionTo(other);
                 connection.State.Meet(this, other, toThis, toOther);
-                neighbors.isOpen = true;
-                neighbors.openFaces |= toThis.openFaces;
+                neighbors.AddNeighbor(new StepNeighbor { solver = other.pbf, region = toThis });
                 if (connection.State.TakenInFrame == Time.frameCount)
                     continue;       // the other has taken for both
                 toThis.number = number;

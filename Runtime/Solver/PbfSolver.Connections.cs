@@ -55,9 +55,10 @@ namespace Rill
             ghostFrame = frame;
         }
 
-        void PrepareConnections(StepConnections connections)
+        void PrepareConnections(in StepInput input)
         {
-            if (connections == null)
+            StepConnections connections = input.connections;
+            if (connections == null || !input.takesParticles)
                 return;
             for (int c = 0; c < connections.count; c++)
             {
@@ -71,7 +72,7 @@ namespace Rill
         void RecordConnections(in StepContext step)
         {
             StepConnections connections = step.Input.connections;
-            if (connections == null)
+            if (connections == null || !step.Input.takesParticles)
                 return;
             CommandBuffer cmd = step.Commands;
             RecordGhostsBefore(cmd, connections);
