@@ -51,7 +51,13 @@ namespace Rill
             }
         }
 
-        void RecordTake(CommandBuffer cmd, in TransferRegion region, CoarseCorrection other, GraphicsBuffer from, GraphicsBuffer to, float scale)
+        /// <summary>Records that a potential takes a neighbor's on the neighbor's side of the overlap.</summary>
+        /// <param name="region">What comes from the neighbor.</param>
+        /// <param name="from">The neighbor's potential.</param>
+        /// <param name="to">This one's.</param>
+        /// <param name="scale">This one's potentials of one there.</param>
+        public void RecordTake(CommandBuffer cmd, in TransferRegion region, CoarseCorrection other, GraphicsBuffer from, GraphicsBuffer to,
+            float scale)
         {
             cmd.SetComputeBufferParam(shader, takePotential, NeighborIds.Potential, from);
             cmd.SetComputeBufferParam(shader, takePotential, Ids.Potential, to);
