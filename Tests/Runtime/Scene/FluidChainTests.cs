@@ -56,7 +56,7 @@ namespace Rill.Tests
                 TestContext.Out.WriteLine($"{frame / 60f:0.0} s: front at {through:0.00} m through the opening, {alone:0.00} m in one box");
                 apart = Mathf.Max(apart, Mathf.Abs(through - alone));
             }
-            Assert.That(apart, Is.LessThan(2f * Spacing), "m between the fronts");
+            Assert.That(apart, Is.LessThan(0.5f * Spacing), "m between the fronts");
             yield return Frames(192);
             float onLeft = Level(left, -1.4f, -0.2f), onRight = Level(right, 0.2f, 1.4f);
             float oneLeft = Level(one, -1.4f, -0.2f), oneRight = Level(one, 0.2f, 1.4f);
