@@ -7,7 +7,7 @@ namespace Rill
     // A box that is put elsewhere and leaves the water where it is: some leaves the box, and another fluid may take it.
     public sealed partial class FluidSimulation
     {
-        FluidSimulation handedOverTo;       // last, for what is said of it
+        FluidSimulation handedOverTo;       // the last one, for what is logged of it
         bool saidHandOverFull;
 
         /// <summary>
@@ -22,7 +22,7 @@ namespace Rill
         /// </remarks>
         /// <param name="position">Of this object, world space, m.</param>
         /// <param name="leaving">What happens to particles that then lie outside. What was kept before comes back in any case.</param>
-        /// <param name="handOverTo">The fluid that gets those of them that lie in its box, turned in whichever way; null for none. Where its
+        /// <param name="handOverTo">The fluid that gets those of them that lie in its box, whatever its rotation; null for none. Where its
         /// capacity is full, or it does not run, the rest is removed or kept as the others.</param>
         /// <exception cref="ArgumentException">The position is not finite, or the other fluid is this one or differs in particle spacing,
         /// material or step rate.</exception>

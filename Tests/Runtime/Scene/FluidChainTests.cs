@@ -65,7 +65,7 @@ namespace Rill.Tests
             Assert.That(onRight, Is.EqualTo(oneRight).Within(Spacing));
         }
 
-        // How far along x the water is, but for the foremost drops: one in fifty is beyond.
+        // How far along x the water is, but for a few drops: one particle in fifty is beyond.
         static float Front(Vector3[] places) => places.Select(p => p.x).OrderByDescending(x => x).ElementAt(places.Length / 50);
 
         [UnityTest]
