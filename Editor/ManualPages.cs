@@ -26,6 +26,7 @@ namespace Rill.Editor
             { "FluidDrain", "sources.md" },
             { "FluidEmitter", "sources.md" },
             { "FluidFoam", "foam.md" },
+            { "FluidFollow", "control.md" },
             { "FluidForceField", "sources.md" },
             { "FluidPhysicsColliders", "colliders.md" },
             { "FluidPlayback", "state.md" },
@@ -53,6 +54,7 @@ namespace Rill.Editor
         [MenuItem("CONTEXT/FluidDrain" + Item)]
         [MenuItem("CONTEXT/FluidEmitter" + Item)]
         [MenuItem("CONTEXT/FluidFoam" + Item)]
+        [MenuItem("CONTEXT/FluidFollow" + Item)]
         [MenuItem("CONTEXT/FluidForceField" + Item)]
         [MenuItem("CONTEXT/FluidPhysicsColliders" + Item)]
         [MenuItem("CONTEXT/FluidPlayback" + Item)]

@@ -61,5 +61,8 @@ namespace Rill.Editor
 
         [MenuItem(Folder + "Detector", false, Priority + 9)]
         static void Detector(MenuCommand command) => Run(command, SceneSetup.CreateDetector);
+
+        [MenuItem(Folder + "Fluid Connection", false, Priority + 10)]
+        static void Connection(MenuCommand command) => Run(command, _ => SceneSetup.CreateConnection(Selection.gameObjects));
     }
 }

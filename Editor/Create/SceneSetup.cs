@@ -107,6 +107,31 @@ namespace Rill.Editor
             });
         }
 
+        /// <summary>A connection of the first two fluids that are selected, or are above what is, where their boxes meet; on an object beside
+        /// both. Where there are not two, the ends that lack one are left to be set.</summary>
+        public static GameObject CreateConnection(GameObject[] selected)
+        {
+            FluidSimulation first = null, second = null;
+            foreach (GameObject one in selected)
+            {
+                FluidSimulation fluid = one.GetComponentInParent<FluidSimulation>(true);
+                if (first == null)
+                    first = fluid;
+                else if (second == null && fluid != first)
+                    second = fluid;
+            }
+            var made = new GameObject("Fluid Connection");
+            made.SetActive(false);
+            Transform beside = first != null ? first.transform.parent : null;
+            Adopt(made, beside != null ? beside.gameObject : null);
+            FluidConnection connection = made.AddComponent<FluidConnection>();
+            connection.First = first;
+            connection.Second = second;
+            if (second != null)
+                made.transform.position = 0.5f * (first.transform.position + second.transform.position);
+            return Finish(made, "Fluid Connection");
+        }
+
         /// <summary>A ball that the water goes around, in the middle of the fluid that the parent belongs to.</summary>
         public static GameObject CreateCollider(GameObject parent)
             => CreateColliderObject(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);

@@ -50,11 +50,11 @@ namespace Rill
 
         Reading[] readings = new Reading[1];    // of the fluid that is being added
         int count;
-        Vector3 push, moment;                   // of that fluid, N; about the centre of mass, N m
+        Vector3 push, moment;                   // of that fluid, N; about the center of mass, N m
         float mass, step, virtualFraction, damping;        // kg, s
         Vector3 centerOfMass, velocity, angularVelocity;      // m, m/s, rad/s
-        Vector3 force, torque;                  // N; about the centre of mass, N m
-        float reach;                            // from the centre of mass to the farthest point of a part, m
+        Vector3 force, torque;                  // N; about the center of mass, N m
+        float reach;                            // from the center of mass to the farthest point of a part, m
         float volume, wetVolume;                // of all parts, m³
         float resistance, turnResistance;       // against slip, kg/s
         Vector3 slowed, turnSlowed;             // they times the slip in which the forces were measured, N; kg rad/s²
@@ -70,12 +70,12 @@ namespace Rill
         /// <summary>Whether a fluid told of its force.</summary>
         public bool IsKnown { get; private set; }
 
-        /// <summary>Torque of the fluids about the centre of mass, N m.</summary>
+        /// <summary>Torque of the fluids about the center of mass, N m.</summary>
         public Vector3 Torque => torque;
 
         /// <summary>Begins a step; of those before, the water's level, the slip and the estimate of the virtual mass are kept.</summary>
         /// <param name="center">Of mass, world space, m.</param>
-        /// <param name="bodyVelocity">Of the centre of mass.</param>
+        /// <param name="bodyVelocity">Of the center of mass.</param>
         /// <param name="stepTime">Of this step and the last, s.</param>
         public void Begin(float bodyMass, Vector3 center, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime)
         {

@@ -27,7 +27,7 @@ namespace Rill
 
         readonly FluidConnectionState state = new FluidConnectionState();
         FluidSimulation attachedFirst, attachedSecond;
-        string said;
+        ConnectionFault said;
         bool saidWaiting;
 
         /// <summary>One of the fluids.</summary>
@@ -38,7 +38,7 @@ namespace Rill
 
         /// <summary>Whether water can flow: both fluids run and nothing is wrong.</summary>
         public bool IsOpen => isActiveAndEnabled && attachedFirst != null && attachedSecond != null && attachedFirst.IsRunning
-            && attachedSecond.IsRunning && Problem == null;
+            && attachedSecond.IsRunning && Fault == ConnectionFault.None;
 
         /// <summary>Particles that went from the first fluid to the second since the connection opened, as far as the GPU has told: two or
         /// three frames ago.</summary>
@@ -55,8 +55,13 @@ namespace Rill
 
         internal FluidConnectionState State => state;
 
-        internal string Problem => FluidConnectionState.ProblemOf(attachedFirst != null ? attachedFirst : first,
-            attachedSecond != null ? attachedSecond : second);
+        ConnectionFault Fault => FluidConnectionState.FaultBetween(FirstNow, SecondNow);
+
+        string Problem => FluidConnectionState.Describe(Fault, FirstNow, SecondNow);
+
+        FluidSimulation FirstNow => attachedFirst != null ? attachedFirst : first;
+
+        FluidSimulation SecondNow => attachedSecond != null ? attachedSecond : second;
 
         StageSet IUsesStages.UsedStages => StageSet.Transfer;
 
@@ -71,13 +76,17 @@ namespace Rill
             problems.AddIfAny(FullProblem(attachedSecond, WaitingForSecond));
         }
 
-        /// <summary>Logs what is wrong once for as long as it stays; null where nothing is.</summary>
-        internal void Say(string problem)
+        /// <summary>Looks at both fluids, once a frame, and logs what is wrong once for as long as it stays.</summary>
+        /// <returns>Whether water can flow.</returns>
+        internal bool CanFlow()
         {
-            if (problem != null && problem != said)
-                Debug.LogWarning($"Rill: FluidConnection '{name}': {problem}", this);
-            said = problem;
+            state.Look(attachedFirst, attachedSecond);
+            Say(state.Fault);
+            return state.Fault == ConnectionFault.None;
         }
+
+        /// <summary>What goes to one of the fluids, where water can flow.</summary>
+        internal TransferRegion RegionTo(FluidSimulation fluid) => state.RegionTo(fluid == attachedFirst);
 
         /// <summary>The fluid at the other end.</summary>
         internal FluidSimulation Other(FluidSimulation fluid) => fluid == attachedFirst ? attachedSecond : attachedFirst;
@@ -85,11 +94,9 @@ namespace Rill
         /// <summary>After numbers have come back.</summary>
         internal void ReportWaiting()
         {
-            Say(null);
             bool waits = WaitingForFirst > 0 || WaitingForSecond > 0;
             if (waits && !saidWaiting)
-                Debug.LogWarning($"Rill: FluidConnection '{name}': " +
-                    $"{FullProblem(attachedFirst, WaitingForFirst) ?? FullProblem(attachedSecond, WaitingForSecond)}", this);
+                Warn(FullProblem(attachedFirst, WaitingForFirst) ?? FullProblem(attachedSecond, WaitingForSecond));
             saidWaiting |= waits;
         }
 
@@ -117,18 +124,18 @@ namespace Rill
             Detach();
             if (!isActiveAndEnabled)
                 return;
-            said = null;
+            said = ConnectionFault.None;
             if (first == null || second == null || first == second)
             {
-                Say(Problem);
+                Say(Fault);
                 return;
             }
             attachedFirst = first;
             attachedSecond = second;
             if (!first.Connect(this))
-                Say(TooManyProblem(first));
+                Warn(TooManyProblem(first));
             else if (!second.Connect(this))
-                Say(TooManyProblem(second));
+                Warn(TooManyProblem(second));
         }
 
         void Detach()
@@ -140,6 +147,15 @@ namespace Rill
             attachedFirst = attachedSecond = null;
             state.Close();
         }
+
+        void Say(ConnectionFault fault)
+        {
+            if (fault != said && fault != ConnectionFault.None)
+                Warn(FluidConnectionState.Describe(fault, FirstNow, SecondNow));
+            said = fault;
+        }
+
+        void Warn(string problem) => Debug.LogWarning($"Rill: FluidConnection '{name}': {problem}", this);
 
         int Count(FluidSimulation taker, TransferWord word) => taker != null ? taker.Transferred(this, word) : 0;
 

@@ -7,18 +7,18 @@ namespace Rill
     sealed class FluidConnectionState
     {
         const float SameAngle = 0.1f;       // degrees
-        const float SameFraction = 1e-4f;
         const float MinOpening = 2f;        // d, across
         const float CoverTolerance = 0.5f;      // d: of a face that a box covers, what it may leave
 
         PbfSolver one, other;
-        int oneGeneration, otherGeneration;
+        int oneGeneration, otherGeneration, lookedInFrame = -1;
+        TransferRegion toFirst, toSecond;
 
         /// <summary>The fluids have not met.</summary>
         public void Close()
         {
             one = other = null;
-            TakenInFrame = -1;
+            TakenInFrame = lookedInFrame = -1;
         }
 
         /// <summary>Number of the frame in which one last took for both.</summary>
@@ -43,36 +43,50 @@ namespace Rill
             otherGeneration = other.Generation;
         }
 
-        /// <summary>What goes from one fluid to another, whose boxes overlap as <see cref="ProblemOf"/> asks.</summary>
-        public static TransferRegion RegionOf(FluidSimulation from, FluidSimulation to)
+        /// <summary>Looks at two fluids where it has not in this frame.</summary>
+        public void Look(FluidSimulation first, FluidSimulation second)
         {
-            TryFindOverlap(from, to, out TransferRegion region, out _, out _);
-            return region;
+            if (lookedInFrame == Time.frameCount)
+                return;
+            lookedInFrame = Time.frameCount;
+            Fault = FaultBetween(first, second, out toFirst, out toSecond);
         }
 
-        /// <summary>Why nothing can flow between two fluids, with what to do; null where it can.</summary>
-        public static string ProblemOf(FluidSimulation a, FluidSimulation b)
+        /// <summary>What keeps the fluids apart, as last looked at.</summary>
+        public ConnectionFault Fault { get; private set; }
+
+        /// <summary>What goes to the first fluid or to the second, where nothing keeps them apart.</summary>
+        public TransferRegion RegionTo(bool isFirst) => isFirst ? toFirst : toSecond;
+
+        /// <summary>What keeps two fluids apart now.</summary>
+        public static ConnectionFault FaultBetween(FluidSimulation a, FluidSimulation b)
+            => FaultBetween(a, b, out _, out _);
+
+        /// <summary>A fault in words, with what to do; null for none.</summary>
+        public static string Describe(ConnectionFault fault, FluidSimulation a, FluidSimulation b)
         {
-            if (a == null || b == null)
-                return "it has no two fluids. Set First and Second.";
-            if (a == b)
-                return $"both ends are '{a.name}'. Set First and Second to two fluids.";
-            if (math.abs(a.ParticleSpacing - b.ParticleSpacing) > SameFraction * a.ParticleSpacing)
-                return $"'{a.name}' has a particle spacing of {a.ParticleSpacing} m and '{b.name}' one of {b.ParticleSpacing} m. Make them equal.";
-            if (!StructBytes.AreSame(a.Material, b.Material))
-                return $"'{a.name}' and '{b.name}' have different materials. Make them equal.";
-            if (a.StepRate != b.StepRate)
-                return $"'{a.name}' takes {a.StepRate} steps a second and '{b.name}' {b.StepRate}. Make their Step Rates equal.";
-            if (Quaternion.Angle(a.transform.rotation, b.transform.rotation) > SameAngle)
-                return $"'{a.name}' and '{b.name}' are turned differently. Give both the same rotation.";
-            if (TryFindOverlap(a, b, out _, out int axis, out float overlap))
-                return null;
+            if (fault != ConnectionFault.NoEnd && fault != ConnectionFault.SmallOverlap)
+                return ConnectionFaults.Describe(fault, a, b);
+            TryFindOverlap(a, b, out _, out int axis, out float overlap);
             float d = a.ParticleSpacing;
             if (axis < 0)
                 return $"the boxes of '{a.name}' and '{b.name}' have no end in each other. Put them one behind the other, and let them " +
                     $"overlap by {8f * d:0.###} m.";
             return $"the boxes of '{a.name}' and '{b.name}' overlap by {math.max(overlap, 0f) * d:0.###} m along {"xyz"[axis]}, less than " +
                 $"{FluidConnection.MinOverlap:0} spacings of {d} m. Let them overlap by {8f * d:0.###} m.";
+        }
+
+        static ConnectionFault FaultBetween(FluidSimulation a, FluidSimulation b, out TransferRegion toA, out TransferRegion toB)
+        {
+            toA = toB = default;
+            ConnectionFault fault = ConnectionFaults.Between(a, b);
+            if (fault != ConnectionFault.None)
+                return fault;
+            if (Quaternion.Angle(a.transform.rotation, b.transform.rotation) > SameAngle)
+                return ConnectionFault.Rotations;
+            if (TryFindOverlap(a, b, out toB, out int axis, out _) && TryFindOverlap(b, a, out toA, out _, out _))
+                return ConnectionFault.None;
+            return axis < 0 ? ConnectionFault.NoEnd : ConnectionFault.SmallOverlap;
         }
 
         // Along the axis on which each box ends in the other, the one of the smallest overlap.

@@ -123,7 +123,8 @@ namespace Rill
         }
 
         // Why it cannot be filled with particles of this spacing; null where it can.
-        string ProblemWith(float spacing)
+        /// <summary>Why it cannot be filled with particles of a spacing, m; null where it can.</summary>
+        internal string ProblemWith(float spacing)
         {
             if (FieldProblem is string problem)
                 return problem;

@@ -41,7 +41,7 @@ namespace Rill
         }
 
         /// <summary>Whether it feels a neighbor.</summary>
-        bool IsConnected => neighbors != null && neighbors.isOpen;
+        bool IsConnected => neighbors != null && neighbors.neighborCount > 0;
 
         /// <summary>Finds the neighbors of the coming steps, where there are any that run.</summary>
         void CollectConnections()
@@ -59,15 +59,11 @@ namespace Rill
                 FluidSimulation other = connection != null ? connection.Other(this) : null;
                 if (other == null || other.pbf == null || other.playback != null || !HasStages(StageSet.Transfer))
                     continue;
-                if (connection.Problem is string problem)
-                {
-                    connection.Say(problem);
+                if (!connection.CanFlow())
                     continue;
-                }
-                TransferRegion toThis = FluidConnectionState.RegionOf(other, this), toOther = FluidConnectionState.RegionOf(this, other);
+                TransferRegion toThis = connection.RegionTo(this), toOther = connection.RegionTo(other);
                 connection.State.Meet(this, other, toThis, toOther);
-                neighbors.isOpen = true;
-                neighbors.openFaces |= toThis.openFaces;
+                neighbors.AddNeighbor(new StepNeighbor { solver = other.pbf, region = toThis });
                 if (connection.State.TakenInFrame == Time.frameCount)
                     continue;       // the other has taken for both
                 toThis.number = number;

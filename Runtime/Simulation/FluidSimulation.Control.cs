@@ -97,41 +97,6 @@ namespace Rill
         }
 
         /// <summary>
-        /// Moves the box, and leaves the water where it is in the world: for a box that follows a target. What then lies outside is removed and
-        /// counts as drained, or is kept and comes back as the box covers its place again. Nothing is pushed, neither by the box nor by what
-        /// moved in it in this frame. Foam begins again.
-        /// </summary>
-        /// <remarks>
-        /// Memory stays that of the box, however large the world. Setting the transform instead takes the water along. The part of the box that
-        /// is new is empty: <see cref="Fill(FluidShape, Vector3, int, float)"/> of the whole box fills it and leaves the rest as it is.
-        /// </remarks>
-        /// <param name="position">Of this object, world space, m.</param>
-        /// <param name="leaving">What happens to particles that then lie outside. What was kept before comes back in any case.</param>
-        /// <exception cref="ArgumentException">The position is not finite.</exception>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
-        /// in a pass of <see cref="BeforeStep"/>.</exception>
-        public void Recenter(Vector3 position, LeavingParticles leaving = LeavingParticles.Remove)
-        {
-            if (!math.all(math.isfinite((float3)position)))
-                throw new ArgumentException($"A box at {position} is nowhere: give finite numbers.", nameof(position));
-            bool isRunning = IsReadyTo("moving its box");
-            bool keeps = leaving == LeavingParticles.Keep, transfers = isRunning && (keeps || pbf.KeepsParticles);
-            if (isRunning && !HasStages(StageSet.ParticleEdits) || transfers && !HasStages(StageSet.Transfer))
-                return;
-            GetPose(out Vector3 before, out Quaternion rotation);
-            transform.position = position;
-            if (!isRunning)
-                return;
-            if (transfers)
-                pbf.Shift(CornerAt(before, rotation), CornerAt(position, rotation), keptCapacity, keeps);
-            else
-                pbf.Shift((float3)(Quaternion.Inverse(rotation) * (before - position)) / particleSpacing);
-            FollowTransform();
-            StandStill();
-            ClearMotions();
-        }
-
-        /// <summary>
         /// Fills a shape at once, as far as there is room: not nearer than 0.9 spacings to a particle that is there, not in a collider where the
         /// last step left it, and not outside the box. What the capacity does not hold is refused, counted and logged once. Does nothing in a
         /// player without a graphics device, and where the stage ParticleEdits is not in the build, which is logged.
@@ -257,20 +222,30 @@ namespace Rill
         // False where there is no graphics device, and so nothing to do.
         bool IsReadyTo(string act)
         {
-            if (isRecordingPasses)
-                throw new InvalidOperationException(
-                    $"FluidSimulation '{name}' is recording a step in this pass of BeforeStep, which is no time for {act}: do it in Update.");
+            ThrowInPass(act);
             if (pbf == null && HasNoGraphics)
                 return false;
-            if (pbf != null && layoutChanged)
-            {
-                Release();
-                OnEnable();
-            }
+            StartAgainIfChanged();
             if (pbf == null)
                 throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before {act}.");
             onRefusals ??= ReportRefused;
             return true;
+        }
+
+        void ThrowInPass(string act)
+        {
+            if (isRecordingPasses)
+                throw new InvalidOperationException(
+                    $"FluidSimulation '{name}' is recording a step in this pass of BeforeStep, which is no time for {act}: do it in Update.");
+        }
+
+        // Where box, spacing or capacity are no longer what the solver was made for.
+        void StartAgainIfChanged()
+        {
+            if (pbf == null || !layoutChanged)
+                return;
+            Release();
+            OnEnable();
         }
 
         void ReportRefused()

@@ -24,6 +24,7 @@ namespace Rill
             problems.AddIfAny(StartStateProblem);
             problems.AddIfAny(pbf.RefusedOfScripts > 0 ? RefusedProblem : null);
             problems.AddIfAny(pbf.RefusedToKeep > 0 ? KeptFullProblem : null);
+            problems.AddIfAny(pbf.RefusedToHandOver > 0 ? HandOverFullProblem : null);
             problems.AddIfAny(isTooViscous ? TooViscousProblem : null);
             foreach ((DeviceFeature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);

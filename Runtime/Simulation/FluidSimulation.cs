@@ -358,6 +358,7 @@ namespace Rill
             ReadSources(steps);
             ReadConnections();
             ReadKept();
+            ReadHandOver();
             AfterSteps?.Invoke(true);
         }
 
@@ -398,7 +399,7 @@ namespace Rill
                     input.frameFrom = i / (float)steps;
                     input.frameTo = (i + 1) / (float)steps;
                     input.sources = TakeSources();
-                    input.connections = i == 0 && IsConnected ? neighbors : null;
+                    input.takesParticles = i == 0;
                     LimitToDevice();
                     if (!RecordPasses())
                         return false;
@@ -449,7 +450,7 @@ namespace Rill
             if (IsConnected)
             {
                 input.settings.sleepSpeed = 0f;     // what sleeps does not feel what comes
-                input.openFaces = neighbors.openFaces;
+                input.connections = neighbors;
             }
             wanted = DeviceFeature.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));

@@ -55,9 +55,10 @@ namespace Rill
             ghostFrame = frame;
         }
 
-        void PrepareConnections(StepConnections connections)
+        void PrepareConnections(in StepInput input)
         {
-            if (connections == null)
+            StepConnections connections = input.connections;
+            if (connections == null || !input.takesParticles)
                 return;
             for (int c = 0; c < connections.count; c++)
             {
@@ -71,7 +72,7 @@ namespace Rill
         void RecordConnections(in StepContext step)
         {
             StepConnections connections = step.Input.connections;
-            if (connections == null)
+            if (connections == null || !step.Input.takesParticles)
                 return;
             CommandBuffer cmd = step.Commands;
             RecordGhostsBefore(cmd, connections);
@@ -131,13 +132,18 @@ namespace Rill
         // Either's particles may become the other's: with phases and lifetimes where one of them has some, and as deep.
         void Meet(PbfSolver neighbor, in TransferRegion region)
         {
+            Expect(neighbor, region);
+            Transfer.Reserve(neighbor.Layout.Capacity);
+        }
+
+        void Expect(PbfSolver neighbor, in TransferRegion region)
+        {
             if (tags != null || neighbor.tags != null)
             {
                 tags ??= new ParticleTags(Layout.Capacity);
                 neighbor.tags ??= new ParticleTags(neighbor.Layout.Capacity);
             }
             hasLifetimes |= neighbor.hasLifetimes;
-            Transfer.Reserve(neighbor.Layout.Capacity);
             maxParticles = Layout.Capacity;
             if (!math.all(neighbor.minAdded <= neighbor.maxAdded))
                 return;

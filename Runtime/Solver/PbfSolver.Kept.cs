@@ -66,14 +66,16 @@ namespace Rill
             ResetTransfer(Returning);
         }
 
-        TransferRegion RegionOf(in RigidPose from, in RigidPose to, int number)
+        TransferRegion RegionOf(in RigidPose from, in RigidPose to, int number) => RegionOf(from, to, Layout, number);
+
+        static TransferRegion RegionOf(in RigidPose from, in RigidPose to, SolverLayout taker, int number)
         {
             quaternion toTaker = math.inverse(to.rotation);
             return new TransferRegion
             {
-                offset = math.rotate(toTaker, from.position - to.position) / Layout.Spacing,
+                offset = math.rotate(toTaker, from.position - to.position) / taker.Spacing,
                 rotation = math.mul(toTaker, from.rotation),
-                size = Layout.DomainSize,
+                size = taker.DomainSize,
                 number = number,
             };
         }

@@ -187,7 +187,7 @@ namespace Rill
             InvalidateParticles(false);
             UploadConstants(cmd, input);
             PrepareSources(input);
-            PrepareConnections(input.connections);
+            PrepareConnections(input);
             CoarseFor(input);
             RestingFor(input);
             CollidersFor(input);

@@ -66,7 +66,8 @@ namespace Rill
         public float accelerationFraction;
         /// <summary>change of velocity in a substep up to which it is, d/s</summary>
         public float maxExtrapolation;
-        /// <summary>bit 2 a + b: along axis a the lower (b 0) or upper end of the box is no wall to the coarse grid</summary>
+        /// <summary>bit 2 a + b: along axis a the lower (b 0) or upper end of the box is no wall to the coarse
+        /// grid; from kTiedFaces on the same where a neighbor's coarse solution is known</summary>
         public uint openFaces;
 
         /// <summary>Longest correction of one pass, d: what keeps a pass from throwing particles past their neighbors.</summary>
@@ -122,7 +123,7 @@ namespace Rill
                 extrapolation = VelocityExtrapolation.WeightFor(input),
                 accelerationFraction = atOnce,
                 maxExtrapolation = VelocityExtrapolation.Longest(input, layout.Spacing),
-                openFaces = input.openFaces,
+                openFaces = input.connections?.OpenFaces ?? 0,
             };
         }
     }

@@ -21,10 +21,10 @@ namespace Rill
         public float frameFrom, frameTo;
         /// <summary>Emitters, drains and force fields; null for none.</summary>
         public StepSources sources;
-        /// <summary>Neighbors to take particles and ghosts from before this step; null for none.</summary>
+        /// <summary>Neighbors whose water is felt; null for none.</summary>
         public StepConnections connections;
-        /// <summary>Bit 2 a + b: a neighbor covers the lower (b 0) or upper end of the box along axis a.</summary>
-        public uint openFaces;
+        /// <summary>Whether particles and ghosts are taken from them before this step: the first of a frame.</summary>
+        public bool takesParticles;
         /// <summary>Whether a pass before the step may have marked particles to remove.</summary>
         public bool removesKilled;
         /// <summary>Whether particles have phases also where no emitter gives any.</summary>

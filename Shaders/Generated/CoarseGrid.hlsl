@@ -3,6 +3,7 @@
 #define RILL_GENERATED_COARSE_GRID_INCLUDED
 
 static const float kInactive = 1E+30;    // right-hand side of a cell that is not solved for: its potential is 0
+static const uint kTiedFaces = 6;    // bit in _OpenFaces of the first end at which a neighbor's solution is known, in the order of the open ones
 
 // The coarse grid, for all kernels that read it; lengths in d.
 cbuffer RillCoarse

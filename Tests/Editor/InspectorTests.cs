@@ -15,7 +15,7 @@ namespace Rill.Editor.Tests
         static readonly Type[] Components =
         {
             typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidProbe),
-                typeof(FluidDetector), typeof(FluidVolume), typeof(FluidCollider), typeof(FluidConnection),
+                typeof(FluidDetector), typeof(FluidVolume), typeof(FluidCollider), typeof(FluidConnection), typeof(FluidFollow),
                 typeof(FluidBoneColliders), typeof(FluidDeformingMesh),
             typeof(ParticleRenderer), typeof(DomainRenderer), typeof(FluidFoam), typeof(FluidRecorder), typeof(FluidPlayback),
         };

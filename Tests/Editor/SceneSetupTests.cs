@@ -96,6 +96,32 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
+        public void A_connection_joins_the_two_fluids_that_are_selected_and_is_undone_alone()
+        {
+            GameObject left = scene.Keep(SceneSetup.CreateFluid(null)), right = scene.Keep(SceneSetup.CreateFluid(null));
+            right.transform.position = left.transform.position + 1.5f * Vector3.right;
+            Undo.IncrementCurrentGroup();
+            GameObject made = scene.Keep(SceneSetup.CreateConnection(new[] { left.transform.GetChild(0).gameObject, left, right }));
+            var connection = made.GetComponent<FluidConnection>();
+            Assert.That((connection.First.gameObject, connection.Second.gameObject), Is.EqualTo((left, right)));
+            Assert.That(Selection.activeGameObject, Is.SameAs(made));
+            Assert.That(ProblemList.Of(made.GetComponents<MonoBehaviour>()), Is.Empty);
+            Assert.That(Undo.GetCurrentGroupName(), Is.EqualTo("Create Fluid Connection"));
+            Undo.PerformUndo();
+            Assert.That(made == null, "gone");
+            Assert.That(left != null && right != null, "both fluids stay");
+        }
+
+        [Test]
+        public void A_connection_made_without_two_fluids_says_what_to_set()
+        {
+            GameObject one = scene.Keep(SceneSetup.CreateFluid(null));
+            GameObject made = scene.Keep(SceneSetup.CreateConnection(new[] { one }));
+            Assert.That(made.GetComponent<FluidConnection>().First.gameObject, Is.SameAs(one));
+            Assert.That(ProblemList.Of(made.GetComponents<MonoBehaviour>()), Has.Exactly(1).Contains("Set First and Second"));
+        }
+
+        [Test]
         public void Names_of_siblings_differ()
         {
             GameObject fluid = scene.Keep(SceneSetup.CreateFluid(null));

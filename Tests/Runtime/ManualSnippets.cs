@@ -110,6 +110,13 @@ namespace Rill.Tests
             _ = outside;
         }
 
+        static void HandOverWhatIsLeftBehind(FluidSimulation fluid, Transform target, FluidSimulation harbor)
+        {
+            #region Hand over what is left behind
+            fluid.Recenter(target.position, LeavingParticles.Keep, handOverTo: harbor);     // what lies in neither box is kept
+            #endregion
+        }
+
         static void ConnectTwoFluids(GameObject gameObject, FluidSimulation lake, FluidSimulation basin)
         {
             #region Connect two fluids

@@ -47,6 +47,7 @@ namespace Rill
             new KernelNeed("CoarseGrid", "FindErrors", "", 128, 0, 7, 7, 0),
             new KernelNeed("CoarseGrid", "DisplaceErrors", "", 128, 0, 5, 5, 0),
             new KernelNeed("CoarseGrid", "ExtendDisplacements", "", 128, 0, 1, 1, 0),
+            new KernelNeed("CoarseGrid", "TakePotential", "", 128, 0, 2, 1, 0),
             new KernelNeed("CoarseGrid", "BinFlowWithColliders", "WITH_COLLIDERS", 128, 3584, 7, 3, 0),
             new KernelNeed("CoarseGrid", "FindSurfaceWithColliders", "WITH_COLLIDERS", 128, 0, 7, 4, 0),
             new KernelNeed("CoarseGrid", "FindDivergenceWithColliders", "FLOW WITH_COLLIDERS", 128, 0, 11, 8, 0),

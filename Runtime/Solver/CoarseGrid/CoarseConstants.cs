@@ -42,6 +42,9 @@ namespace Rill
         /// <summary>right-hand side of a cell that is not solved for: its potential is 0</summary>
         [GenerateHlsl("CoarseGrid")] public const float Inactive = 1e30f;
 
+        /// <summary>bit in _OpenFaces of the first end at which a neighbor's solution is known, in the order of the open ones</summary>
+        [GenerateHlsl("CoarseGrid")] public const int TiedFaces = 6;
+
         /// <summary>
         /// Layers of particles across a coarse cell that make it active, whatever its size: with more, thin sheets are left to the
         /// passes, and in cells of 8 d they collapse; with fewer, sheets swell.

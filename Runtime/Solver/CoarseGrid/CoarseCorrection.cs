@@ -16,7 +16,7 @@ namespace Rill
     /// Twice a substep: the projection, on the flow before the prediction, and the density correction, on the errors that
     /// the first multipliers find. Both potentials start from the last substep's.
     /// </remarks>
-    sealed class CoarseCorrection : IDisposable
+    sealed partial class CoarseCorrection : IDisposable
     {
         /// <summary>words of a cell in _Bins</summary>
         [GenerateHlsl("CoarseBins")] const int BinStride = 8;
@@ -45,6 +45,7 @@ namespace Rill
             extendDisplacements = new Kernel(shader, "ExtendDisplacements");
             reactToFlow = new Kernel(shader, "ReactToFlow");
             reactToErrors = new Kernel(shader, "ReactToErrors");
+            takePotential = new Kernel(shader, "TakePotential");
 
             CoarseSolverPath path = CoarseSolverPath.For(limits);
             Grid = new CoarseGrid(layout.DomainSize, cellSize, path.TailCells);
@@ -144,6 +145,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, find, Ids.Counters, step.Particles.Counters);
             Dispatch(cmd, find);
 
+            RecordNeighborsFlow(step);
             RecordSource(cmd, findDivergence, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
@@ -157,6 +159,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(DensityMarker);
             BindConstants(step);
+            RecordNeighborsErrors(step);
             RecordSource(cmd, findErrors, errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders);
             RecordDisplacements(cmd, displaceErrors, errorPotential);
@@ -208,6 +211,9 @@ namespace Rill
                 description.Kernel(stage.reactToErrors, substeps);
             }
             description.Kernel(stage.extendDisplacements, 2 * substeps);
+            int neighbors = CountTied(input.connections);
+            if (neighbors > 0)
+                description.Kernel(stage.takePotential, 2 * substeps * neighbors);
             stage.Solver.Describe(description, 2 * substeps, stage.WithColliders);
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);

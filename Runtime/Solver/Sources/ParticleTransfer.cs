@@ -75,6 +75,10 @@ namespace Rill
         public float3 size;
         /// <summary>Normal, and in w the distance along it beyond which particles go, d; 0 for all of the box.</summary>
         public float4 plane;
+        /// <summary>Lowest corner of a box whose particles stay, in the frame that gives, d.</summary>
+        public float3 staysCorner;
+        /// <summary>Its size, d; 0 for no such box.</summary>
+        public float3 staysSize;
         /// <summary>Steps of the fluid that takes less those of the one that gives.</summary>
         public uint stepsAhead;
         /// <summary>End of the box of the fluid that takes which that of the other covers, see StepInput.openFaces; 0 for none.</summary>
@@ -89,7 +93,7 @@ namespace Rill
         /// <summary>Most that one fluid takes from: the number is in the ids of ghosts.</summary>
         public const int MaxTransfers = 16;
 
-        const int OwnTransfers = 3;     // of the fluid itself, behind those: see PbfSolver.Kept.cs
+        const int OwnTransfers = 4;     // of the fluid itself, behind those: see PbfSolver.Kept.cs
 
         /// <summary>words of a transfer in _TransferStates</summary>
         [GenerateHlsl("ParticleTransfer", Prefix = "Transfer")] public const int Words = 4;
@@ -218,6 +222,8 @@ namespace Rill
             cmd.SetComputeVectorParam(shader, Ids.FrameRotation, region.rotation.value);
             cmd.SetComputeVectorParam(shader, Ids.RegionSize, new float4(region.size, 0f));
             cmd.SetComputeVectorParam(shader, Ids.RegionPlane, region.plane);
+            cmd.SetComputeVectorParam(shader, Ids.StaysCorner, new float4(region.staysCorner, 0f));
+            cmd.SetComputeVectorParam(shader, Ids.StaysSize, new float4(region.staysSize, math.any(region.staysSize > 0f) ? 1f : 0f));
             cmd.SetComputeIntParam(shader, Ids.TransferRule, (int)rule);
             cmd.SetComputeIntParam(shader, Ids.FromCapacity, from.Capacity);
             cmd.SetComputeIntParam(shader, Ids.ToCapacity, to.Capacity);
@@ -307,6 +313,8 @@ namespace Rill
             public static readonly int FrameRotation = Shader.PropertyToID("_FrameRotation");
             public static readonly int RegionSize = Shader.PropertyToID("_RegionSize");
             public static readonly int RegionPlane = Shader.PropertyToID("_RegionPlane");
+            public static readonly int StaysCorner = Shader.PropertyToID("_StaysCorner");
+            public static readonly int StaysSize = Shader.PropertyToID("_StaysSize");
             public static readonly int TransferRule = Shader.PropertyToID("_TransferRule");
             public static readonly int FromCapacity = Shader.PropertyToID("_FromCapacity");
             public static readonly int ToCapacity = Shader.PropertyToID("_ToCapacity");

@@ -13,24 +13,46 @@ namespace Rill
         public int frame;
     }
 
-    /// <summary>The neighbors of a fluid in one step; used again for every step.</summary>
+    /// <summary>A neighbor that a fluid feels, in any step of a frame.</summary>
+    struct StepNeighbor
+    {
+        public PbfSolver solver;
+        /// <summary>Where the neighbor's frame is in this fluid's, and which side is this fluid's.</summary>
+        public TransferRegion region;
+
+        /// <summary>Whether the coarse grid is held to the neighbor's.</summary>
+        public bool IsTied => solver.Coarse != null && solver.Coarse.HasFound;
+    }
+
+    /// <summary>The neighbors of a fluid in the steps of one frame; used again for every frame.</summary>
     sealed class StepConnections
     {
         public readonly StepConnection[] items = new StepConnection[ParticleTransfer.MaxTransfers];
         public int count;
 
-        /// <summary>Whether there is a neighbor, also one that has taken for both already.</summary>
-        public bool isOpen;
+        /// <summary>All that are felt, also those that have taken for both already.</summary>
+        public readonly StepNeighbor[] neighbors = new StepNeighbor[ParticleTransfer.MaxTransfers];
+        public int neighborCount;
 
-        /// <summary>Ends of the box that neighbors cover, see StepInput.openFaces.</summary>
-        public uint openFaces;
+        /// <summary>Ends of the box that neighbors cover, see SolverConstants.openFaces.</summary>
+        public uint OpenFaces
+        {
+            get
+            {
+                uint faces = 0;
+                for (int n = 0; n < neighborCount; n++)
+                    faces |= neighbors[n].region.openFaces * (neighbors[n].IsTied ? 1u + (1u << CoarseConstants.TiedFaces) : 1u);
+                return faces;
+            }
+        }
 
         public void Clear()
         {
             count = 0;
-            openFaces = 0;
-            isOpen = false;
+            neighborCount = 0;
         }
+
+        public void AddNeighbor(in StepNeighbor neighbor) => neighbors[neighborCount++] = neighbor;
 
         public void Add(in StepConnection connection) => items[count++] = connection;
     }

@@ -1,0 +1,80 @@
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    // What the coarse grids of fluids whose boxes overlap found: each holds its potential to the other's beyond its own side. So the
+    // water on both sides of an opening is moved by what is nearly one solution, as in the alternating method of Schwarz, a pass a substep.
+    partial class CoarseCorrection
+    {
+        readonly Kernel takePotential;
+        float flowTime;     // length of the substep that the flow's potential is of, s; 0 before the first
+
+        /// <summary>Neighbors whose solution is taken.</summary>
+        static int CountTied(StepConnections connections)
+        {
+            int count = 0;
+            for (int n = 0; n < (connections?.neighborCount ?? 0); n++)
+                if (connections.neighbors[n].IsTied)
+                    count++;
+            return count;
+        }
+
+        /// <summary>Whether the flow has been solved for: another fluid can take what was found.</summary>
+        public bool HasFound => flowTime > 0f;
+
+        void RecordNeighborsFlow(in StepContext step)
+        {
+            StepConnections connections = step.Input.connections;
+            for (int n = 0; n < (connections?.neighborCount ?? 0); n++)
+            {
+                if (!connections.neighbors[n].IsTied)
+                    continue;
+                CoarseCorrection other = connections.neighbors[n].solver.Coarse;
+                // A displacement within a substep, which grows with its square.
+                float ratio = step.SubstepTime / other.flowTime;
+                RecordTake(step.Commands, connections.neighbors[n].region, other, other.flowPotential, flowPotential, ratio * ratio);
+            }
+            flowTime = step.SubstepTime;
+        }
+
+        void RecordNeighborsErrors(in StepContext step)
+        {
+            StepConnections connections = step.Input.connections;
+            for (int n = 0; n < (connections?.neighborCount ?? 0); n++)
+            {
+                if (!connections.neighbors[n].IsTied)
+                    continue;
+                CoarseCorrection other = connections.neighbors[n].solver.Coarse;
+                RecordTake(step.Commands, connections.neighbors[n].region, other, other.errorPotential, errorPotential, 1f);
+            }
+        }
+
+        /// <summary>Records that a potential takes a neighbor's on the neighbor's side of the overlap.</summary>
+        /// <param name="region">What comes from the neighbor.</param>
+        /// <param name="from">The neighbor's potential.</param>
+        /// <param name="to">This one's.</param>
+        /// <param name="scale">This one's potentials of one there.</param>
+        public void RecordTake(CommandBuffer cmd, in TransferRegion region, CoarseCorrection other, GraphicsBuffer from, GraphicsBuffer to,
+            float scale)
+        {
+            cmd.SetComputeBufferParam(shader, takePotential, NeighborIds.Potential, from);
+            cmd.SetComputeBufferParam(shader, takePotential, Ids.Potential, to);
+            cmd.SetComputeVectorParam(shader, NeighborIds.Offset, new float4(region.offset, 0f));
+            cmd.SetComputeVectorParam(shader, NeighborIds.InverseSize, new float4(1f / other.Grid.CellSize, scale));
+            cmd.SetComputeVectorParam(shader, NeighborIds.Counts, new float4(other.Grid.Counts, 0f));
+            cmd.SetComputeVectorParam(shader, NeighborIds.OwnSide, region.plane);
+            Dispatch(cmd, takePotential);
+        }
+
+        static class NeighborIds
+        {
+            public static readonly int Potential = Shader.PropertyToID("_NeighborPotential");
+            public static readonly int Offset = Shader.PropertyToID("_NeighborOffset");
+            public static readonly int InverseSize = Shader.PropertyToID("_NeighborInverseSize");
+            public static readonly int Counts = Shader.PropertyToID("_NeighborCounts");
+            public static readonly int OwnSide = Shader.PropertyToID("_OwnSide");
+        }
+    }
+}
