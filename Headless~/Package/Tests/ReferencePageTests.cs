@@ -56,6 +56,24 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Costs_stand_beside_their_fields_and_rows_of_no_field_are_faults()
+        {
+            var findings = new Findings();
+            var costs = FieldCosts.Of("# a remark\nKnown Part\t\ttwo passes\nKnown Part\tAmount\t1 ms\nKnown Part\tGone\t2 ms\nno row\n" +
+                "Known Part\tAmount\t3 ms\n", findings);
+            string text = ReferencePage.Describe(typeof(Known), costs);
+            costs.FindUnused(findings);
+            Assert.That(text, Does.StartWith("\n## Known Part\n\nCost: two passes.\n\n| field | default | range | | cost |\n").And
+                .Contain("| Amount | 2 | 0.5 or more | How much, m. | 1 ms |\n").And.Contain("| Is On | on |  | Of the base class. |  |\n"));
+            Assert.That(findings.Faults, Is.EqualTo(new[]
+            {
+                "Documentation~/data/costs.tsv(5) is no new row: write component, field and cost, with a tab between, each once.",
+                "Documentation~/data/costs.tsv(6) is no new row: write component, field and cost, with a tab between, each once.",
+                "Documentation~/data/costs.tsv: no component 'Known Part' has a field 'Gone'. Write its name as the inspector shows it.",
+            }));
+        }
+
+        [Test]
         public void The_page_in_the_manual_is_what_the_components_say()
         {
             var findings = new Findings();

@@ -40,14 +40,19 @@ namespace Host.Check
             var text = new StringBuilder();
             text.Append("<!-- Made by `Headless~/rill generate` from the tooltips, ranges and default values in the code; `rill check` compares it. Do not edit. -->\n");
             text.Append("# Component reference\n\n");
-            text.Append("Every field of every component, as its tooltip has it. *Range* is what the inspector's control allows; where it is empty, the text names the limits.\n");
+            text.Append("Every field of every component, as its tooltip has it. *Range* is what the inspector's control allows; where it is empty, the text names the limits.\n\n");
+            text.Append("*Cost* is GPU time of a step of 100,000 / 1,000,000 particles on an NVIDIA H100, if nothing else is said; " +
+                "`Headless~/rill bench fields` measures it, [Sizing a scene](sizing.md) tells of other GPUs. Where it is empty, a field costs nothing of its own.\n");
+            var costs = FieldCosts.Of(package.Read(FieldCosts.File), findings);
             foreach (Type type in components.OrderBy(type => type.Name != "FluidSimulation").ThenBy(Title, StringComparer.Ordinal))
-                text.Append(Describe(type));
+                text.Append(Describe(type, costs));
+            costs.FindUnused(findings);
             return text.ToString();
         }
 
         /// <summary>A component's part of the page: its heading, and a table for its own fields and for each group of settings.</summary>
-        public static string Describe(Type component)
+        /// <param name="costs">Null for a page without them.</param>
+        public static string Describe(Type component, FieldCosts costs = null)
         {
             // Inactive: nothing of it begins, but its fields have the values that a new component has.
             var holder = new GameObject("Reference");
@@ -55,7 +60,10 @@ namespace Host.Check
             try
             {
                 object instance = holder.AddComponent(component);
-                var text = new StringBuilder($"\n## {Title(component)}\n");
+                string title = Title(component);
+                var text = new StringBuilder($"\n## {title}\n");
+                if (costs?.For(title, "") is string whole && whole.Length > 0)
+                    text.Append($"\nCost: {whole}.\n");
                 var groups = new List<(string name, object value)>();
                 var rows = new List<string>();
                 foreach (FieldInfo field in Fields(component).OrderBy(field => ObjectNames.NicifyVariableName(field.Name), StringComparer.Ordinal))
@@ -64,11 +72,11 @@ namespace Host.Check
                     if (IsGroup(field.FieldType))
                         groups.Add((ObjectNames.NicifyVariableName(field.Name), value));
                     else
-                        rows.Add(Row(field, value));
+                        rows.Add(Row(field, value, title, costs));
                 }
-                AppendTable(text, null, rows);
+                AppendTable(text, null, rows, costs);
                 foreach ((string name, object value) in groups)
-                    AppendTable(text, name, Fields(value.GetType()).Select(field => Row(field, field.GetValue(value))));
+                    AppendTable(text, name, Fields(value.GetType()).Select(field => Row(field, field.GetValue(value), title, costs)), costs);
                 return text.ToString();
             }
             finally
@@ -91,20 +99,23 @@ namespace Host.Check
 
         static bool IsGroup(Type type) => type.IsValueType && !type.IsPrimitive && !type.IsEnum && type.Namespace != nameof(UnityEngine) && type.GetCustomAttribute<SerializableAttribute>() != null;
 
-        static void AppendTable(StringBuilder text, string title, IEnumerable<string> rows)
+        static void AppendTable(StringBuilder text, string title, IEnumerable<string> rows, FieldCosts costs)
         {
             if (!rows.Any())
                 return;
             text.Append(title == null ? "\n" : $"\n**{title}**\n\n");
-            text.Append("| field | default | range | |\n| --- | --- | --- | --- |\n");
+            text.Append(costs == null ? "| field | default | range | |\n| --- | --- | --- | --- |\n"
+                : "| field | default | range | | cost |\n| --- | --- | --- | --- | --- |\n");
             foreach (string row in rows)
                 text.Append(row).Append('\n');
         }
 
-        static string Row(FieldInfo field, object value)
+        static string Row(FieldInfo field, object value, string component, FieldCosts costs)
         {
             string description = field.GetCustomAttribute<TooltipAttribute>()?.tooltip ?? "";
-            return $"| {ObjectNames.NicifyVariableName(field.Name)} | {Value(value)} | {Range(field)} | {description.Replace("|", "\\|").Replace("\n", " ")} |";
+            string name = ObjectNames.NicifyVariableName(field.Name);
+            string row = $"| {name} | {Value(value)} | {Range(field)} | {description.Replace("|", "\\|").Replace("\n", " ")} |";
+            return costs == null ? row : $"{row} {costs.For(component, name)} |";
         }
 
         static string Range(FieldInfo field)
