@@ -207,7 +207,7 @@ namespace Rill.Tests
         // What does not change how particles at rest move: who else looks at them, and what wakes regions by itself.
         // those that are removed wake what is around them, and a connected fluid does not sleep
         static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed",
-            "removesKilled", "tracksPhases", "connections", "openFaces" };
+            "removesKilled", "tracksPhases", "connections", "takesParticles" };
 
         static IEnumerable<string> FieldsOfTheInput() => typeof(StepInput).GetFields().Where(field => !Others.Contains(field.Name))
             .SelectMany(field => field.FieldType == typeof(SolverSettings) || field.FieldType == typeof(FluidMaterial)
