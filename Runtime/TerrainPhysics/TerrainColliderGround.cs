@@ -23,7 +23,7 @@ namespace Rill
                 problem = "its Terrain Collider has no terrain data. Assign some.";
                 return null;
             }
-            TerrainHeights heights = SharedTerrainHeights.Of(data);
+            TerrainHeights heights = TerrainHeightsCache.Of(data);
             LeftOut = heights.HasHoles ? TerrainHeights.HolesProblem : null;
             problem = heights.Problem;
             return heights.Field;
@@ -34,10 +34,10 @@ namespace Rill
         void Use(TerrainData data)
         {
             if (!ReferenceEquals(used, null))
-                SharedTerrainHeights.Release(used);
+                TerrainHeightsCache.Release(used);
             used = data != null ? data : null;
             if (used != null)
-                SharedTerrainHeights.Use(used);
+                TerrainHeightsCache.Use(used);
         }
     }
 }

@@ -52,7 +52,8 @@ namespace Rill.Tests
                 yield return Frames(75);
                 yield return MeasureHeight(45);
                 drafts[(int)split] = meanHeight;
-                Assert.That(Vector3.Angle(body.rotation * Vector3.up, Vector3.up), Is.LessThan(20f), $"{split} stays upright, but for the sway of the water");
+                Assert.That(Vector3.Angle(body.rotation * Vector3.up, Vector3.up), Is.LessThan(20f),
+                    $"{split} stays upright, but for the sway of the water");
                 Clear();
                 yield return null;
             }

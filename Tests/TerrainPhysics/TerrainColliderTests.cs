@@ -92,7 +92,7 @@ namespace Rill.Tests
             ground.terrainData = other;
             hill.GetComponent<Terrain>().terrainData = other;
             Assert.That(TheOnly(colliders).size.y, Is.Zero, "flat");
-            Assert.That(SharedTerrainHeights.Count, Is.EqualTo(1), "of the old data nothing is kept");
+            Assert.That(TerrainHeightsCache.Count, Is.EqualTo(1), "of the old data nothing is kept");
             Object.DestroyImmediate(other);
         }
 
@@ -122,14 +122,14 @@ namespace Rill.Tests
         {
             FluidPhysicsColliders first = Source("First"), second = Source("Second");
             Assert.That(TheOnly(first).field, Is.SameAs(TheOnly(second).field));
-            Assert.That(SharedTerrainHeights.Count, Is.EqualTo(1));
+            Assert.That(TerrainHeightsCache.Count, Is.EqualTo(1));
             first.ColliderLayers = 0;
             Gather(first);
             Assert.That(TheOnly(second).field != null, "not destroyed");
             Texture field = TheOnly(second).field;
             hill.SetActive(false);
             Assert.That(Gather(second), Is.Empty);
-            Assert.That(SharedTerrainHeights.Count, Is.Zero);
+            Assert.That(TerrainHeightsCache.Count, Is.Zero);
             Assert.That(field == null, "destroyed");
         }
 

@@ -17,7 +17,9 @@ namespace Host.Tests
         const int FramesToRun = 16;
         const float CoarseSpacing = 0.1f;       // m: an eighth of the particles
 
-        static IEnumerable<string> Items => Methods.Select(item => item.Key);
+        const string Connection = "GameObject/Rill/Fluid Connection";       // of two fluids, and so below neither
+
+        static IEnumerable<string> Items => Methods.Select(item => item.Key).Where(item => item != Connection);
 
         static Dictionary<string, MethodInfo> Methods
             => new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") }
@@ -29,9 +31,9 @@ namespace Host.Tests
         [Test]
         public void The_menu_has_what_scenes_are_made_of()
         {
-            Assert.That(Items.Select(item => item.Split('/').Last()),
+            Assert.That(Methods.Keys.Select(item => item.Split('/').Last()),
                 Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Probe", "Detector",
-                "Floating Body" }));
+                "Fluid Connection", "Floating Body" }));
         }
 
         [TestCaseSource(nameof(Items))]
@@ -107,6 +109,25 @@ namespace Host.Tests
                 PrefabStage.Current = null;
                 Object.DestroyImmediate(stage);
             }
+        }
+
+        [Test]
+        public void Water_flows_between_two_fluids_that_were_selected()
+        {
+            var fluids = new FluidSimulation[2];
+            for (int i = 0; i < 2; i++)
+            {
+                fluids[i] = SceneSetup.CreateFluid(null).GetComponent<FluidSimulation>();
+                Coarsen(fluids[i]);
+                fluids[i].transform.position = new Vector3(i * (fluids[i].DomainSize.x - 8f * CoarseSpacing), 0f, 0f);
+            }
+            Selection.objects = new Object[] { fluids[0].gameObject, fluids[1].gameObject };
+            EditorTick.Run();
+            foreach (FluidSimulation fluid in fluids)       // once for each, as from the hierarchy's context menu
+                Methods[Connection].Invoke(null, new object[] { new MenuCommand(fluid.gameObject) });
+            Assert.That(Object.FindObjectsOfType<FluidConnection>().Length, Is.EqualTo(1));
+            Run();
+            Assert.That(Object.FindObjectOfType<FluidConnection>().IsOpen);
         }
 
         [Test]

@@ -34,13 +34,13 @@ namespace Rill.Tests
             fluid.Clear();
             fluid.Fill(FluidShape.Box(Home + 0.3f * Vector3.down, new Vector3(1f, 0.4f, 0.5f)), new Vector3(0.3f, -0.2f, 0.1f), 3);
             other.Fill(FluidShape.Box(Home + new Vector3(0f, 0.8f, 0f), 0.3f * Vector3.one));
-            Vector3[] before = Places(fluid);
-            int others = Places(other).Length;
+            Vector3[] before = Positions(fluid);
+            int others = Positions(other).Length;
             Assert.That(before.Length, Is.GreaterThan(150));
             Assert.That(others, Is.GreaterThan(0));
             float end = Home.x + 0.6f - 0.5f * Box.x;
             fluid.Recenter(Home + 0.6f * Vector3.right, LeavingParticles.Remove, other);
-            Vector3[] left = Places(fluid), over = Places(other);
+            Vector3[] left = Positions(fluid), over = Positions(other);
             Assert.That(left.Length, Is.InRange(1, before.Length - 1));
             Assert.That(left.Length + over.Length, Is.EqualTo(before.Length + others));
             Assert.That(left.Min(p => p.x), Is.GreaterThan(end));
@@ -61,11 +61,11 @@ namespace Rill.Tests
         {
             MakeBoth(2000);
             lake.Fluid.transform.position += 1.5f * Vector3.right;      // it begins at the middle of the basin
-            Vector3[] before = Places(basin.Fluid);
+            Vector3[] before = Positions(basin.Fluid);
             basin.Fluid.Recenter(Home + 3f * Vector3.right, leaving, lake.Fluid);
-            int over = Places(lake.Fluid).Length;
+            int over = Positions(lake.Fluid).Length;
             Assert.That(over, Is.EqualTo(before.Count(p => p.x > Home.x)).Within(20).And.GreaterThan(0));
-            Assert.That(Places(basin.Fluid), Is.Empty);
+            Assert.That(Positions(basin.Fluid), Is.Empty);
             Assert.That(Kept(basin.Fluid), Is.EqualTo(leaving == LeavingParticles.Keep ? before.Length - over : 0));
             FluidStatistics given = basin.Step().AssertConserved();
             Assert.That(given.drained, Is.EqualTo(leaving == LeavingParticles.Keep ? 0 : before.Length - over));
@@ -77,7 +77,7 @@ namespace Rill.Tests
             MakeBoth(50);
             FluidSimulation fluid = basin.Fluid;
             fluid.Recenter(Home + 1.5f * Vector3.right, leaving, lake.Fluid);
-            Assert.That(Places(lake.Fluid).Length, Is.EqualTo(50));
+            Assert.That(Positions(lake.Fluid).Length, Is.EqualTo(50));
             int rest = 150;
             if (leaving == LeavingParticles.Remove)
                 LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidSimulation 'Fluid' removed 150 particles that its box left behind: the " +
@@ -89,7 +89,7 @@ namespace Rill.Tests
             Assert.That(given.drained, Is.EqualTo(leaving == LeavingParticles.Remove ? rest : 0));
             Assert.That(Kept(fluid), Is.EqualTo(leaving == LeavingParticles.Keep ? rest : 0));
             fluid.Recenter(Home, leaving);
-            Assert.That(Places(fluid).Length, Is.EqualTo(leaving == LeavingParticles.Keep ? rest : 0), "found again");
+            Assert.That(Positions(fluid).Length, Is.EqualTo(leaving == LeavingParticles.Keep ? rest : 0), "found again");
         }
 
         [Test]
@@ -98,12 +98,12 @@ namespace Rill.Tests
             MakeBoth(2000);
             lake.Fluid.gameObject.SetActive(false);
             basin.Fluid.Recenter(Home + 0.5f * Vector3.right, LeavingParticles.Keep, lake.Fluid);
-            int kept = Kept(basin.Fluid), left = Places(basin.Fluid).Length;
+            int kept = Kept(basin.Fluid), left = Positions(basin.Fluid).Length;
             Assert.That(kept + left, Is.EqualTo(200));
             lake.Fluid.gameObject.SetActive(true);
-            Assert.That(Places(lake.Fluid), Is.Empty);
+            Assert.That(Positions(lake.Fluid), Is.Empty);
             basin.Fluid.Recenter(Home + 1.5f * Vector3.right, LeavingParticles.Keep, lake.Fluid);
-            Assert.That(Places(lake.Fluid).Length, Is.EqualTo(left));
+            Assert.That(Positions(lake.Fluid).Length, Is.EqualTo(left));
             Assert.That(Kept(basin.Fluid), Is.EqualTo(kept), "what was kept before stays");
         }
 
@@ -145,7 +145,7 @@ namespace Rill.Tests
         }
 
         // In world space.
-        static Vector3[] Places(FluidSimulation fluid)
+        static Vector3[] Positions(FluidSimulation fluid)
         {
             Matrix4x4 toWorld = fluid.DomainToWorld;
             return TestFluid.Read(fluid.Solver).positions.Where(p => math.all(math.isfinite(p.xyz)))
