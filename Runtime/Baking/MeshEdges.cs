@@ -73,7 +73,7 @@ namespace Rill
         /// <summary>With turned triangles turned, m³; negative for a mesh that is inside out.</summary>
         public double SignedVolume { get; }
 
-        /// <summary>A corner of a triangle, as a number that vertices at one position share.</summary>
+        /// <summary>A corner of a triangle, as a number that is one for all vertices at one position.</summary>
         public int Corner(int triangle, int k) => welded[mesh.Triangles[3 * triangle + k]];
 
         // Open addressing: a dictionary takes several times as long.

@@ -72,7 +72,7 @@ namespace Rill
         /// <summary>Area of flat covers over the holes as a fraction of the whole surface with them; 0 for a closed mesh.</summary>
         public double HoleFraction { get; }
 
-        /// <summary>Edges that more than two triangles share.</summary>
+        /// <summary>Edges of more than two triangles.</summary>
         public int NonManifoldEdges { get; }
 
         /// <summary>Edges whose two triangles face different sides.</summary>
@@ -81,7 +81,7 @@ namespace Rill
         /// <summary>Triangles that face the other side than most of what they hang together with.</summary>
         public int FlippedTriangles { get; }
 
-        /// <summary>Pairs of triangles that cross each other, without those that share a vertex and without those in one plane.</summary>
+        /// <summary>Pairs of triangles that cross each other, without those with a common vertex and without those in one plane.</summary>
         public int SelfIntersections { get; }
 
         /// <summary>Fraction of the pairs in question that were tested, 0 to 1: below 1 for meshes that would take too long.</summary>
@@ -99,7 +99,7 @@ namespace Rill
         /// <summary>Whether the triangles of a closed mesh face inwards.</summary>
         public bool IsInsideOut => Sign == MeshSdfSign.WindingNumber && SignedVolume < 0;
 
-        /// <summary>Whether no edge is open and no more than two triangles share one.</summary>
+        /// <summary>Whether no edge is open and none has more than two triangles.</summary>
         public bool IsWatertight => Triangles > 0 && BoundaryEdges == 0 && NonManifoldEdges == 0 && NonFiniteVertices == 0;
 
         /// <summary>What the sign method Automatic comes to.</summary>

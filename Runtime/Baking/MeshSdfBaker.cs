@@ -72,7 +72,7 @@ namespace Rill
                 throw new InvalidOperationException(
                     "Rill: this device has no compute shaders or no asynchronous readback: bake on another, and ship the asset.");
             BakedTriangles triangles = Usable(mesh, settings);
-            // Which way a triangle faces, and what it hangs together with, is nothing to a shell.
+            // Which side a triangle faces, and what it hangs together with, is nothing to a shell.
             bool needsEdges = settings.sign != MeshSdfSign.OpenShell;
             MeshEdges edges = null;
             uint[] order = null;

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// Counts pairs of triangles that cross each other: an edge of one goes through the other. Pairs that share a vertex and
+    /// Counts pairs of triangles that cross each other: an edge of one goes through the other. Pairs with a common vertex and
     /// pairs in one plane are not looked at. Pairs to test are found by a grid, up to a limit; beyond it the rest is left.
     /// </summary>
     static class SelfIntersections

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the stages of a step share: where they record, the particles and their lists, and the stages that others read. One is
+    /// <summary>What the stages of a step have in common: where they record, the particles and their lists, and the stages that others read. One is
     /// made for each step.</summary>
     readonly struct StepContext
     {

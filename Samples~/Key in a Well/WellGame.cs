@@ -7,7 +7,7 @@ namespace Rill.Samples
     /// <summary>How a game in the well stands.</summary>
     public enum WellState
     {
-        /// <summary>The snapshot of the start is on its way.</summary>
+        /// <summary>The snapshot of the start has been asked for.</summary>
         Preparing,
         /// <summary>The tap obeys.</summary>
         Playing,
@@ -85,7 +85,7 @@ namespace Rill.Samples
         /// <summary>Called when the water is used up in vain.</summary>
         public UnityEvent Lost => lost;
 
-        /// <summary>Place of the tap along its beam, m; 0 is above the middle of the well.</summary>
+        /// <summary>Position of the tap along its beam, m; 0 is above the middle of the well.</summary>
         public float TapX => tap.transform.position.x;
 
         /// <summary>Water that there is to pour, m³, above 0.</summary>

@@ -111,7 +111,7 @@ namespace Rill.Tests
             data.SetHeights(0, 0, new float[33, 33]);
             yield return null;
             terrain.Refresh();
-            Assert.That(collider.Heights, Is.Null, "nobody listens");
+            Assert.That(collider.Heights, Is.Null, "none listens");
             terrain.enabled = true;
             data.SetHoles(3, 3, new bool[1, 1]);
             LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': its Terrain has holes"));

@@ -40,8 +40,8 @@ namespace Host.Tests
 
         [TestCase("d3d11", "")]
         [TestCase("metal", "Wide")]
-        [TestCase("mobile", "Wide Shared Seventeen")]
-        [TestCase("webgpu", "Wide Shared Seventeen Nine")]
+        [TestCase("mobile", "Wide Groupshared Seventeen")]
+        [TestCase("webgpu", "Wide Groupshared Seventeen Nine")]
         public void What_is_beyond_them_is_not_supported_and_its_dispatch_an_error(string name, string refused)
         {
             Player.Limits = Named(name);
@@ -49,7 +49,7 @@ namespace Host.Tests
             using var output = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1024, 4);
             using var input = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1, 4);
             input.SetData(new uint[1]);
-            foreach (string kernel in new[] { "Small", "Wide", "Shared", "Nine", "Seventeen" })
+            foreach (string kernel in new[] { "Small", "Wide", "Groupshared", "Nine", "Seventeen" })
             {
                 int index = shader.FindKernel(kernel);
                 shader.SetBuffer(index, "_Out", output);

@@ -27,7 +27,7 @@ namespace Host.Tests
                 .Add("Includes.compute", "#pragma kernel K\n#include \"Packages/com.test.planted/Included.hlsl\"\n[numthreads(1,1,1)] " +
                     "void K() { _Out[0] = Twice(1); }\n")
                 .Add("Included.hlsl", "RWStructuredBuffer<uint> _Out;\n\nuint Twice(uint a)\n{\n    return a * missing;\n}\n")
-                .Add("SharedRace.compute", Kernel + "groupshared uint g_Last;\n[numthreads(64,1,1)] void K(uint3 id : " +
+                .Add("GroupRace.compute", Kernel + "groupshared uint g_Last;\n[numthreads(64,1,1)] void K(uint3 id : " +
                     "SV_GroupThreadID)\n{\n    g_Last = id.x;\n    GroupMemoryBarrierWithGroupSync();\n    _Out[id.x] = g_Last;\n}\n")
                 .Add("BufferRace.compute", Kernel + "[numthreads(64,1,1)] void K(uint3 id : SV_GroupThreadID)\n{\n    _Out[0] = id.x;\n}\n")
                 .Add("Barrier.compute", Kernel + "groupshared uint g_A[64];\n[numthreads(64,1,1)] void K(uint3 id : " +
@@ -87,7 +87,7 @@ namespace Host.Tests
 
         [TestCase("Syntax.compute(6): error X3000: syntax error")]
         [TestCase("Packages/com.test.planted/Included.hlsl(5): error X3004: undeclared identifier 'missing'; in Includes.compute (K)")]
-        [TestCase("SharedRace.compute(6): error X3695: race condition writing to shared memory")]
+        [TestCase("GroupRace.compute(6): error X3695: race condition writing to shared memory")]
         [TestCase("BufferRace.compute(5): error X3694: race condition writing to shared resource")]
         [TestCase("Barrier.compute(9): error X3663: thread sync operation found in varying flow control")]
         [TestCase("Uninitialized.compute(8): error X4575: reading uninitialized value")]

@@ -18,7 +18,7 @@ namespace Host.Tests
                 .Add("Good.compute", Kernel(64, "RWStructuredBuffer<uint> _A;\n", "_A[id.x] = id.x;"))
                 .Add("NineBuffers.compute", Kernel(64, Each("RWStructuredBuffer<uint> _A@;\n", 9), Each("_A@[id.x] = 1;", 9)))
                 .Add("Threads.compute", Kernel(512, "RWStructuredBuffer<uint> _A;\n", "_A[id.x] = id.x;"))
-                .Add("Shared.compute", Kernel(64, "RWStructuredBuffer<uint> _A;\ngroupshared uint g_A[5000];\n",
+                .Add("Groupshared.compute", Kernel(64, "RWStructuredBuffer<uint> _A;\ngroupshared uint g_A[5000];\n",
                     "g_A[id.x * 70] = id.x; GroupMemoryBarrierWithGroupSync(); _A[id.x] = g_A[4999 - id.x];"))
                 .Add("Typed.compute", Kernel(64, "Buffer<float> _In;\nRWStructuredBuffer<float> _A;\n", "_A[id.x] = _In[id.x];"))
                 .Add("Buffers.compute", Kernel(64, Each("StructuredBuffer<uint> _In@;\n", 32) + "RWStructuredBuffer<uint> _A;\n",
@@ -51,9 +51,9 @@ namespace Host.Tests
         [TestCase("Threads.compute", "WebGPU", "no: 512 threads of 256")]
         [TestCase("Threads.compute", "GLES 3.1", "no: 512 threads of 128")]
         [TestCase("Threads.compute", "Vulkan", "yes")]
-        [TestCase("Shared.compute", "WebGPU", "no: 20000 shared bytes of 16384")]
-        [TestCase("Shared.compute", "GLES 3.1", "no: 20000 shared bytes of 16384")]
-        [TestCase("Shared.compute", "Metal", "yes")]
+        [TestCase("Groupshared.compute", "WebGPU", "no: 20000 shared bytes of 16384")]
+        [TestCase("Groupshared.compute", "GLES 3.1", "no: 20000 shared bytes of 16384")]
+        [TestCase("Groupshared.compute", "Metal", "yes")]
         [TestCase("Typed.compute", "WebGPU", "no: has no Buffer<T>")]
         [TestCase("Buffers.compute", "Metal", "no: 33 buffers of 31")]
         [TestCase("Good.compute", "Metal", "yes")]

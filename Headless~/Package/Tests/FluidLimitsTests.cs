@@ -119,7 +119,7 @@ namespace Host.Tests
         public void A_kernel_that_Unity_calls_unsupported_is_named_whatever_the_numbers_say()
         {
             Player.Limits = new ApiLimits { Title = "a device without textures", Type = ApiLimits.Mobile.Type, StorageBuffers = 16,
-                StorageBuffersInGraphics = 16, Textures = 0, Threads = 1024, ThreadsZ = 64, SharedBytes = 32768 };
+                StorageBuffersInGraphics = 16, Textures = 0, Threads = 1024, ThreadsZ = 64, GroupsharedBytes = 32768 };
             LogAssert.Expect(LogType.Error, new Regex(
                 "goes on without colliders: kernel '.*' of Colliders.compute is not supported by this device " +
                 "\\(ComputeShader.IsSupported\\)"));
@@ -133,7 +133,7 @@ namespace Host.Tests
         public void A_device_with_seven_storage_buffers_is_refused_at_start_by_name()
         {
             Player.Limits = new ApiLimits { Title = "a small device", Type = ApiLimits.Mobile.Type, IsHandheld = true, StorageBuffers = 7,
-                StorageBuffersInGraphics = 7, Threads = 256, ThreadsZ = 64, SharedBytes = 16384 };
+                StorageBuffersInGraphics = 7, Threads = 256, ThreadsZ = 64, GroupsharedBytes = 16384 };
             LogAssert.Expect(LogType.Error, new Regex(
                 "'Fluid' is off: kernel '.*' of .* takes 8 storage buffers, and this device has 7 " +
                 "\\(SystemInfo.maxComputeBufferInputsCompute\\). Run on"));
@@ -148,7 +148,7 @@ namespace Host.Tests
         public void A_renderer_whose_vertex_stage_reads_no_buffers_there_is_off_by_name_and_the_fluid_runs()
         {
             Player.Limits = new ApiLimits { Title = "OpenGL ES on a Mali", Type = ApiLimits.OpenGlEs31.Type, IsHandheld = true,
-                StorageBuffers = 24, StorageBuffersInGraphics = 0, Threads = 256, ThreadsZ = 64, SharedBytes = 16384 };
+                StorageBuffers = 24, StorageBuffersInGraphics = 0, Threads = 256, ThreadsZ = 64, GroupsharedBytes = 16384 };
             LogAssert.Expect(LogType.Error, new Regex(
                 "ParticleRenderer '.*' is off: the vertex stage of Particles.shader reads .* storage buffers, and this device has 0 there"));
             FluidSimulation simulation = FluidSceneTests.Build("particles drawn");

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the passes of the surface on the screen share: properties of SurfaceView.hlsl and of the scene, a thread for each
+    /// <summary>What the passes of the surface on the screen have in common: properties of SurfaceView.hlsl and of the scene, a thread for each
     /// texel.</summary>
     static class SurfaceIds
     {

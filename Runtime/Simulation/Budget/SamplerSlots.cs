@@ -5,7 +5,7 @@ namespace Rill
     /// <summary>Names for samplers: Unity keeps each for as long as it runs, so they are used again.</summary>
     static class SamplerSlots
     {
-        const int Shared = 63;      // beyond so many simulations with a budget, the rest are summed in one
+        const int LastSlot = 63;      // beyond so many simulations with a budget, the rest are summed in one
 
         static ulong taken;
 
@@ -15,7 +15,7 @@ namespace Rill
         public static int Take()
         {
             int slot = 0;
-            while (slot < Shared && (taken & 1ul << slot) != 0)
+            while (slot < LastSlot && (taken & 1ul << slot) != 0)
                 slot++;
             taken |= 1ul << slot;
             return slot;

@@ -6,7 +6,7 @@ namespace Rill
         public PbfSolver neighbor;
         /// <summary>Where the neighbor's particles are in this fluid's frame, and which of them are this fluid's.</summary>
         public TransferRegion region;
-        /// <summary>The same the other way round, where the neighbor takes as well: before a step of either.</summary>
+        /// <summary>The same with both exchanged, where the neighbor takes as well: before a step of either.</summary>
         public TransferRegion back;
         public bool isMutual;
         /// <summary>Number of the frame.</summary>

@@ -306,7 +306,7 @@ namespace Rill.Tests
             yield return Frames(40);
             ParticleState there = State(far), here = State(near);
             Assert.That(there.Count, Is.EqualTo(800));
-            // Places are filled in by world space, whose floats are a thousandth of a meter apart out there.
+            // Positions are filled in by world space, whose floats are a thousandth of a meter apart out there.
             Assert.That(math.distance(Mean(there), Mean(here)), Is.LessThan(0.1f));
 
             float3 Mean(ParticleState state) => new float3(state.positions.Average(p => p.x), state.positions.Average(p => p.y),

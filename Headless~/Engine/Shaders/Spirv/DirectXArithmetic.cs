@@ -12,7 +12,7 @@ namespace Host.Shaders
     sealed class DirectXArithmetic
     {
         const uint FMin = 37, FMax = 40, FClamp = 43, NMin = 79, NMax = 80, NClamp = 81;    // GLSL.std.450
-        const uint Ones = 0xFFFFFFFF, LargestInt = 0x7FFFFFFF, SmallestInt = 0x80000000;
+        const uint Ones = 0xFFFFFFFF, MaxInt = 0x7FFFFFFF, MinInt = 0x80000000;
 
         readonly SpirvEditor editor;
         readonly uint extended;     // GLSL.std.450; 0 = not imported
@@ -129,8 +129,8 @@ namespace Host.Shaders
             uint isOut = Emit(Op.LogicalOr, condition, Emit(Op.LogicalOr, condition, isAbove, isBelow), isNaN);
             uint inside = Emit(Op.Select, real[0], isOut, editor.Constant(real, 0), value);
             uint result = Emit(conversion.Op, type[0], inside);
-            result = Emit(Op.Select, type[0], isAbove, editor.Constant(type, signed ? LargestInt : Ones), result);
-            output.Add(new Instruction(Op.Select, type[0], conversion[1], isBelow, editor.Constant(type, signed ? SmallestInt : 0), result));
+            result = Emit(Op.Select, type[0], isAbove, editor.Constant(type, signed ? MaxInt : Ones), result);
+            output.Add(new Instruction(Op.Select, type[0], conversion[1], isBelow, editor.Constant(type, signed ? MinInt : 0), result));
         }
     }
 }

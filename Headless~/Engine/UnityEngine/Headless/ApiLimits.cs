@@ -24,7 +24,7 @@ namespace UnityEngine.Headless
         /// <summary>In a group, on which every program can count; where less than <see cref="Threads"/>, a pipeline's own limit depends on
         /// its registers.</summary>
         public int SafeThreads = int.MaxValue;
-        public int SharedBytes = int.MaxValue;
+        public int GroupsharedBytes = int.MaxValue;
         public int ConstantBytes = 64 * 1024;
         public long BufferBytes = long.MaxValue;
         public bool HasTypedBuffers = true;
@@ -34,7 +34,7 @@ namespace UnityEngine.Headless
         public static readonly ApiLimits Direct3D11 = new ApiLimits
         {
             Name = "d3d11", Title = "Direct3D 11", Type = GraphicsDeviceType.Direct3D11,
-            StorageBuffers = 128, StorageBuffersInGraphics = 128, Textures = 128, Samplers = 16, Threads = 1024, ThreadsZ = 64, SharedBytes = 32768,
+            StorageBuffers = 128, StorageBuffersInGraphics = 128, Textures = 128, Samplers = 16, Threads = 1024, ThreadsZ = 64, GroupsharedBytes = 32768,
         };
 
         /// <summary>
@@ -44,7 +44,7 @@ namespace UnityEngine.Headless
         public static readonly ApiLimits Metal = new ApiLimits
         {
             Name = "metal", Title = "Metal", Type = GraphicsDeviceType.Metal,
-            Buffers = 31, Textures = 31, Samplers = 16, Threads = 1024, ThreadsZ = 1024, SafeThreads = 512, SharedBytes = 32768,
+            Buffers = 31, Textures = 31, Samplers = 16, Threads = 1024, ThreadsZ = 1024, SafeThreads = 512, GroupsharedBytes = 32768,
         };
 
         /// <summary>
@@ -56,7 +56,7 @@ namespace UnityEngine.Headless
         {
             Name = "mobile", Title = "Vulkan on a mobile device", Type = GraphicsDeviceType.Vulkan, IsHandheld = true,
             StorageBuffers = 16, StorageBuffersInGraphics = 16, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
-                Threads = 256, ThreadsZ = 64, SharedBytes = 16384,
+                Threads = 256, ThreadsZ = 64, GroupsharedBytes = 16384,
             ConstantBytes = 16 * 1024, BufferBytes = 1 << 27,
         };
 
@@ -65,7 +65,7 @@ namespace UnityEngine.Headless
         {
             Name = "webgpu", Title = "WebGPU", Type = (GraphicsDeviceType)28,
             StorageBuffers = 8, StorageBuffersInGraphics = 8, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
-                Threads = 256, ThreadsZ = 64, SharedBytes = 16384,
+                Threads = 256, ThreadsZ = 64, GroupsharedBytes = 16384,
             BufferBytes = 1 << 27, HasTypedBuffers = false,
         };
 
@@ -74,7 +74,7 @@ namespace UnityEngine.Headless
         {
             Title = "OpenGL ES 3.1", Type = GraphicsDeviceType.OpenGLES3, IsHandheld = true,
             StorageBuffers = 4, StorageBuffersInGraphics = 0, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
-                Threads = 128, SharedBytes = 16384, HasTypedBuffers = false,
+                Threads = 128, GroupsharedBytes = 16384, HasTypedBuffers = false,
         };
 
         /// <summary>Those that the command line names.</summary>
@@ -100,8 +100,8 @@ namespace UnityEngine.Headless
                 yield return $"{needs.Samplers} samplers of {Samplers}";
             if (needs.Threads > Threads)
                 yield return $"{needs.Threads} threads of {Threads}";
-            if (needs.SharedBytes > SharedBytes)
-                yield return $"{needs.SharedBytes} shared bytes of {SharedBytes}";
+            if (needs.GroupsharedBytes > GroupsharedBytes)
+                yield return $"{needs.GroupsharedBytes} shared bytes of {GroupsharedBytes}";
         }
 
         /// <summary>The same with what a pipeline may fall short of although the API states more.</summary>

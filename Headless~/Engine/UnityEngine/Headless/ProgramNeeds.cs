@@ -6,7 +6,7 @@ namespace UnityEngine.Headless
     internal sealed class ProgramNeeds
     {
         public readonly ShaderStage Stage;
-        public readonly int StorageBuffers, ConstantBuffers, TypedBuffers, Textures, StorageTextures, Samplers, Threads, SharedBytes;
+        public readonly int StorageBuffers, ConstantBuffers, TypedBuffers, Textures, StorageTextures, Samplers, Threads, GroupsharedBytes;
 
         public ProgramNeeds(ShaderProgram program)
         {
@@ -21,7 +21,7 @@ namespace UnityEngine.Headless
             StorageTextures = Count(ShaderResourceKind.RWTexture);
             Samplers = Count(ShaderResourceKind.Sampler);
             Threads = Stage == ShaderStage.Compute ? program.GroupX * program.GroupY * program.GroupZ : 0;
-            SharedBytes = program.GroupsharedBytes;
+            GroupsharedBytes = program.GroupsharedBytes;
         }
     }
 }

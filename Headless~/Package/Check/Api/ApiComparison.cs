@@ -79,8 +79,8 @@ namespace Host.Check.Api
         {
             if (arguments == null || arguments.Count == 0)
                 return member;
-            ApiTypeName Place(ApiTypeName type) => type == null ? null : ApiCatalog.Substitute(type, arguments);
-            return member.With(Place(member.Type), member.Parameters.Select(parameter => parameter with { Type = Place(parameter.Type) }).ToList());
+            ApiTypeName Substituted(ApiTypeName type) => type == null ? null : ApiCatalog.Substitute(type, arguments);
+            return member.With(Substituted(member.Type), member.Parameters.Select(parameter => parameter with { Type = Substituted(parameter.Type) }).ToList());
         }
     }
 }

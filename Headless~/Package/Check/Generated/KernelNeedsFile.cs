@@ -72,7 +72,7 @@ namespace Host.Check
         {
             var needs = new ProgramNeeds(program);
             string defines = string.Join(" ", new[] { variant.Defines, variant.Keywords }.Where(words => words.Length > 0));
-            return Row(variant.File, variant.Program, defines, needs.Threads, needs.SharedBytes, needs.StorageBuffers, program.UavCount, needs.Textures + needs.StorageTextures + needs.TypedBuffers);
+            return Row(variant.File, variant.Program, defines, needs.Threads, needs.GroupsharedBytes, needs.StorageBuffers, program.UavCount, needs.Textures + needs.StorageTextures + needs.TypedBuffers);
         }
 
         static string DrawRow(string file, ShaderStage stage, IEnumerable<ShaderProgram> programs)

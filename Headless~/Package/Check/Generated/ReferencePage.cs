@@ -41,7 +41,7 @@ namespace Host.Check
             text.Append("<!-- Made by `Headless~/rill generate` from the tooltips, ranges and default values in the code; `rill check` compares it. Do not edit. -->\n");
             text.Append("# Component reference\n\n");
             text.Append("Every field of every component, as its tooltip has it. *Range* is what the inspector's control allows; where it is empty, the text names the limits.\n\n");
-            text.Append("*Cost* is GPU time of a step of 100,000 / 1,000,000 particles on an NVIDIA H100, if nothing else is said; " +
+            text.Append("*Cost* is GPU time of a step of 100,000 / 1,000,000 particles on an NVIDIA H100, unless noted otherwise; " +
                 "`Headless~/rill bench fields` measures it, [Sizing a scene](sizing.md) tells of other GPUs. Where it is empty, a field costs nothing of its own.\n");
             var costs = FieldCosts.Of(package.Read(FieldCosts.File), findings);
             foreach (Type type in components.OrderBy(type => type.Name != "FluidSimulation").ThenBy(Title, StringComparer.Ordinal))

@@ -11,7 +11,7 @@ namespace Host.Check
     /// this package.</summary>
     sealed class EngineRule : Rule
     {
-        const string Engine = "Headless~/Engine/", Shared = "Headless~/Directory.Build.props";
+        const string Engine = "Headless~/Engine/", CommonProperties = "Headless~/Directory.Build.props";
 
         // Names of environment variables, which are the command's, are written in capitals.
         static readonly Regex Package = new(@"\bRill\b");
@@ -25,7 +25,7 @@ namespace Host.Check
             List<string> code = package.Files.Where(file => IsEngine(file) && Path.GetExtension(file) == ".cs").ToList();
             foreach (string project in projects)
                 foreach (string path in XDocument.Parse(package.Read(project)).Descendants().SelectMany(Paths))
-                    if (Resolve(project, path) is var file && file != Shared && !IsEngine(file))
+                    if (Resolve(project, path) is var file && file != CommonProperties && !IsEngine(file))
                         findings.Fault($"{project} refers to {path}, which is not in {Engine}: move what both need into the engine, or " +
                             $"what refers to it into Headless~/Package");
             foreach (string file in code)

@@ -20,7 +20,7 @@ namespace Host.Check
             // The tests run these programs on Vulkan as they are, so that a text in GLSL would prove nothing more; to read one back took half of
             // this rule's time.
             new Target { Name = "Vulkan", Supported = true,
-                Limits = new ApiLimits { Threads = 1024, SharedBytes = 32768 } },
+                Limits = new ApiLimits { Threads = 1024, GroupsharedBytes = 32768 } },
             new Target { Name = "Mobile", Limits = ApiLimits.Mobile },
             new Target { Name = "WebGPU", Limits = ApiLimits.WebGpu },
             new Target { Name = "GLES 3.1", Translation = Translation.OpenGlEs31, Limits = ApiLimits.OpenGlEs31 },

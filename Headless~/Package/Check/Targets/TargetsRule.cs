@@ -109,7 +109,7 @@ namespace Host.Check
                 {
                     variant.File, variant.Program, variant.Keywords.Length > 0 ? variant.Keywords : "-", needs.StorageBuffers.ToString(),
                         (needs.Textures + needs.StorageTextures + needs.TypedBuffers).ToString(),
-                    needs.Threads > 0 ? needs.Threads.ToString() : "-", needs.SharedBytes.ToString(),
+                    needs.Threads > 0 ? needs.Threads.ToString() : "-", needs.GroupsharedBytes.ToString(),
                 }.Concat(verdict.Reasons.Select(reason => reason.Length == 0 ? "yes" : "no: " + reason)).ToArray());
                 foreach ((Target target, string reason) in targets.Zip(verdict.Reasons).Where(pair => pair.First.Supported && pair.Second.Length > 0))
                     findings.Fault($"{variant} does not run on {target.Name}: {reason}");

@@ -46,7 +46,7 @@ namespace Host.Baking
             command.SetAction(parsed =>
             {
                 if (parsed.GetValue(voxel) != null && parsed.GetValue(resolution) != null)
-                    throw new HostException("--voxel and --resolution say the same in two ways; give one of them.");
+                    throw new HostException("--voxel and --resolution say the same thing; give one of them.");
                 MeshSdfSettings settings = normal;
                 settings.voxelSize = parsed.GetValue(voxel) is float size ? Positive(size, "--voxel") : 0f;
                 settings.resolution = parsed.GetValue(resolution) ?? normal.resolution;

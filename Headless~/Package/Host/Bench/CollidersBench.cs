@@ -143,7 +143,7 @@ namespace Host.Bench
             return times;
         }
 
-        // Evenly through the dam, each turned another way.
+        // Evenly through the dam, each turned differently.
         static ColliderMotion[] Colliders(int count, ColliderShape[] shapes, int3 lattice, float radius, bool forces, Texture3D ball)
         {
             var colliders = new ColliderMotion[count];

@@ -19,7 +19,7 @@ namespace Rill.Tests
             this.width = width;
         }
 
-        /// <summary>Places of the block on a lattice.</summary>
+        /// <summary>Positions of the block on a lattice.</summary>
         public float3[] Lattice => ParticleState.Lattice(0f, 0.5f, side).positions.Select(p => p.xyz).ToArray();
 
         /// <summary>What steps of the solver leave of it.</summary>

@@ -34,7 +34,7 @@ namespace Host.Report
         /// <param name="x">Cells.</param>
         public void Add(double x, double y, double value)
         {
-            (int first, double u, double v) = Place(x, y);
+            (int first, double u, double v) = FaceAt(x, y);
             for (int corner = 0; corner < 4; corner++)
             {
                 double weight = Weight(corner, u, v);
@@ -73,14 +73,14 @@ namespace Host.Report
 
         public double At(double[] of, double x, double y)
         {
-            (int first, double u, double v) = Place(x, y);
+            (int first, double u, double v) = FaceAt(x, y);
             double sum = 0;
             for (int corner = 0; corner < 4; corner++)
                 sum += Weight(corner, u, v) * of[Corner(first, corner)];
             return sum;
         }
 
-        (int first, double u, double v) Place(double x, double y)
+        (int first, double u, double v) FaceAt(double x, double y)
         {
             double u = Math.Clamp(x - offsetX, 0, width - 1.001), v = Math.Clamp(y - offsetY, 0, height - 1.001);
             return ((int)v * width + (int)u, u - (int)u, v - (int)v);
