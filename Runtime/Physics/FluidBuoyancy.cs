@@ -14,7 +14,7 @@ namespace Rill
     /// alone. See the page on floating bodies for how a late force is made stable. Without the physics module this component
     /// is not there; <see cref="FluidCollider.TryGetForce"/> gives the force to an integrator of your own.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon)]
+    [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Rigidbody))]
     public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems

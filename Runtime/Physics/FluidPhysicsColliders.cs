@@ -14,7 +14,7 @@ namespace Rill
     /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that. Without the physics
     /// module this component is not there.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon)]
+    [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidSimulation))]
     public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages, IRunsInEditMode

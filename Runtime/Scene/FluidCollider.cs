@@ -14,7 +14,7 @@ namespace Rill
     /// mirrors a mesh. A simulation takes up
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Collider"), Icon(PackagePaths.Icon)]
+    [AddComponentMenu("Rill/Fluid Collider"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     public sealed class FluidCollider : MonoBehaviour, IFluidCollider, IHasProblems, IUsesStages, IRunsInEditMode
     {
         [Tooltip("What the collider looks like to the water.")]

@@ -21,7 +21,7 @@ namespace Rill
     /// counts as come from nearer by as much. Keep a drain further than that from the back of a thin plate that bounces, and
     /// let one that stands on a floor with friction be thicker than friction times the path of a step.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Drain"), Icon(PackagePaths.Icon)]
+    [AddComponentMenu("Rill/Fluid Drain"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
     public sealed class FluidDrain : FluidPart
     {
         [Tooltip("A box or a sphere around this object.")]

@@ -38,7 +38,7 @@ namespace Rill
     /// and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Emitter"), Icon(PackagePaths.Icon)]
+    [AddComponentMenu("Rill/Fluid Emitter"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
     public sealed class FluidEmitter : FluidPart
     {
         const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3;

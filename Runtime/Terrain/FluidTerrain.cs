@@ -10,7 +10,7 @@ namespace Rill
     /// <remarks>A terrain that a <c>FluidPhysicsColliders</c> takes by layer needs it for a part alone, or for a surface of its own.
     /// Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this
     /// component is not there.</remarks>
-    [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon)]
+    [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
     public sealed class FluidTerrain : MonoBehaviour, IHasProblems, IRunsInEditMode

@@ -15,7 +15,7 @@ namespace Rill
     /// It stops, and logs why, where the disk falls behind by <see cref="BufferedFrames"/>, where it is full, and where the fluid starts again.
     /// What was written until then is whole and can be played. Recording changes nothing in the fluid. WebGL has no threads and so no recordings.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Recorder"), Icon(PackagePaths.Icon)]
+    [AddComponentMenu("Rill/Fluid Recorder"), Icon(PackagePaths.Icon), ManualPage("state.md")]
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step

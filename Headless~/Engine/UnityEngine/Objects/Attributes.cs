@@ -128,10 +128,10 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Class)]
-    public sealed class HelpURLAttribute : Attribute
+    public class HelpURLAttribute : Attribute
     {
         public HelpURLAttribute(string url) { URL = url; }
-        internal string URL { get; }
+        public string URL { get; }
     }
 
     [AttributeUsage(AttributeTargets.Class)]
