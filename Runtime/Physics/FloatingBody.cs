@@ -7,6 +7,7 @@ namespace Rill
     sealed class FloatingBody
     {
         FloatingResponse response = new FloatingResponse();
+        bool hasActed;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float SubmergedFraction => response.Fraction;
@@ -44,10 +45,16 @@ namespace Rill
             response.Solve(gravity, Turn(body, response.Torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
             body.AddForce(acceleration - gravity, ForceMode.Acceleration);      // it falls by itself
             body.AddTorque(angularAcceleration, ForceMode.Acceleration);
+            hasActed = true;
         }
 
-        /// <summary>Forgets the water's level and what it resisted with.</summary>
-        public void Reset() => response = new FloatingResponse();
+        /// <summary>Forgets the water's level and what it resisted with, where it has acted.</summary>
+        public void Reset()
+        {
+            if (hasActed)
+                response = new FloatingResponse();
+            hasActed = false;
+        }
 
         /// <summary>The water looks at an object frame by frame: one that moves in fixed steps alone seems to stop and jump.</summary>
         public static void Smooth(Rigidbody body)

@@ -123,6 +123,7 @@ namespace Rill
                     AddFluid(force.From, i);
             if (!floating.IsKnown)
             {
+                floating.Reset();
                 Wait();
                 return;
             }

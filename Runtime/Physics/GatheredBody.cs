@@ -27,6 +27,8 @@ namespace Rill
             floating.EndFluid(fluid);
             if (floating.IsKnown)
                 floating.Apply(Body, FloatingResponse.DefaultMaxAcceleration);
+            else
+                floating.Reset();
         }
     }
 }

@@ -69,6 +69,16 @@ namespace Rill
                     taken[i].owner.TellContacts(fluid);
         }
 
+        /// <summary>Drops what the colliders felt of a fluid that begins again, or goes on from another state: also what is pending.</summary>
+        public void ForgetForces(FluidSimulation fluid)
+        {
+            for (int i = 0; i < Set.Count; i++)
+                entries[i].owner.Leave(fluid);
+            leavers.Clear();
+            takenCount = 0;
+            Set.Order++;        // sums begin again
+        }
+
         /// <summary>Calls the listeners of colliders that have left the box. They may do anything to the scene.</summary>
         public void TellLeft(FluidSimulation fluid)
         {

@@ -16,7 +16,7 @@ namespace Rill
     /// rotating frame are left out.) A transform that stops being finite is not followed until it is a place again. Any other
     /// problem is logged once, by name, and disables the component.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Simulation"), Icon(PackagePaths.Icon), ManualPage("running.md")]
+    [AddComponentMenu("Rill/Fluid Simulation"), Icon(PackagePaths.Icon), ManualPage("concepts.md")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(ExecutionOrder)]
     public sealed partial class FluidSimulation : MonoBehaviour, IHasProblems
@@ -180,6 +180,7 @@ namespace Rill
             stepsSinceStatistics = 0;
             StandStill();
             ClearMotions();
+            colliders.ForgetForces(this);
             RestartSources();
             RestartQueries();
             if (!TryStartFromState())

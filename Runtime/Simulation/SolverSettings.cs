@@ -42,11 +42,11 @@ namespace Rill
             "Above 0.8 the fluid gets noisier.")]
         [Range(0f, RelaxationLimit)] public float relaxation;
 
-        /// <summary>Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more.
-        /// Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity
-        /// would carry a particle more than 0.6 spacings in one.</summary>
-        [Tooltip("Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy " +
-            "more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where " +
+        /// <summary>Substeps of a fixed step. 1 to 16. Besides its own iterations, one costs as much as four to eight more; for the density
+        /// error those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are
+        /// taken where gravity would carry a particle more than 0.6 spacings in one.</summary>
+        [Tooltip("Substeps of a fixed step. 1 to 16. Besides its own iterations, one costs as much as four to eight more; for the density error " +
+            "those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where " +
             "gravity would carry a particle more than 0.6 spacings in one.")]
         [Range(1, MaxSubsteps)] public int substeps;
 

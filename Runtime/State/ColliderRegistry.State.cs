@@ -35,9 +35,11 @@ namespace Rill
         /// <param name="tolerance">Of positions and sizes, d.</param>
         /// <param name="own">Those of this fluid alone; null for none.</param>
         /// <returns>Whether all were.</returns>
-        public bool Load(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame, float tolerance, List<IFluidCollider> own)
+        public bool Load(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame, float tolerance, List<IFluidCollider> own,
+            FluidSimulation fluid)
         {
             MakeEntries();
+            ForgetForces(fluid);
             Set.Count = 0;
             foreach (ColliderRecord record in records)
                 if (record.follows != 0 && TryFind(record, frame, tolerance, own, out IFluidCollider owner, out ColliderMotion motion))
@@ -49,7 +51,6 @@ namespace Rill
                     entries[Set.Count].teleports = owner.Teleports;
                     Set.Items[Set.Count++] = motion;
                 }
-            Set.Order++;      // sums of forces begin again
             return Set.Count == records.Length;
         }
 

@@ -227,7 +227,7 @@ namespace Rill
         void LoadColliders(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame)
         {
             int before = colliders.Set.Count;
-            bool areAllThere = colliders.Load(records, frame, SamePlace, GatherOwnColliders());
+            bool areAllThere = colliders.Load(records, frame, SamePlace, GatherOwnColliders(), this);
             if (records.Length > 0 && areAllThere && HasStages(StageSet.Colliders))
                 pbf.AdoptColliders(colliders.Set);
             else if (records.Length + before > 0)

@@ -111,7 +111,7 @@ namespace Rill.Samples
             if (State == WellState.Preparing)
                 return;
             tap.transform.position = tapStart;
-            buoyancy.enabled = false;                       // forgets the forces of the last game
+            buoyancy.enabled = false;                       // the water of the last game lets go of it
             key.transform.position = key.position = keyStart;
             isPutBack = true;
             buoyancy.enabled = true;

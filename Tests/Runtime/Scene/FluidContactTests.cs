@@ -65,6 +65,35 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_fluid_that_begins_again_or_is_restored_forgets_what_it_did_to_colliders([Values(true, false)] bool restarts)
+        {
+            told.Clear();
+            FluidSimulation fluid = Fluid("Fluid", new Vector3(0.6f, 0.6f, 0.6f), 0.05f, 1000, new Vector3(0.6f, 0.3f, 0.6f));
+            yield return Frames(2);
+            FluidCollider plate = Plate(new Vector3(0f, -0.2f, 0f));
+            plate.MeasuresForce = true;
+            plate.Touched += contact => told.Add("touched");
+            plate.Left += contact => told.Add("left");
+            yield return Frames(10);
+            FluidSnapshotRequest request = fluid.RequestSnapshot();
+            yield return Frames(6);
+            Assert.That(plate.TryGetForce(out _, out _));
+            Assert.That(told, Is.EqualTo(new[] { "touched" }));
+            if (restarts)
+                fluid.Restart();
+            else
+                fluid.Restore(request.Snapshot);
+            Assert.That(plate.TryGetForce(out _, out _), Is.False, "of before");
+            int step = fluid.StepCount;
+            int touched = 0;
+            plate.Touched += contact => touched = contact.Step;
+            yield return Frames(10);
+            Assert.That(plate.TryGetForce(out _, out _), "of now");
+            Assert.That(told, Is.EqualTo(new[] { "touched", "touched" }), "it did not leave");
+            Assert.That(touched, Is.GreaterThan(step), "no step of before");
+        }
+
+        [UnityTest]
         public IEnumerator Without_a_listener_no_force_is_read_back()
         {
             FluidSimulation fluid = Fluid("Fluid", new Vector3(0.6f, 0.6f, 0.6f), 0.05f, 1000, new Vector3(0.6f, 0.3f, 0.6f));
