@@ -44,7 +44,7 @@ namespace Rill
             ThreadGroups.Dispatch(cmd, shader, kernel, ((long)buffer.count + Group - 1) / Group);
         }
 
-        /// <summary>The kernel that clears elements of a size.</summary>
+        /// <summary>Adds the kernel that clears elements of a size to those of a stage.</summary>
         /// <param name="stride">4, 16 or 24 bytes.</param>
         public void Describe(StageDescription stage, int stride, int perStep) => stage.Kernel(KernelFor(stride, out _), perStep);
 

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>Gives a Rigidbody what fluids exert on its colliders, at each fixed step: <see cref="Begin"/>, all parts, the forces of
-    /// each fluid, <see cref="Apply"/>.</summary>
+    /// each fluid, <see cref="TryApply"/>.</summary>
     sealed class FloatingBody
     {
         FloatingResponse response = new FloatingResponse();
@@ -11,9 +11,6 @@ namespace Rill
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float SubmergedFraction => response.Fraction;
-
-        /// <summary>Whether a fluid told of its force in this step.</summary>
-        public bool IsKnown => response.IsKnown;
 
         /// <summary>Begins a step.</summary>
         /// <param name="virtualMass">As a fraction of the displaced water; holds while the forces tell nothing of it.</param>
@@ -37,15 +34,22 @@ namespace Rill
         /// <summary>Ends the parts of one fluid.</summary>
         public void EndFluid(FluidSimulation fluid) => response.EndFluid(fluid.Material.density, fluid.Gravity);
 
-        /// <summary>Lets the forces act on the body.</summary>
+        /// <summary>Lets the forces act on the body. Where no fluid told of one, what was known of the water is forgotten.</summary>
         /// <param name="maxAcceleration">That fluids give to it, m/s².</param>
-        public void Apply(Rigidbody body, float maxAcceleration)
+        /// <returns>Whether a fluid told of its force in this step.</returns>
+        public bool TryApply(Rigidbody body, float maxAcceleration)
         {
+            if (!response.IsKnown)
+            {
+                Reset();
+                return false;
+            }
             Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
             response.Solve(gravity, Turn(body, response.Torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
             body.AddForce(acceleration - gravity, ForceMode.Acceleration);      // it falls by itself
             body.AddTorque(angularAcceleration, ForceMode.Acceleration);
             hasActed = true;
+            return true;
         }
 
         /// <summary>Forgets the water's level and what it resisted with, where it has acted.</summary>

@@ -121,15 +121,10 @@ namespace Rill
             for (int i = 0; i < parts.Count; i++)
                 foreach (FluidForce force in parts[i].collider.Forces)
                     AddFluid(force.From, i);
-            if (!floating.IsKnown)
-            {
-                floating.Reset();
+            if (floating.TryApply(body, maxAcceleration))
+                waited = float.NegativeInfinity;
+            else
                 Wait();
-                return;
-            }
-
-            waited = float.NegativeInfinity;
-            floating.Apply(body, maxAcceleration);
         }
 
         // Also those that came, went or were moved below another object since the last step.

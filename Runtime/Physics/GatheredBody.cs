@@ -25,10 +25,7 @@ namespace Rill
             foreach (GatheredCollider part in Parts)
                 part.AddTo(floating);
             floating.EndFluid(fluid);
-            if (floating.IsKnown)
-                floating.Apply(Body, FloatingResponse.DefaultMaxAcceleration);
-            else
-                floating.Reset();
+            floating.TryApply(Body, FloatingResponse.DefaultMaxAcceleration);
         }
     }
 }

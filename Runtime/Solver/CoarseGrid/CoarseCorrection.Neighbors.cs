@@ -24,7 +24,8 @@ namespace Rill
         /// <summary>Whether the flow has been solved for: another fluid can take what was found.</summary>
         public bool HasFound => flowTime > 0f;
 
-        void RecordNeighborsFlow(in StepContext step)
+        // Takes the flow's potentials of all neighbors, or those of the errors.
+        void RecordNeighbors(in StepContext step, bool ofFlow)
         {
             StepConnections connections = step.Input.connections;
             for (int n = 0; n < (connections?.neighborCount ?? 0); n++)
@@ -32,22 +33,10 @@ namespace Rill
                 if (!connections.neighbors[n].IsTied)
                     continue;
                 CoarseCorrection other = connections.neighbors[n].solver.Coarse;
-                // A displacement within a substep, which grows with its square.
-                float ratio = step.SubstepTime / other.flowTime;
-                RecordTake(step.Commands, connections.neighbors[n].region, other, other.flowPotential, flowPotential, ratio * ratio);
-            }
-            flowTime = step.SubstepTime;
-        }
-
-        void RecordNeighborsErrors(in StepContext step)
-        {
-            StepConnections connections = step.Input.connections;
-            for (int n = 0; n < (connections?.neighborCount ?? 0); n++)
-            {
-                if (!connections.neighbors[n].IsTied)
-                    continue;
-                CoarseCorrection other = connections.neighbors[n].solver.Coarse;
-                RecordTake(step.Commands, connections.neighbors[n].region, other, other.errorPotential, errorPotential, 1f);
+                // The flow's is a displacement within a substep, which grows with its square.
+                float ratio = ofFlow ? step.SubstepTime / other.flowTime : 1f;
+                RecordTake(step.Commands, connections.neighbors[n].region, other, ofFlow ? other.flowPotential : other.errorPotential,
+                    ofFlow ? flowPotential : errorPotential, ratio * ratio);
             }
         }
 

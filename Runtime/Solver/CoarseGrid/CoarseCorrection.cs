@@ -145,7 +145,8 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, find, Ids.Counters, step.Particles.Counters);
             Dispatch(cmd, find);
 
-            RecordNeighborsFlow(step);
+            RecordNeighbors(step, ofFlow: true);
+            flowTime = step.SubstepTime;
             RecordSource(cmd, findDivergence, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
@@ -159,7 +160,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(DensityMarker);
             BindConstants(step);
-            RecordNeighborsErrors(step);
+            RecordNeighbors(step, ofFlow: false);
             RecordSource(cmd, findErrors, errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders);
             RecordDisplacements(cmd, displaceErrors, errorPotential);

@@ -34,7 +34,8 @@ namespace UnityEngine.Headless
         public static readonly ApiLimits Direct3D11 = new ApiLimits
         {
             Name = "d3d11", Title = "Direct3D 11", Type = GraphicsDeviceType.Direct3D11,
-            StorageBuffers = 128, StorageBuffersInGraphics = 128, Textures = 128, Samplers = 16, Threads = 1024, ThreadsZ = 64, GroupsharedBytes = 32768,
+            StorageBuffers = 128, StorageBuffersInGraphics = 128, Textures = 128, Samplers = 16, Threads = 1024, ThreadsZ = 64,
+            GroupsharedBytes = 32768,
         };
 
         /// <summary>
