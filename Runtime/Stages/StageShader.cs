@@ -67,9 +67,10 @@ namespace Rill
         /// <summary>What is wrong and what to do where a stage is not there.</summary>
         internal static string MissingProblem(string stage)
         {
+            string byFluid = stage == StageSets.StageAt(StageSet.MeshBaking, 0) ? "Put" :
+                "Set Shaders In Build of a FluidSimulation in the scene to All Features, or put";
             return $"the shaders of the stage '{stage}' are not loaded: this build has no scene or prefab with a component that uses " +
-                $"them, or the component was added by a script. "
-                + "Set Shaders In Build of a FluidSimulation in the scene to All Features, or put the package's asset FluidShaders " +
+                $"them, or the component was added by a script. {byFluid} the package's asset FluidShaders " +
                 "into the Preloaded Assets of the player settings.";
         }
 

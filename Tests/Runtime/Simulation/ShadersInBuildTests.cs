@@ -57,6 +57,13 @@ namespace Rill.Tests
             LogAssert.NoUnexpectedReceived();
         }
 
+        [Test]
+        public void A_bake_without_its_stage_is_not_sent_to_a_setting_that_does_not_bring_it()
+        {
+            string error = Assert.Throws<InvalidOperationException>(() => StageShader.LoadCompute("MeshSdf")).Message;
+            Assert.That(error, Does.Contain("'MeshSdf'").And.Contain("Put the package's asset FluidShaders").And.Not.Contain("All Features"));
+        }
+
         [UnityTest]
         public IEnumerator A_fluid_that_a_script_adds_runs_on_the_stages_of_a_loaded_asset()
         {
