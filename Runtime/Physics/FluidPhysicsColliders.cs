@@ -9,7 +9,8 @@ namespace Rill
     /// sphere, capsule, character controller, terrain, and mesh by a baked field.
     /// </summary>
     /// <remarks>
-    /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it.
+    /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it. It
+    /// is the physics of the fluid's scene: a scene with local physics, and a prefab that is edited, have one of their own.
     /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
     /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that. Without the physics
     /// module this component is not there.
@@ -212,8 +213,9 @@ namespace Rill
             found ??= new Collider[FirstFound];
             if (!Application.isPlaying)     // no step of the physics follows the objects there
                 UnityEngine.Physics.SyncTransforms();
+            PhysicsScene physics = gameObject.scene.GetPhysicsScene();
             int count;
-            while ((count = UnityEngine.Physics.OverlapBoxNonAlloc(center, half, found, rotation, colliderLayers,
+            while ((count = physics.OverlapBox(center, half, found, rotation, colliderLayers,
                 QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)
                 Array.Resize(ref found, 2 * count);
             bool tooMany = count == MaxFound;
