@@ -123,6 +123,18 @@ namespace Rill
             return null;
         }
 
+        /// <summary>Lists the meshes of the Mesh Colliders near the box, now and each once, that have no field. For the editor.</summary>
+        internal void ListMissingFields(List<Mesh> missing)
+        {
+            var of = GetComponent<FluidSimulation>();
+            of.GetPose(out Vector3 center, out Quaternion rotation);
+            int count = Ask(center, rotation, of.DomainSize, of.ParticleSpacing);
+            for (int i = 0; i < count; i++)
+                if (found[i] is MeshCollider mesh && mesh.sharedMesh != null && FieldOf(mesh.sharedMesh) == null && !IsLeftOut(mesh)
+                    && !missing.Contains(mesh.sharedMesh))
+                    missing.Add(mesh.sharedMesh);
+        }
+
         List<IFluidCollider> IColliderSource.Gather(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
         {
             if (colliderLayers == 0)
@@ -131,8 +143,7 @@ namespace Rill
                 return taken;
             }
             round++;
-            // Half the box more on all sides: what is fast was then seen before it comes.
-            int count = Ask(center, rotation, size + 2f * spacing * Vector3.one);
+            int count = Ask(center, rotation, size, spacing);
             for (int i = 0; i < count; i++)
                 if (!IsLeftOut(found[i]))
                     Take(found[i]);
@@ -208,8 +219,9 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidPhysicsColliders '{name}': {clamped}", this);
         }
 
-        int Ask(Vector3 center, Quaternion rotation, Vector3 half)
+        int Ask(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
         {
+            Vector3 half = size + 2f * spacing * Vector3.one;       // half the box more on all sides: what is fast is seen before it comes
             found ??= new Collider[FirstFound];
             if (!Application.isPlaying)     // no step of the physics follows the objects there
                 UnityEngine.Physics.SyncTransforms();
