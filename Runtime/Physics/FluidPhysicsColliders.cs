@@ -12,8 +12,8 @@ namespace Rill
     /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it. It
     /// is the physics of the fluid's scene: a scene with local physics, and a prefab that is edited, have one of their own.
     /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
-    /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that. Without the physics
-    /// module this component is not there.
+    /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that, also where the fluid does
+    /// not take its layer. Without the physics module this component is not there.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
