@@ -39,6 +39,17 @@ namespace Host.Tests
             Assert.Throws<ArgumentException>(() => default(Scene).GetPhysicsScene());
         }
 
+        [TestCase(LocalPhysicsMode.None, false)]
+        [TestCase(LocalPhysicsMode.Physics3D, true)]
+        public void A_scene_is_loaded_with_the_physics_that_was_asked_for(LocalPhysicsMode mode, bool isLocal)
+        {
+            SceneManager.GetActiveScene();
+            SceneManager.SceneLoader = name => SceneManager.CreateForLoading(name, name);
+            SceneManager.LoadSceneAsync("Loaded", new LoadSceneParameters(LoadSceneMode.Additive, mode));
+            PlayerLoop.Frame(0.02f);
+            Assert.That(SceneManager.GetSceneByName("Loaded").GetPhysicsScene() != Physics.defaultPhysicsScene, Is.EqualTo(isLocal));
+        }
+
         [Test]
         public void Bodies_of_local_physics_move_by_Simulate_alone()
         {
