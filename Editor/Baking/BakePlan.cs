@@ -95,8 +95,9 @@ namespace Rill.Editor
 
         /// <summary>All of it; what cannot be baked is reported and does not keep the others from it.</summary>
         /// <param name="progress">Told the fraction of the whole that is done and what is being done, and asked whether to go on.</param>
+        /// <param name="receiver">Takes the fields instead; null for none.</param>
         /// <returns>False if it was canceled: the items before that are baked.</returns>
-        public bool Bake(MeshSdfSettings settings, BakeAssign assign, Func<float, string, bool> progress)
+        public bool Bake(MeshSdfSettings settings, BakeAssign assign, Func<float, string, bool> progress, FieldReceiver receiver = null)
         {
             for (int i = 0; i < Items.Count; i++)
             {
@@ -105,7 +106,11 @@ namespace Rill.Editor
                 if (!item.Bake(settings, (fraction, stage) => progress((before + fraction) / Items.Count,
                     $"{item.Mesh.name} ({before + 1} of {Items.Count}): {stage}")))
                     return false;
-                if (item.Field != null && assign != BakeAssign.Nothing)
+                if (item.Failed)
+                    continue;
+                if (receiver != null)
+                    receiver.Take(item.Mesh, item.Field);
+                else if (assign != BakeAssign.Nothing)
                     foreach (GameObject shown in item.Objects)
                         Assign(shown, item.Field, assign);
             }

@@ -22,6 +22,7 @@ namespace Rill.Editor
         readonly MeshAnalyses analyses = new MeshAnalyses();
         List<Object> chosen = new List<Object>();
         BakePlan plan;
+        FieldReceiver receiver;     // null where the window's own choice holds
         SerializedObject self;
         Vector2 scroll;
 
@@ -41,10 +42,11 @@ namespace Rill.Editor
         [MenuItem("Assets/" + Title)]
         static void OpenOnAssets() => Open(Selection.objects);
 
-        public static BakeWindow Open(IEnumerable<Object> objects)
+        /// <param name="receiver">Takes the fields, as long as nothing else is chosen; null for what the window says.</param>
+        public static BakeWindow Open(IEnumerable<Object> objects, FieldReceiver receiver = null)
         {
             BakeWindow window = GetWindow<BakeWindow>(Title);
-            window.Choose(objects);
+            window.Choose(objects, receiver);
             return window;
         }
 
@@ -55,8 +57,10 @@ namespace Rill.Editor
         public MeshAnalyses Analyses => analyses;
 
         /// <summary>Shows what there is to bake. Meshes that were not seen yet, or have changed, are analyzed from the next update on.</summary>
-        public void Choose(IEnumerable<Object> objects)
+        /// <param name="receiver">Takes the fields; null for what the window says.</param>
+        public void Choose(IEnumerable<Object> objects, FieldReceiver receiver = null)
         {
+            this.receiver = receiver;
             chosen = objects.Where(o => o != null).ToList();
             plan = BakePlan.Of(chosen, folder, analyses);
             Repaint();
@@ -92,7 +96,7 @@ namespace Rill.Editor
         void Refresh()
         {
             if (plan.Items.Any(item => !item.Analysis.IsCurrent))
-                Choose(chosen);
+                Choose(chosen, receiver);
         }
 
         void Analyze()
@@ -105,16 +109,19 @@ namespace Rill.Editor
         {
             // At each event no more than this: whether a mesh was imported again is asked when the window gets the focus.
             if (Event.current.type == EventType.Layout && plan.Items.Any(item => item.Mesh == null))
-                Choose(chosen);
+                Choose(chosen, receiver);
             self.Update();
             string before = folder;
             EditorGUILayout.PropertyField(self.FindProperty(nameof(settings)), true);
             EditorGUILayout.PropertyField(self.FindProperty(nameof(folder)));
-            EditorGUILayout.PropertyField(self.FindProperty(nameof(assign)));
+            if (receiver == null)
+                EditorGUILayout.PropertyField(self.FindProperty(nameof(assign)));
+            else
+                InspectorRows.Text("Assign", receiver.Label);
             // Settings change the estimates, which are drawn from the reports; only another folder makes other assets.
             if (self.ApplyModifiedProperties() && folder != before)
             {
-                Choose(chosen);
+                Choose(chosen, receiver);
                 GUIUtility.ExitGUI();       // other rows than were laid out
             }
             DrawAnalysis();
@@ -150,7 +157,7 @@ namespace Rill.Editor
                 if (open == 0)
                     analyses.Clear();
                 analyses.Resume();
-                Choose(chosen);
+                Choose(chosen, receiver);
                 GUIUtility.ExitGUI();
             }
         }
@@ -189,7 +196,7 @@ namespace Rill.Editor
         {
             try
             {
-                plan.Bake(settings, assign, (fraction, what) => !EditorUtility.DisplayCancelableProgressBar(Title, what, fraction));
+                plan.Bake(settings, assign, (fraction, what) => !EditorUtility.DisplayCancelableProgressBar(Title, what, fraction), receiver);
             }
             finally
             {

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Linq;
 using UnityEditor;
 using UnityEngine;
 
@@ -9,9 +8,6 @@ namespace Rill.Editor
     [CanEditMultipleObjects]
     sealed class FluidColliderEditor : RillEditor
     {
-        static readonly GUIContent BakeLabel =
-            new GUIContent("Bake...", "Opens the window that bakes this object's mesh into a field and assigns it.");
-
         const string ShapeTitle = "Shape";
 
         static readonly InspectorSection[] AllSections =
@@ -41,10 +37,8 @@ namespace Rill.Editor
 
         private protected override void DrawBelow(string title)
         {
-            if (title != ShapeTitle || !NeedsBake)
-                return;
-            if (GUILayout.Button(BakeLabel))
-                BakeWindow.Open(targets.Select(collider => ((FluidCollider)collider).gameObject));
+            if (title == ShapeTitle)
+                BakeButton.Draw<FluidCollider>(targets, NeedsField);
         }
 
         internal override void ListLive(List<(string label, string text)> live)
@@ -58,9 +52,8 @@ namespace Rill.Editor
                 live.Add(("Torque", $"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its middle"));
         }
 
-        // Whether one of them lacks the field of a mesh that it has.
-        bool NeedsBake => targets.Cast<FluidCollider>().Any(collider => collider.Shape == ColliderShape.Mesh && collider.Field == null
-            && collider.Deforming == null && collider.GetComponentInChildren<MeshFilter>(true) != null);
+        static bool NeedsField(FluidCollider collider)
+            => collider.Shape == ColliderShape.Mesh && collider.Field == null && collider.Deforming == null;
 
         void OnSceneGUI() => ColliderHandles.Draw((FluidCollider)target);
     }

@@ -7,9 +7,11 @@ namespace Rill.Editor
     [CanEditMultipleObjects]
     sealed class FluidDetectorEditor : RillEditor
     {
+        const string ShapeTitle = "Shape";
+
         static readonly InspectorSection[] AllSections =
         {
-            new InspectorSection("Shape", true,
+            new InspectorSection(ShapeTitle, true,
                 new InspectorField("simulation"),
                 new InspectorField("shape"),
                 new InspectorField("size", "m", When.Is("shape", DetectorShape.Box)),
@@ -30,6 +32,12 @@ namespace Rill.Editor
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        private protected override void DrawBelow(string title)
+        {
+            if (title == ShapeTitle)
+                BakeButton.Draw<FluidDetector>(targets, detector => detector.Shape == DetectorShape.Mesh && detector.Field == null);
+        }
 
         internal override void ListLive(List<(string label, string text)> live)
         {

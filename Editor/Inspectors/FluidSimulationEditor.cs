@@ -19,6 +19,7 @@ namespace Rill.Editor
                 new InspectorField("particleSpacing", "m"),
                 new InspectorField("capacity", "particles"),
                 new InspectorField("inertial"),
+                new InspectorField("fluidColliderLayers"),
                 new InspectorField("seed"),
                 new InspectorField("startState")),
             new InspectorSection(FluidTitle, true,

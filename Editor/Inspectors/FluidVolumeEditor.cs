@@ -20,6 +20,7 @@ namespace Rill.Editor
 
         private protected override void DrawBelow(string title)
         {
+            BakeButton.Draw<FluidVolume>(targets, volume => volume.Shape == VolumeShape.SignedDistanceField && volume.Field == null);
             if (targets.Length > 1)
                 return;
             var volume = (FluidVolume)target;

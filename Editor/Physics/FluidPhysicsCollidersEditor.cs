@@ -7,9 +7,11 @@ namespace Rill.Editor
     [CanEditMultipleObjects]
     sealed class FluidPhysicsCollidersEditor : RillEditor
     {
+        const string CollidersTitle = "Colliders";
+
         static readonly InspectorSection[] AllSections =
         {
-            new InspectorSection("Colliders", true,
+            new InspectorSection(CollidersTitle, true,
                 new InspectorField("colliderLayers"),
                 new InspectorField("floatingLayers"),
                 new InspectorField("meshFields")),
@@ -25,6 +27,12 @@ namespace Rill.Editor
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        private protected override void DrawBelow(string title)
+        {
+            if (title == CollidersTitle)
+                MissingFields.Draw(targets);
+        }
 
         internal override void ListLive(List<(string label, string text)> live)
             => live.Add(("Colliders near the box", ((FluidPhysicsColliders)target).Taken.Count.ToString()));

@@ -201,7 +201,8 @@ namespace Rill
                 return;
             waited = float.NegativeInfinity;
             Debug.LogWarning($"Rill: FluidBuoyancy '{name}' has met no FluidSimulation in {PatienceTime} s: none that runs has it in " +
-                $"its box. Place it there, or enable the simulation.", this);
+                $"its box and the layer of its FluidCollider in Fluid Collider Layers. Place it there, add the layer, or enable the " +
+                $"simulation.", this);
         }
 
         void Say(string problem, FluidCollider leftOut)

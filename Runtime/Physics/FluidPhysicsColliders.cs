@@ -9,10 +9,11 @@ namespace Rill
     /// sphere, capsule, character controller, terrain, and mesh by a baked field.
     /// </summary>
     /// <remarks>
-    /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it.
+    /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it. It
+    /// is the physics of the fluid's scene: a scene with local physics, and a prefab that is edited, have one of their own.
     /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
-    /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that. Without the physics
-    /// module this component is not there.
+    /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that, also where the fluid does
+    /// not take its layer. Without the physics module this component is not there.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
@@ -122,6 +123,18 @@ namespace Rill
             return null;
         }
 
+        /// <summary>Lists the meshes of the Mesh Colliders near the box, now and each once, that have no field. For the editor.</summary>
+        internal void ListMissingFields(List<Mesh> missing)
+        {
+            var of = GetComponent<FluidSimulation>();
+            of.GetPose(out Vector3 center, out Quaternion rotation);
+            int count = Ask(center, rotation, of.DomainSize, of.ParticleSpacing);
+            for (int i = 0; i < count; i++)
+                if (found[i] is MeshCollider mesh && mesh.sharedMesh != null && FieldOf(mesh.sharedMesh) == null && !IsLeftOut(mesh)
+                    && !missing.Contains(mesh.sharedMesh))
+                    missing.Add(mesh.sharedMesh);
+        }
+
         List<IFluidCollider> IColliderSource.Gather(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
         {
             if (colliderLayers == 0)
@@ -130,8 +143,7 @@ namespace Rill
                 return taken;
             }
             round++;
-            // Half the box more on all sides: what is fast was then seen before it comes.
-            int count = Ask(center, rotation, size + 2f * spacing * Vector3.one);
+            int count = Ask(center, rotation, size, spacing);
             for (int i = 0; i < count; i++)
                 if (!IsLeftOut(found[i]))
                     Take(found[i]);
@@ -207,13 +219,15 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidPhysicsColliders '{name}': {clamped}", this);
         }
 
-        int Ask(Vector3 center, Quaternion rotation, Vector3 half)
+        int Ask(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
         {
+            Vector3 half = size + 2f * spacing * Vector3.one;       // half the box more on all sides: what is fast is seen before it comes
             found ??= new Collider[FirstFound];
             if (!Application.isPlaying)     // no step of the physics follows the objects there
                 UnityEngine.Physics.SyncTransforms();
+            PhysicsScene physics = gameObject.scene.GetPhysicsScene();
             int count;
-            while ((count = UnityEngine.Physics.OverlapBoxNonAlloc(center, half, found, rotation, colliderLayers,
+            while ((count = physics.OverlapBox(center, half, found, rotation, colliderLayers,
                 QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)
                 Array.Resize(ref found, 2 * count);
             bool tooMany = count == MaxFound;

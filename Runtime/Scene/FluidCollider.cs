@@ -6,8 +6,9 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// A solid collider for every <see cref="FluidSimulation"/> whose box it reaches into. It follows its object: what moves between
-    /// two steps sweeps the water along, however fast; what is switched on where water is lets it out slowly.
+    /// A solid collider for every <see cref="FluidSimulation"/> whose box it reaches into, and whose
+    /// <see cref="FluidSimulation.FluidColliderLayers"/> have the layer of its object. It follows its object: what moves between two steps
+    /// sweeps the water along, however fast; what is switched on where water is lets it out slowly.
     /// </summary>
     /// <remarks>
     /// Sizes follow the object's scale: a box in all three sides, a sphere, a capsule and a mesh evenly, a height field not at all. A negative scale

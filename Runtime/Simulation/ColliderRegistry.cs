@@ -52,8 +52,10 @@ namespace Rill
             FirstLeftOut = null;
             LeftOutCount = 0;
             changed = reordered = false;
+            DropOtherLayers(steps.fluid);
             foreach (FluidCollider collider in FluidCollider.Enabled)
-                Collect(steps, collider);
+                if (steps.fluid.Takes(collider))
+                    Collect(steps, collider);
             for (int i = 0; hasOwn && i < own.Count; i++)
                 Collect(steps, own[i]);
             Jumped = false;
@@ -98,6 +100,16 @@ namespace Rill
             RigidPose pose = steps.frame.World(motion.end);
             entry.track = follows && last[before].motion.reacts ? last[before].track : ColliderTrack.At(pose);
             entry.track.Follow(pose, steps.duration, steps.substepTime);
+        }
+
+        // Colliders of the last steps that the fluid takes no more: they have left it.
+        void DropOtherLayers(FluidSimulation fluid)
+        {
+            if (fluid.TakesAllLayers)
+                return;
+            for (int i = 0; i < lastCount; i++)
+                if (last[i].owner is FluidCollider collider && last[i].owner.IsThere && !fluid.Takes(collider) && last[i].owner.Leave(fluid))
+                    leavers.Add(collider);
         }
 
         void MakeEntries()

@@ -6,8 +6,23 @@ namespace Rill
     // Colliders: those that reach into the box, and what the fluid does to them.
     public sealed partial class FluidSimulation
     {
+        const int Everything = ~0;
+
+        [Tooltip("Layers whose Fluid Colliders act on this fluid. Fluid Physics Colliders has layers of its own.")]
+        [SerializeField] LayerMask fluidColliderLayers = Everything;
+
         readonly ColliderRegistry colliders = new ColliderRegistry();
         bool tooManyIsKnown;
+
+        /// <summary>Layers whose Fluid Colliders act on this fluid; all by default. Acts from the next step on: a collider that another mask,
+        /// or another layer of its object, takes out has left the fluid. Without effect on what a <c>FluidPhysicsColliders</c> takes.</summary>
+        public LayerMask FluidColliderLayers { get => fluidColliderLayers; set => fluidColliderLayers = value; }
+
+        /// <summary>Whether every Fluid Collider acts on this fluid.</summary>
+        internal bool TakesAllLayers => fluidColliderLayers == Everything;
+
+        /// <summary>Whether a Fluid Collider acts on this fluid where it reaches into the box.</summary>
+        internal bool Takes(FluidCollider collider) => TakesAllLayers || (fluidColliderLayers & 1 << collider.gameObject.layer) != 0;
 
         /// <summary>Colliders of the last steps.</summary>
         internal int ColliderCount => colliders.Set.Count;

@@ -10,7 +10,7 @@ namespace Rill
         bool poseIsLost;
 
         /// <summary>Position and rotation of this object; the last finite ones while a component of them is not finite.</summary>
-        void GetPose(out Vector3 position, out Quaternion rotation)
+        internal void GetPose(out Vector3 position, out Quaternion rotation)
         {
             position = transform.position;
             rotation = transform.rotation;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Finds colliders for one fluid, beside the <see cref="FluidCollider"/> components that all fluids see.</summary>
+    /// <summary>Finds colliders for one fluid, beside the <see cref="FluidCollider"/> components, which all fluids look through.</summary>
     interface IColliderSource
     {
         /// <summary>Those that may reach into the fluid's box, in an order that stays while they do. Called before the steps of a frame.</summary>

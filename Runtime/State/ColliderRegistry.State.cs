@@ -42,7 +42,7 @@ namespace Rill
             ForgetForces(fluid);
             Set.Count = 0;
             foreach (ColliderRecord record in records)
-                if (record.follows != 0 && TryFind(record, frame, tolerance, own, out IFluidCollider owner, out ColliderMotion motion))
+                if (record.follows != 0 && TryFind(record, frame, tolerance, own, fluid, out IFluidCollider owner, out ColliderMotion motion))
                 {
                     motion.start = motion.end = record.end.Pose;
                     motion.seen = record.seen.Pose;
@@ -54,11 +54,11 @@ namespace Rill
             return Set.Count == records.Length;
         }
 
-        bool TryFind(in ColliderRecord record, in DomainFrame frame, float tolerance, List<IFluidCollider> own, out IFluidCollider found,
-            out ColliderMotion motion)
+        bool TryFind(in ColliderRecord record, in DomainFrame frame, float tolerance, List<IFluidCollider> own, FluidSimulation fluid,
+            out IFluidCollider found, out ColliderMotion motion)
         {
             foreach (FluidCollider collider in FluidCollider.Enabled)
-                if (IsOf(record, frame, tolerance, found = collider, out motion))
+                if (fluid.Takes(collider) && IsOf(record, frame, tolerance, found = collider, out motion))
                     return true;
             for (int i = 0; own != null && i < own.Count; i++)
                 if (IsOf(record, frame, tolerance, found = own[i], out motion))

@@ -12,6 +12,7 @@ namespace Rill.Tests
     public class FluidBuoyancyTests
     {
         const float BallSize = 0.4f;
+        const int Layer = 8;
         static readonly Vector3 BoxSize = new Vector3(0.5f, 0.3f, 0.5f);
 
         FloatingScene scene;
@@ -103,11 +104,30 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator A_body_that_no_fluid_reaches_falls_freely_and_says_so_once()
         {
-            LogAssert.Expect(LogType.Warning, new Regex("FluidBuoyancy 'Body' has met no FluidSimulation"));
+            LogAssert.Expect(LogType.Warning, new Regex("FluidBuoyancy 'Body' has met no FluidSimulation in 5 s: none that runs has it in " +
+                "its box and the layer of its FluidCollider in Fluid Collider Layers. Place it there, add the layer, or enable"));
             scene = new FloatingScene(ColliderShape.Sphere, Size(ColliderShape.Sphere), 1f, 400f, 2, 8);
             scene.Fluid.enabled = false;
             yield return scene.Play(6f);
             Assert.That(scene.Speeds.Last(), Is.EqualTo(FloatingScene.Gravity * 6f).Within(0.5f));
+        }
+
+        [UnityTest]
+        public IEnumerator A_body_on_a_layer_that_the_fluid_does_not_take_falls_through_it()
+        {
+            scene = new FloatingScene(ColliderShape.Sphere, Size(ColliderShape.Sphere), 0.5f, 0.5f);
+            scene.Body.gameObject.layer = Layer;
+            yield return scene.Play(1.5f);
+            Assert.That(scene.Heights.Last(), Is.GreaterThan(0.4f), "it floats");
+            Assert.That(scene.Buoyancy.SubmergedFraction, Is.GreaterThan(0.2f));
+            scene.Fluid.FluidColliderLayers = ~(1 << Layer);
+            yield return scene.Play(1f);
+            Assert.That(scene.Heights.Last(), Is.EqualTo(0.5f * BallSize).Within(0.01f), "on the floor");
+            Assert.That(scene.Buoyancy.SubmergedFraction, Is.Zero);
+            scene.Fluid.FluidColliderLayers = 1 << Layer;
+            yield return scene.Play(1.5f);
+            Assert.That(scene.Heights.Last(), Is.GreaterThan(0.4f), "it comes up again");
+            AssertBounded();
         }
 
         void AssertBounded()

@@ -188,8 +188,8 @@ namespace Rill.Tests
             mesh.sharedMesh = Cube();
             mesh.name = "Rock";
             LogAssert.Expect(LogType.Error, new Regex(
-                "FluidPhysicsColliders 'Pool' leaves out the collider 'Rock': its mesh has no signed distance field. Bake one and add " +
-                "both to Mesh Fields"));
+                "FluidPhysicsColliders 'Pool' leaves out the collider 'Rock': its mesh has no signed distance field. Press Bake " +
+                "Missing Fields... below Mesh Fields, or take"));
             for (int i = 0; i < 2; i++)
                 Assert.That(Gather()[0].TryDescribe(out _), Is.False);
             var box = Add<BoxCollider>(Vector3.zero);
@@ -232,6 +232,36 @@ namespace Rill.Tests
             Object.DestroyImmediate(field.Texture);
             Object.DestroyImmediate(field);
             Object.DestroyImmediate(cube);
+        }
+
+        [Test]
+        public void Meshes_near_the_box_without_a_field_are_listed_once()
+        {
+            Mesh cube = Cube(), other = Cube();
+            var rock = Add<MeshCollider>(Vector3.zero);
+            rock.sharedMesh = Add<MeshCollider>(Vector3.zero).sharedMesh = cube;
+            Add<MeshCollider>(Vector3.zero).sharedMesh = other;
+            Add<MeshCollider>(new Vector3(30f, 0f, 0f)).sharedMesh = Cube();
+            var own = Add<MeshCollider>(Vector3.zero);
+            own.sharedMesh = Cube();
+            own.gameObject.AddComponent<FluidCollider>();
+            Add<BoxCollider>(Vector3.zero);
+            UnityEngine.Physics.SyncTransforms();
+            Assert.That(Missing(), Is.EqualTo(new[] { cube, other }));
+            SignedDistanceField field = ScriptableObject.CreateInstance<SignedDistanceField>();
+            colliders.MeshFields.Add(new MeshField(other, null));
+            colliders.MeshFields.Add(new MeshField(cube, field));
+            Assert.That(Missing(), Is.EqualTo(new[] { other }), "a pair without a field is none");
+            colliders.ColliderLayers = 1 << Layer + 1;
+            Assert.That(Missing(), Is.Empty);
+            Object.DestroyImmediate(field);
+        }
+
+        List<Mesh> Missing()
+        {
+            var missing = new List<Mesh>();
+            colliders.ListMissingFields(missing);
+            return missing;
         }
 
         [Test]

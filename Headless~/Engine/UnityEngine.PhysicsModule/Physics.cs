@@ -8,30 +8,20 @@ namespace UnityEngine
     /// </summary>
     public class Physics
     {
+        public const int IgnoreRaycastLayer = 1 << 2, DefaultRaycastLayers = ~IgnoreRaycastLayer, AllLayers = ~0;
+
         public static Vector3 gravity { get => PhysicsWorld.Gravity; set => PhysicsWorld.Gravity = value; }
         public static bool queriesHitTriggers { get; set; } = true;
 
         public static void SyncTransforms() => PhysicsWorld.SyncTransforms();
 
+        public static PhysicsScene defaultPhysicsScene => default;
+
+        /// <summary>In the default physics scene.</summary>
         /// <returns>How many of the results are of this call; what does not fit is left out.</returns>
         public static int OverlapBoxNonAlloc(Vector3 center, Vector3 halfExtents, Collider[] results, Quaternion orientation, int mask,
             QueryTriggerInteraction queryTriggerInteraction)
-        {
-            bool hitsTriggers = queryTriggerInteraction == QueryTriggerInteraction.Collide
-                || queryTriggerInteraction == QueryTriggerInteraction.UseGlobal && queriesHitTriggers;
-            int count = 0;
-            foreach (PhysicsShape shape in PhysicsWorld.Shapes)
-            {
-                Collider collider = ((QueriedShape)shape).Owner;
-                if (count == results.Length)
-                    break;
-                if ((mask & 1 << collider.gameObject.layer) == 0 || collider.isTrigger && !hitsTriggers
-                    || !collider.Overlaps(center, halfExtents, orientation))
-                    continue;
-                results[count++] = collider;
-            }
-            return count;
-        }
+            => defaultPhysicsScene.OverlapBox(center, halfExtents, results, orientation, mask, queryTriggerInteraction);
     }
 
     public enum QueryTriggerInteraction { UseGlobal = 0, Ignore = 1, Collide = 2 }

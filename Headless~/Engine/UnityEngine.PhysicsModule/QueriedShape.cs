@@ -7,6 +7,8 @@ namespace UnityEngine.Headless
 
         public QueriedShape(Collider owner) => Owner = owner;
 
+        public override GameObject Object => Owner.gameObject;
+
         public override void Sync() => Owner.Sync();
     }
 }

@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
+using Host.Assets;
 using NUnit.Framework;
 using Rill;
 using Rill.Samples;
@@ -15,6 +17,17 @@ namespace Host.Tests
     {
         const float FrameTime = 1f / 60f;
         const float Nearest = 0.35f;        // d, from the surface of a field: contact keeps 0.5, less what creases leave
+
+        // The key is younger than this scene.
+        [Test]
+        public void A_scene_without_Fluid_Collider_Layers_takes_those_of_all_layers()
+        {
+            using (new SampleScene("Tap and Basin"))
+            {
+                Assert.That(File.ReadAllText(Path.Combine(Session.Root(), "Samples~", "Tap and Basin", "TapAndBasin.unity")), Does.Not.Contain("fluidColliderLayers"));
+                Assert.That(Object.FindObjectOfType<FluidSimulation>().FluidColliderLayers.value, Is.EqualTo(~0));
+            }
+        }
 
         [Test]
         public void The_tap_fills_the_cup_and_no_particle_is_in_a_wall()

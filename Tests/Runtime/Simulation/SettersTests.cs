@@ -118,6 +118,8 @@ namespace Rill.Tests
             other = null;
             if (now is bool flag)
                 other = !flag;
+            else if (now is LayerMask)
+                other = (LayerMask)(1 << 5);
             else if (now is Color)
                 other = new Color(0.5f, 0.25f, 0.125f);
             else if (now is Vector3)

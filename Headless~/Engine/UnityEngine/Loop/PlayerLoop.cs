@@ -35,7 +35,7 @@ namespace UnityEngine.Headless
             {
                 PhysicsWorld.BeginStep();
                 fixedUpdates.Run();
-                PhysicsWorld.Step(Time.fixedDeltaTime);
+                PhysicsWorld.Step(null, Time.fixedDeltaTime);
                 CoroutineScheduler.Resume(CoroutinePoint.FixedUpdate);
             }
             if (!EditMode.IsOn)

@@ -48,5 +48,8 @@ namespace UnityEngine.Headless
         public string Name = "", Path = "";
         public int BuildIndex = -1;
         public bool IsLoaded, IsGone;
+
+        /// <summary>Whether its bodies and colliders are in a physics scene of their own, by LocalPhysicsMode.Physics3D.</summary>
+        public bool HasLocalPhysics;
     }
 }

@@ -86,7 +86,7 @@ namespace UnityEngine.SceneManagement
                 throw new ArgumentException("Scene name cannot be null or empty", nameof(sceneName));
             if (loaded.Exists(s => s.Name == sceneName))
                 throw new ArgumentException($"Scene with name \"{sceneName}\" already exists.");
-            var scene = new SceneData { Name = sceneName, IsLoaded = true };
+            var scene = new SceneData { Name = sceneName, IsLoaded = true, HasLocalPhysics = HasLocalPhysics(parameters.localPhysicsMode) };
             _ = Active;
             loaded.Add(scene);
             return new Scene(scene);
@@ -106,20 +106,22 @@ namespace UnityEngine.SceneManagement
         public static AsyncOperation LoadSceneAsync(int sceneBuildIndex) => LoadSceneAsync(PathOf(sceneBuildIndex), LoadSceneMode.Single);
         public static AsyncOperation LoadSceneAsync(int sceneBuildIndex, LoadSceneMode mode) => LoadSceneAsync(PathOf(sceneBuildIndex), mode);
         public static AsyncOperation LoadSceneAsync(int sceneBuildIndex, LoadSceneParameters parameters)
-            => LoadSceneAsync(PathOf(sceneBuildIndex), parameters.loadSceneMode);
-        public static AsyncOperation LoadSceneAsync(string sceneName, LoadSceneParameters parameters)
-            => LoadSceneAsync(sceneName, parameters.loadSceneMode);
-
+            => LoadSceneAsync(PathOf(sceneBuildIndex), parameters);
         public static AsyncOperation LoadSceneAsync(string sceneName, LoadSceneMode mode)
+            => LoadSceneAsync(sceneName, new LoadSceneParameters(mode));
+
+        public static AsyncOperation LoadSceneAsync(string sceneName, LoadSceneParameters parameters)
         {
             var operation = new AsyncOperation();
             requests.Enqueue(() =>
             {
-                LoadNow(sceneName, mode);
+                LoadNow(sceneName, parameters.loadSceneMode, parameters.localPhysicsMode);
                 operation.Complete();
             });
             return operation;
         }
+
+        static bool HasLocalPhysics(LocalPhysicsMode mode) => (mode & LocalPhysicsMode.Physics3D) != 0;
 
         static string PathOf(int buildIndex)
             => buildIndex >= 0 && buildIndex < BuildScenes.Count ? BuildScenes[buildIndex]
@@ -133,7 +135,7 @@ namespace UnityEngine.SceneManagement
         }
 
         /// <summary>At once; the invalid scene, with an error in the log, when there is none of that name.</summary>
-        internal static Scene LoadNow(string sceneName, LoadSceneMode mode)
+        internal static Scene LoadNow(string sceneName, LoadSceneMode mode, LocalPhysicsMode physics = LocalPhysicsMode.None)
         {
             Scene scene = SceneLoader != null ? SceneLoader(sceneName) : default;
             if (scene.Data == null)
@@ -146,6 +148,7 @@ namespace UnityEngine.SceneManagement
                 foreach (SceneData old in loaded.ToArray())
                     Unload(old);
             scene.Data.IsLoaded = true;
+            scene.Data.HasLocalPhysics = HasLocalPhysics(physics);
             loaded.Add(scene.Data);
             if (mode == LoadSceneMode.Single || active == null)
                 Activate(scene.Data);

@@ -5,11 +5,17 @@ namespace UnityEngine.Headless
     /// <summary>What a collider is to the physics. The collider lies in an assembly of its own.</summary>
     internal abstract class PhysicsShape
     {
+        /// <summary>Whose scene decides in which physics scene it is.</summary>
+        public abstract GameObject Object { get; }
+
         /// <summary>Queries find it where its object is now.</summary>
         public abstract void Sync();
     }
 
-    /// <summary>The free bodies of all scenes, moved after each FixedUpdate. No contacts, no joints.</summary>
+    /// <summary>
+    /// The free bodies and the shapes of all scenes. No contacts, no joints. A physics scene is null, the default, whose bodies move after
+    /// each FixedUpdate, or the scene that has it for itself.
+    /// </summary>
     internal static class PhysicsWorld
     {
         static readonly Vector3 DefaultGravity = new Vector3(0f, -9.81f, 0f);
@@ -22,30 +28,42 @@ namespace UnityEngine.Headless
         /// <summary>Physics.gravity, m/s².</summary>
         public static Vector3 Gravity = DefaultGravity;
 
+        /// <summary>The physics scene of an object: null for the default.</summary>
+        public static SceneData SceneOf(GameObject gameObject) => SceneOf(gameObject.SceneOf);
+
+        /// <summary>The physics scene of a scene: null for the default.</summary>
+        public static SceneData SceneOf(SceneData scene) => scene != null && scene.HasLocalPhysics ? scene : null;
+
         /// <summary>Before the scripts of a fixed step.</summary>
         public static void BeginStep()
         {
             foreach (Rigidbody body in Bodies)
-                body.State.ShowBody(body.transform);
+                if (SceneOf(body.gameObject) == null)
+                    body.State.ShowBody(body.transform);
         }
 
-        /// <summary>Queries find shapes where their objects are now.</summary>
+        /// <summary>Queries of every physics scene find shapes where their objects are now.</summary>
         public static void SyncTransforms()
         {
             foreach (PhysicsShape shape in Shapes)
                 shape.Sync();
         }
 
-        /// <summary>After them.</summary>
-        public static void Step(float time)
+        /// <summary>After them; at the call of a script for a physics scene that is not the default. Unity does not say whether queries of
+        /// other physics scenes then find their shapes at new places: here they do not.</summary>
+        public static void Step(SceneData scene, float time)
         {
             foreach (Rigidbody body in Bodies)
             {
+                if (SceneOf(body.gameObject) != scene)
+                    continue;
                 body.State.Follow(body.transform);
                 body.State.Step(body, time);
                 body.State.ShowBody(body.transform);
             }
-            SyncTransforms();
+            foreach (PhysicsShape shape in Shapes)
+                if (SceneOf(shape.Object) == scene)
+                    shape.Sync();
         }
 
         /// <summary>After the fixed steps of a frame.</summary>
@@ -54,6 +72,8 @@ namespace UnityEngine.Headless
         {
             foreach (Rigidbody body in Bodies)
             {
+                if (SceneOf(body.gameObject) != null)
+                    continue;
                 body.State.Follow(body.transform);
                 if (body.interpolation == RigidbodyInterpolation.Interpolate)
                     body.State.ShowBetween(body.transform, fraction);
