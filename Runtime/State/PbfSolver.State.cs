@@ -104,7 +104,7 @@ namespace Rill
         {
             if (restingRegions == null)
                 return;
-            colliders ??= new Colliders(Layout);
+            colliders ??= new Colliders(Layout, ReadbackErrors);
             colliders.Adopt(set);
         }
 
@@ -185,9 +185,9 @@ namespace Rill
             if (contents.Has(SnapshotSection.NeighborCounts) && (stages & StageSet.ImplicitViscosity) != 0)
                 implicitViscosity = new ImplicitViscosity(Layout.Capacity);
             if (contents.Has(SnapshotSection.EmitterStates) && (stages & StageSet.Emitters) != 0)
-                emitters ??= new Emitters(limits);
+                emitters ??= new Emitters(limits, ReadbackErrors);
             if (contents.Has(SnapshotSection.DrainStates) && (stages & StageSet.Drains) != 0)
-                drains ??= new Drains();
+                drains ??= new Drains(ReadbackErrors);
             if (contents.Has(SnapshotSection.Fields) && (stages & StageSet.ForceFields) != 0)
             {
                 forceFields ??= new ForceFields();
