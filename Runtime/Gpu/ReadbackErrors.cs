@@ -61,15 +61,19 @@ namespace Rill
             {
                 case ReadbackKinds.Statistics: return ("a measurement", "There are no statistics until the next measurement.");
                 case ReadbackKinds.Foam: return ("the counts of its foam", "They are unknown until the next come.");
-                case ReadbackKinds.Queries: return ("an answer to probes and detectors",
+                case ReadbackKinds.Queries:
+                    return ("an answer to probes and detectors",
                     "They keep the sample of before, whose age grows, and are asked again.");
-                case ReadbackKinds.QueryBatches: return ("an answer to a FluidQueryBatch",
+                case ReadbackKinds.QueryBatches:
+                    return ("an answer to a FluidQueryBatch",
                     "It keeps the answer of before, whose age grows, and is asked again, once where it does not repeat.");
-                case ReadbackKinds.Forces: return ("the forces on colliders", "Colliders and what floats keep those of before until the next come, " +
+                case ReadbackKinds.Forces:
+                    return ("the forces on colliders", "Colliders and what floats keep those of before until the next come, " +
                     "and contacts of the time between are not told.");
                 case ReadbackKinds.Emitters: return ("the counts of its emitters", "Those of before stay until the next come.");
                 case ReadbackKinds.Drains: return ("the counts of its drains", "Those of before stay until the next come.");
-                case ReadbackKinds.Transfers: return ("the counts of particles that crossed to or from other fluids or left with its box",
+                case ReadbackKinds.Transfers:
+                    return ("the counts of particles that crossed to or from other fluids or left with its box",
                     "Those of before stay until the next come.");
                 case ReadbackKinds.Refusals: return ("the number of particles of scripts that it refused", "It is asked for again.");
                 case ReadbackKinds.Particles: return ("the particles for a ParticleReadback", "Its Outcome is Failed: request them again.");

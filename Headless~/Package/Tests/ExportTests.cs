@@ -18,7 +18,7 @@ namespace Host.Tests
     public sealed class ExportTests : GraphicsFixture
     {
         const string Sample = "Still Pool";
-        const int Every = 4, Files = 3;
+        const int Every = 2, Files = 3;
 
         string folder;
 
@@ -28,12 +28,13 @@ namespace Host.Tests
         [TearDown]
         public void RemoveFolder() => Directory.Delete(folder, true);
 
+        [Category("LongRun")]       // a player of its own
         [TestCase("vtk", ParticleReaderTests.ReadVtk)]
         [TestCase("ply", ParticleReaderTests.ReadPly)]
         public void The_files_of_a_sample_are_what_is_in_its_box_in_the_order_of_time(string format, string script)
         {
             Box box = BoxOf(Sample);
-            (int code, string text) = Export(Sample, "--seconds", "0.2", "--every", Every.ToString(), "--format", format, "--out", folder);
+            (int code, string text) = Export(Sample, "--seconds", "0.1", "--every", Every.ToString(), "--format", format, "--out", folder);
             Assert.That(code, Is.Zero, text);
             Assert.That(text, Does.Contain($"{Files} files in {folder}"));
             string[] files = Directory.GetFiles(folder).OrderBy(file => file, StringComparer.Ordinal).ToArray();
@@ -76,7 +77,7 @@ namespace Host.Tests
             Assert.That(densities[^1], Is.LessThan(1.2));
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Bad_input_is_named_with_what_to_do_and_leaves_no_file()
         {
             string target = Path.Combine(folder, "new");
