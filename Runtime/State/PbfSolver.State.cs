@@ -143,7 +143,10 @@ namespace Rill
             if (restingRegions != null)
                 contents.Set(SnapshotSection.Rest, restingRegions.Save());
             if (coarseCorrection != null)
+            {
                 contents.Set(SnapshotSection.Coarse, new CoarseRecord { wantedSize = coarseCorrection.Grid.WantedSize });
+                contents.Set(SnapshotSection.FlowTime, coarseCorrection.FlowTime);
+            }
             if (velocityExtrapolation != null)
                 contents.Set(SnapshotSection.Extrapolation, velocityExtrapolation.Record);
             if (forceFields != null)
@@ -174,7 +177,10 @@ namespace Rill
                 restingRegions.Load(contents.Get<RestRecord>(SnapshotSection.Rest));
             }
             if (contents.Has(SnapshotSection.Coarse) && (stages & StageSet.DeepWater) != 0)
-                coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits);
+                coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits)
+                {
+                    FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
+                };
             if (contents.Has(SnapshotSection.Extrapolation))
             {
                 velocityExtrapolation = new VelocityExtrapolation(Layout.Capacity);
