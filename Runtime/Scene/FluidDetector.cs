@@ -279,10 +279,10 @@ namespace Rill
         private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
             => problems.AddIfAny(IsEmpty ? SizeProblem : null);
 
-        static void Raise(UnityEvent happened, bool hasHappened)
+        void Raise(UnityEvent happened, bool hasHappened)
         {
             if (hasHappened)
-                happened.Invoke();
+                Listeners.Tell(happened, this);
         }
 
         float EvenScale => math.cmax(math.abs((float3)transform.lossyScale));
