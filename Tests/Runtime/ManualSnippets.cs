@@ -325,7 +325,7 @@ namespace Rill.Tests
         static FluidSnapshotAsset StartFromAStoredState(FluidSimulation fluid, FluidSnapshotRequest request)
         {
             #region Start from a stored state
-            FluidSnapshotAsset stored = FluidSnapshotAsset.Create(request.Snapshot);     // in memory; in the Editor, AssetDatabase.CreateAsset saves it
+            FluidSnapshotAsset stored = FluidSnapshotAsset.Create(request.Snapshot);     // AssetDatabase.CreateAsset saves it
             fluid.StartState = stored;
             fluid.Restart();                                // begins with it instead of its volumes
             #endregion

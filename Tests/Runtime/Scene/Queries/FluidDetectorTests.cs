@@ -76,7 +76,8 @@ namespace Rill.Tests
                     {
                         bool isValid = detector.TryGetSample(out FluidDetectorSample s);
                         if (isValid != s.valid || isValid && (s.step < 1 || s.step > scene.Fluid.StepCount || !(s.age >= 0f)
-                            || !(Math.Abs(s.volume - volume) < 0.1f * volume) || !s.hasVelocity || Math.Abs(s.time + s.age - scene.Fluid.FrameTime) > 1e-5))
+                            || !(Math.Abs(s.volume - volume) < 0.1f * volume) || !s.hasVelocity
+                            || Math.Abs(s.time + s.age - scene.Fluid.FrameTime) > 1e-5))
                             Assert.Fail($"read {reads}: {isValid}, step {s.step} of {scene.Fluid.StepCount}, age {s.age}, {s.volume} m³");
                         valid += isValid ? 1 : 0;
                     }
