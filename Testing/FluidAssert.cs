@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Collections.Generic;
 using System.Globalization;
 using Unity.Mathematics;
 using UnityEngine;
@@ -33,6 +34,8 @@ namespace Rill.Testing
         /// without room, removed because their position was not finite, or not accounted for at all.
         /// What a drain or the end of a lifetime took was asked for.
         /// </summary>
+        /// <remarks>A particle that is gone has no place any more, so the message cannot name those that were lost. It tells their numbers by
+        /// cause, and names the emitters that gave some up with the particles that are nearest to them.</remarks>
         /// <exception cref="FluidAssertionException">Some were lost.</exception>
         /// <exception cref="InvalidOperationException">As for <see cref="Measure"/>.</exception>
         public static void NothingLost(FluidSimulation fluid)
@@ -42,7 +45,7 @@ namespace Rill.Testing
             if (now.refused > 0)
                 why += Format($" {now.refused} were refused, since the capacity is {fluid.Capacity}: raise it or add less.");
             if (now.blocked > 0)
-                why += Format($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the water flow off.");
+                why += Format($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the water flow off.") + NameBlocked(fluid);
             if (now.nonFinite > 0)
                 why += Format($" {now.nonFinite} were removed, since their position was not finite: look for NaN in what adds or pushes them.");
             int missing = now.added + now.emitted + now.handedIn - now.drained - now.handedOut - now.nonFinite - now.particles;
@@ -60,7 +63,7 @@ namespace Rill.Testing
             FluidStatistics now = Measure(fluid);
             if (now.escaped > 0)
                 Fail(fluid, now, Format($"{now.escaped} of {now.particles} particles are outside the box or inside a collider.")
-                    + NameFurthest(fluid));
+                    + NameFurthest(fluid, now.escaped));
         }
 
         /// <summary>
@@ -72,7 +75,8 @@ namespace Rill.Testing
         /// not fill the floor of its box.</param>
         /// <param name="noise">Jitter below which water is calm, m/s; above 0.</param>
         /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
-        /// <exception cref="FluidAssertionException">It is not calm in that time, or is not of its rest volume then.</exception>
+        /// <exception cref="FluidAssertionException">It is not calm in that time, or is not of its rest volume then; the message names the
+        /// fastest particles.</exception>
         public static IEnumerator Settles(FluidSimulation fluid, float within, float volume = float.PositiveInfinity, float noise = 0.05f)
         {
             if (fluid == null)
@@ -92,7 +96,8 @@ namespace Rill.Testing
         /// <exception cref="ArgumentNullException">There is no detector.</exception>
         /// <exception cref="ArgumentOutOfRangeException">A volume is out of its range.</exception>
         /// <exception cref="InvalidOperationException">The detector measures nothing: it or its fluid is off, or no step was taken.</exception>
-        /// <exception cref="FluidAssertionException">The volume is another.</exception>
+        /// <exception cref="FluidAssertionException">The volume is another; the message names the particles that are nearest to the shape's
+        /// boundary, in or out.</exception>
         public static void VolumeIn(FluidDetector detector, float min, float max = float.PositiveInfinity)
         {
             if (detector == null)
@@ -106,7 +111,7 @@ namespace Rill.Testing
                 throw new InvalidOperationException($"FluidDetector '{detector.name}' measures nothing. Put it below its fluid, enable both, give it " +
                     "a size above 0, and let the fluid take a step.");
             if (!(sample.volume >= min && sample.volume <= max))
-                Fail(detector.Simulation, Measure(detector.Simulation), VolumeProblem(detector, sample, min, max));
+                Fail(detector.Simulation, Measure(detector.Simulation), VolumeProblem(detector, sample, min, max) + NameAtBoundary(detector));
         }
 
         static string VolumeProblem(FluidDetector detector, in FluidDetectorSample sample, float min, float max)
@@ -158,15 +163,43 @@ namespace Rill.Testing
             }
             string size = float.IsInfinity(volume) ? ""
                 : Format($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
-            Fail(fluid, now, Format($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + ".");
+            Fail(fluid, now, Format($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + "."
+                + NameFastest(fluid));
         }
 
-        static string NameFurthest(FluidSimulation fluid)
+        static string NameFurthest(FluidSimulation fluid, int count)
+            => Name(" ", fluid.FindParticles(Math.Min(count, MaxNamed), particle => particle.outside > 0f ? -particle.outside : float.NaN),
+                particle => Format($"{particle.outside:0.000} m too far"));
+
+        static string NameFastest(FluidSimulation fluid)
+            => Name(" The fastest: ", fluid.FindParticles(MaxNamed, particle => -math.length(particle.velocity)), particle => Format(
+                $"{-particle.measure:0.000} m/s by {particle.velocity.x:0.00}, {particle.velocity.y:0.00}, {particle.velocity.z:0.00}"));
+
+        static string NameAtBoundary(FluidDetector detector)
+            => Name(" Nearest to its boundary: ",
+                detector.Simulation.FindParticles(MaxNamed, particle => math.abs(detector.DistanceTo(particle.world))),
+                particle => Format($"{particle.measure:0.000} m {(detector.DistanceTo(particle.world) < 0f ? "inside" : "outside")}"));
+
+        // What is in the way of emitters that found no room.
+        static string NameBlocked(FluidSimulation fluid)
         {
             var named = "";
-            foreach ((uint id, float3 position, float outside) in fluid.FindFurthestOut(MaxNamed))
-                named += Format($" Particle {id} is at {position.x:0.000}, {position.y:0.000}, {position.z:0.000} m in the box's frame, {outside:0.000} m too far;");
-            return named.TrimEnd(';') + (named.Length > 0 ? "." : "");
+            foreach (FluidEmitter emitter in fluid.FindBlockedEmitters())
+                named += Format($" Emitter '{emitter.name}' gave up {emitter.Blocked};") + Name(" nearest to it: ",
+                    fluid.FindParticles(MaxNamed, particle => math.distance(particle.world, emitter.transform.position)),
+                    particle => Format($"{particle.measure:0.000} m away"));
+            return named;
+        }
+
+        static string Name(string heading, List<FluidSimulation.FoundParticle> particles, Func<FluidSimulation.FoundParticle, string> what)
+        {
+            if (particles.Count == 0)
+                return "";
+            var named = new List<string>();
+            foreach (FluidSimulation.FoundParticle particle in particles)
+                named.Add(Format($"Particle {particle.id} is at {particle.position.x:0.000}, {particle.position.y:0.000}, {particle.position.z:0.000} m in the box's frame, ")
+                    + what(particle));
+            return heading + string.Join("; ", named) + ".";
         }
 
         static void Fail(FluidSimulation fluid, in FluidStatistics now, string problem) =>

@@ -8,7 +8,8 @@ namespace Rill
     /// <summary>Brings a small buffer back without waiting: at most one request pending, and what was asked for before a reset is dropped.</summary>
     /// <remarks>
     /// The data are copied in the callback out of Unity's memory: whether an array of ours may be read there, or disposed of
-    /// before, Unity does not say. Nor whether a buffer that is released first still comes back: it is released after.
+    /// before, Unity does not say. Nor whether a buffer that is released first still comes back: it is released after. A request that
+    /// ends with an error leaves the result of before; who owns this decides whether that still counts.
     /// </remarks>
     sealed class Readback : IDisposable
     {
@@ -18,6 +19,8 @@ namespace Rill
         NativeArray<uint> latest;
         int generation, pendingGeneration;
         bool disposed;
+        ReadbackErrors errors;
+        ReadbackKinds kind;
 
         /// <param name="buffer">uint; released with this, or when the last request for it has come back.</param>
         public Readback(GraphicsBuffer buffer)
@@ -30,6 +33,9 @@ namespace Rill
         /// <summary>Called when a result has come.</summary>
         public Action Arrived;
 
+        /// <summary>Called when a request that still counts ended with an error: there are no data.</summary>
+        public Action Lost;
+
         /// <summary>What is brought back; null after <see cref="Dispose"/>.</summary>
         public GraphicsBuffer Buffer => disposed ? null : buffer;
 
@@ -40,6 +46,11 @@ namespace Rill
         public bool HasResult { get; private set; }
 
         public NativeArray<uint> Latest => latest;
+
+        /// <summary>Notes from now on how requests end.</summary>
+        /// <param name="to">Null for nobody.</param>
+        /// <param name="what">One kind.</param>
+        public void Report(ReadbackErrors to, ReadbackKinds what) => (errors, kind) = (to, what);
 
         /// <summary>Asks for the buffer as the commands executed so far leave it. Nothing while a result is pending.</summary>
         public void Request()
@@ -72,7 +83,7 @@ namespace Rill
             if (disposed)
                 return;
             disposed = true;
-            Arrived = null;
+            Arrived = Lost = null;
             latest.Dispose();
             if (IsPending)
                 PendingReadbacks.Add(this);
@@ -96,8 +107,14 @@ namespace Rill
                 return;
             }
             IsPending = false;
-            if (arrived.hasError || pendingGeneration != generation)
+            if (pendingGeneration != generation)
                 return;
+            errors?.Note(kind, arrived.hasError);
+            if (arrived.hasError)
+            {
+                Lost?.Invoke();
+                return;
+            }
             latest.CopyFrom(arrived.GetData<uint>());
             HasResult = true;
             Arrived?.Invoke();

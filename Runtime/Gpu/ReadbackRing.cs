@@ -14,15 +14,29 @@ namespace Rill
         /// <param name="count">Buffers.</param>
         /// <param name="words">Of each.</param>
         /// <param name="arrived">Called with the slot of each answer that has come, in the order of the requests.</param>
-        public ReadbackRing(string name, int count, int words, Action<int> arrived)
+        /// <param name="lost">Called with the slot of each request that ended with an error; may be null.</param>
+        public ReadbackRing(string name, int count, int words, Action<int> arrived, Action<int> lost = null)
         {
             this.name = name;
             slots = new Readback[count];
             for (int i = 0; i < count; i++)
             {
                 int slot = i;
-                slots[i] = new Readback(GpuBuffer.Structured<uint>(name, words)) { Arrived = () => arrived(slot) };
+                slots[i] = new Readback(GpuBuffer.Structured<uint>(name, words))
+                {
+                    Arrived = () => arrived(slot),
+                    Lost = () => lost?.Invoke(slot),
+                };
             }
+        }
+
+        /// <summary>Notes from now on how requests end.</summary>
+        /// <param name="to">Null for nobody.</param>
+        /// <param name="what">One kind.</param>
+        public void Report(ReadbackErrors to, ReadbackKinds what)
+        {
+            foreach (Readback slot in slots)
+                slot.Report(to, what);
         }
 
         /// <summary>Slot of the next request; -1 while all are pending.</summary>

@@ -52,8 +52,8 @@ namespace Rill
 
         static void Raise(UnityEvent<FluidContact> listeners, Action<FluidContact> scripts, in FluidContact contact)
         {
-            listeners.Invoke(contact);
-            scripts?.Invoke(contact);
+            Listeners.Tell(listeners, contact, contact.Collider);
+            Listeners.Tell(scripts, contact, contact.Collider);
         }
     }
 }

@@ -201,6 +201,24 @@ namespace Rill
             };
         }
 
+        /// <summary>How far a point in world space is from the shape's boundary, m, below 0 within; infinite where there is no shape.</summary>
+        internal float DistanceTo(float3 point)
+        {
+            if (IsEmpty)
+                return float.PositiveInfinity;
+            if (shape == DetectorShape.Mesh)
+                return field.TrySample(transform.InverseTransformPoint(point), out float distance) ? distance * EvenScale : float.PositiveInfinity;
+            float3 local = Quaternion.Inverse(transform.rotation) * ((Vector3)point - transform.position);
+            if (shape == DetectorShape.Box)
+            {
+                float3 beyond = math.abs(local) - 0.5f * (float3)size;
+                return math.length(math.max(beyond, 0f)) + math.min(math.cmax(beyond), 0f);
+            }
+            float straight = shape == DetectorShape.Capsule ? math.max(0.5f * height - radius, 0f) : 0f;
+            local.y -= math.clamp(local.y, -straight, straight);
+            return math.length(local) - radius;
+        }
+
         internal void SetResult(in QueryFrame frame, in DetectorPose pose, Queries queries, int slot, int index)
         {
             double particle = (double)frame.spacing * frame.spacing * frame.spacing, count = 0.0;
@@ -261,10 +279,10 @@ namespace Rill
         private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
             => problems.AddIfAny(IsEmpty ? SizeProblem : null);
 
-        static void Raise(UnityEvent happened, bool hasHappened)
+        void Raise(UnityEvent happened, bool hasHappened)
         {
             if (hasHappened)
-                happened.Invoke();
+                Listeners.Tell(happened, this);
         }
 
         float EvenScale => math.cmax(math.abs((float3)transform.lossyScale));

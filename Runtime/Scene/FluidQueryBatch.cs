@@ -135,7 +135,7 @@ namespace Rill
             recorded = -1;
             if (!IsAsking)
                 return;
-            buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived);
+            buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived, OnLost);
             int slot = buffers.FreeSlot(newest);
             if (slot < 0)
                 return;
@@ -161,7 +161,7 @@ namespace Rill
         internal void Request()
         {
             if (recorded >= 0)
-                buffers.Request(recorded);
+                buffers.Request(recorded, fluid.Solver.ReadbackErrors);
             recorded = -1;
         }
 
@@ -174,6 +174,13 @@ namespace Rill
         bool HasQuestions => !isDisposed && pointCount + rayCount > 0;
 
         void OnArrived(int slot) => newest = slot;
+
+        // What is asked once is asked again.
+        void OnLost(int slot)
+        {
+            if (asked[slot].version == askedVersion)
+                askedVersion = -1;
+        }
 
         float AgeOf(Asked of) => (float)(fluid.FrameTime - of.frame.time);
 

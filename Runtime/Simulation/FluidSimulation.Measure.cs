@@ -28,40 +28,79 @@ namespace Rill
             pbf.RequestStatistics();
             AsyncGPUReadback.WaitAllRequests();
             if (!TryGetStatistics(out FluidStatistics statistics))
-                throw new InvalidOperationException($"The measurement of FluidSimulation '{name}' did not come back.");
+                throw new InvalidOperationException(
+                    $"FluidSimulation '{name}' cannot be measured: it {ReadbackErrors.Problem(ReadbackKinds.Statistics)}");
             return statistics;
         }
 
-        /// <summary>Particles that are furthest beyond the walls or inside colliders, as the newest measurement found them, the furthest
-        /// first. Waits for the GPU.</summary>
-        /// <returns>Id, position in the box's frame, m, and how far it is out, m.</returns>
-        internal List<(uint id, float3 position, float outside)> FindFurthestOut(int most)
+        /// <summary>Particles of the newest state by a measure, the least first; those without a finite one are left out. Waits for the
+        /// GPU. Where colliders are in the box, after <see cref="MeasureNow"/>, which finds the distances from them.</summary>
+        internal List<FoundParticle> FindParticles(int most, Func<FoundParticle, float> measure)
         {
             var counters = new uint[ParticleBuffers.CounterCount];
             pbf.Counters.GetData(counters);
             int count = (int)counters[(int)ParticleCounter.Alive];
             var positions = new float4[count];
+            var velocities = new float4[count];
             var ids = new uint[count];
             float[] distances = null;
             pbf.Positions.GetData(positions, 0, 0, count);
+            pbf.Velocities.GetData(velocities, 0, 0, count);
             pbf.ParticleIds.GetData(ids, 0, 0, count);
             if (pbf.Colliders != null)
             {
                 distances = new float[count];
                 pbf.Colliders.Distances.GetData(distances, 0, 0, count);
             }
-            var found = new List<(uint id, float3 position, float outside)>();
+            Matrix4x4 toWorld = DomainToWorld;
+            var found = new List<FoundParticle>();
             for (int i = 0; i < count; i++)
             {
                 float3 p = positions[i].xyz;
                 float outside = math.cmax(math.max(Rill.Colliders.ContactOffset - p, p - (pbf.Layout.DomainSize - Rill.Colliders.ContactOffset)));
                 if (distances != null)
                     outside = math.max(outside, Rill.Colliders.ContactOffset - distances[i]);
-                if (outside > StatisticsPass.EscapedBeyond)
-                    found.Add((ids[i], p * particleSpacing, outside * particleSpacing));
+                var particle = new FoundParticle
+                {
+                    id = ids[i],
+                    position = p * particleSpacing,
+                    velocity = velocities[i].xyz * particleSpacing,
+                    world = toWorld.MultiplyPoint3x4(p),
+                    outside = outside * particleSpacing,
+                };
+                particle.measure = measure(particle);
+                if (math.isfinite(particle.measure))
+                    found.Add(particle);
             }
-            found.Sort((a, b) => b.outside.CompareTo(a.outside));
+            found.Sort((a, b) => a.measure != b.measure ? a.measure.CompareTo(b.measure) : a.id.CompareTo(b.id));
             return found.Count > most ? found.GetRange(0, most) : found;
+        }
+
+        /// <summary>Emitters that gave particles up for want of room, as they count it now. Waits for the GPU.</summary>
+        internal List<FluidEmitter> FindBlockedEmitters()
+        {
+            AsyncGPUReadback.WaitAllRequests();     // one that is pending is of an older state
+            pbf.RequestSourceCounts();
+            AsyncGPUReadback.WaitAllRequests();
+            var blocked = new List<FluidEmitter>();
+            foreach (FluidEmitter emitter in emitters)
+                if (emitter != null && emitter.Blocked > 0)
+                    blocked.Add(emitter);
+            return blocked;
+        }
+
+        /// <summary>A particle that a message names.</summary>
+        internal struct FoundParticle
+        {
+            public uint id;
+            /// <summary>In the box's frame, m and m/s.</summary>
+            public float3 position, velocity;
+            /// <summary>World space, m.</summary>
+            public float3 world;
+            /// <summary>How far it is beyond walls or inside colliders, m.</summary>
+            public float outside;
+            /// <summary>By which it was found.</summary>
+            public float measure;
         }
     }
 }

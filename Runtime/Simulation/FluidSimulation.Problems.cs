@@ -28,6 +28,9 @@ namespace Rill
             problems.AddIfAny(isTooViscous ? TooViscousProblem : null);
             foreach ((DeviceFeature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);
+            for (var kind = (uint)ReadbackKinds.Statistics; kind <= (uint)pbf.ReadbackErrors.Lost; kind <<= 1)
+                if (((uint)pbf.ReadbackErrors.Lost & kind) != 0)
+                    problems.Add(ReadbackErrors.Problem((ReadbackKinds)kind));
         }
 
         string NoPoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null

@@ -151,7 +151,8 @@ namespace Rill
             layoutChanged = true;
         }
 
-        /// <summary>The newest measurements, a few frames old; false before the first since a restart.</summary>
+        /// <summary>The newest measurements, a few frames old; false before the first since a restart, and where the graphics device gave
+        /// an error instead of the newest, which is logged.</summary>
         public bool TryGetStatistics(out FluidStatistics statistics)
         {
             statistics = default;
@@ -298,6 +299,7 @@ namespace Rill
         internal void Advance(float frameTime)
         {
             colliders.TellLeft(this);
+            CheckReadbacks();
             if (layoutChanged)
             {
                 Release();

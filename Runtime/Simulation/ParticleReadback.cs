@@ -111,6 +111,7 @@ namespace Rill
             from.RecordCopy(commands, of.DomainToWorld, layout, readback.Buffer);
             Graphics.ExecuteCommandBuffer(commands);
             isWaiting = true;
+            readback.Report(from.ReadbackErrors, ReadbackKinds.Particles);
             readback.Request();
         }
 

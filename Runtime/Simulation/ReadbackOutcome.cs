@@ -9,7 +9,7 @@ namespace Rill
         Arrived,
         /// <summary>The fluid was started again, disabled or destroyed in between: what came back was left out.</summary>
         Dropped,
-        /// <summary>The graphics device reported an error, or the stage ParticleAccess is not in this build.</summary>
+        /// <summary>The graphics device reported an error, which the fluid logs, or the stage ParticleAccess is not in this build.</summary>
         Failed,
     }
 }

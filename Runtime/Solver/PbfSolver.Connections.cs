@@ -12,7 +12,7 @@ namespace Rill
         bool hasGhosts;         // since the last removal
         int ghostFrame;         // in which they came
 
-        ParticleTransfer Transfer => transfer ??= new ParticleTransfer();
+        ParticleTransfer Transfer => transfer ??= new ParticleTransfer(ReadbackErrors);
 
         /// <summary>Particles of which transfer number it took how many, as far as has come back.</summary>
         public int Transferred(int number, TransferWord word) => transfer?.Latest(number, word) ?? 0;

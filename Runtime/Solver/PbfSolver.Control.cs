@@ -102,7 +102,7 @@ namespace Rill
         /// <param name="arrived">Called when <see cref="RefusedOfScripts"/> may have changed.</param>
         public void BeginBatch(Action arrived)
         {
-            refusals ??= new ScriptRefusals(arrived);
+            refusals ??= new ScriptRefusals(arrived, ReadbackErrors);
             particleUpload.CountRefused(particles, refusals.Buffer, false);
         }
 
@@ -112,6 +112,9 @@ namespace Rill
             particleUpload.CountRefused(particles, refusals.Buffer, true);
             refusals.Request();
         }
+
+        /// <summary>Asks again for what the device did not give and no step asks for.</summary>
+        public void RequestLost() => refusals?.RequestLost();
 
         // After particles came between steps.
         void NoteAdded(int count, float3 low, float3 high)

@@ -15,7 +15,7 @@ namespace Rill
         QueryShader QueryShader => queryShader ??= new QueryShader();
 
         /// <summary>Makes what answers, where there is none yet.</summary>
-        public Queries MakeQueries() => queries ??= new Queries(QueryShader);
+        public Queries MakeQueries() => queries ??= new Queries(QueryShader, ReadbackErrors);
 
         /// <summary>Records the answers of the state that the last step left; not after <see cref="RecordStatistics"/> of that state, which
         /// sorts again.</summary>

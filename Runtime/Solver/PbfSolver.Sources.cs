@@ -40,11 +40,11 @@ namespace Rill
                 tags ??= new ParticleTags(Layout.Capacity);
             hasLifetimes |= sources != null && sources.needsLifetimes;
             if (Emitters.IsNeeded(sources))
-                emitters ??= new Emitters(limits);
+                emitters ??= new Emitters(limits, ReadbackErrors);
             else if (emitters != null && (sources == null || !sources.keepsEmitters))
                 ReleaseEmitters();
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
-                drains ??= new Drains();
+                drains ??= new Drains(ReadbackErrors);
             else if (drains != null && (sources == null || !sources.keepsDrains))
                 ReleaseDrains();
             drains?.Remove(sources?.goneDrains ?? 0);

@@ -70,6 +70,9 @@ namespace Rill
 
         public SolverLayout Layout { get; }
 
+        /// <summary>Results that the graphics device gave an error for.</summary>
+        public ReadbackErrors ReadbackErrors { get; } = new ReadbackErrors();
+
         /// <summary>float4 [capacity], xyz position, d; those of the particles alive come first.</summary>
         public GraphicsBuffer Positions => particles.Positions;
 
@@ -230,7 +233,7 @@ namespace Rill
         /// <summary>Records the measuring of the current state; <see cref="RequestStatistics"/> then fetches it.</summary>
         public void RecordStatistics(CommandBuffer cmd, in StepInput input)
         {
-            statistics ??= new StatisticsPass(Layout.Capacity);
+            statistics ??= new StatisticsPass(Layout.Capacity, ReadbackErrors);
             UploadConstants(cmd, input);
             StepContext step = Context(cmd, input);
             colliders?.RecordBoundaryAtRest(step);
@@ -388,7 +391,7 @@ namespace Rill
                 ReleaseColliders();
                 return;
             }
-            colliders ??= new Colliders(Layout);
+            colliders ??= new Colliders(Layout, ReadbackErrors);
             if (colliders.ConsumeChanges(input.colliders))
                 restingRegions?.Wake();
         }
@@ -448,7 +451,7 @@ namespace Rill
         {
             if (foam != null && foam.Budget != input.foam.budget)
                 ReleaseFoam();
-            return Rill.Foam.IsNeeded(input) ? foam ??= new Foam(Layout, input.foam.budget) : null;
+            return Rill.Foam.IsNeeded(input) ? foam ??= new Foam(Layout, input.foam.budget, ReadbackErrors) : null;
         }
 
         void ReleaseFoam()

@@ -104,7 +104,7 @@ namespace Rill
         {
             if (restingRegions == null)
                 return;
-            colliders ??= new Colliders(Layout);
+            colliders ??= new Colliders(Layout, ReadbackErrors);
             colliders.Adopt(set);
         }
 
@@ -143,7 +143,10 @@ namespace Rill
             if (restingRegions != null)
                 contents.Set(SnapshotSection.Rest, restingRegions.Save());
             if (coarseCorrection != null)
+            {
                 contents.Set(SnapshotSection.Coarse, new CoarseRecord { wantedSize = coarseCorrection.Grid.WantedSize });
+                contents.Set(SnapshotSection.FlowTime, coarseCorrection.FlowTime);
+            }
             if (velocityExtrapolation != null)
                 contents.Set(SnapshotSection.Extrapolation, velocityExtrapolation.Record);
             if (forceFields != null)
@@ -174,7 +177,10 @@ namespace Rill
                 restingRegions.Load(contents.Get<RestRecord>(SnapshotSection.Rest));
             }
             if (contents.Has(SnapshotSection.Coarse) && (stages & StageSet.DeepWater) != 0)
-                coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits);
+                coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits)
+                {
+                    FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
+                };
             if (contents.Has(SnapshotSection.Extrapolation))
             {
                 velocityExtrapolation = new VelocityExtrapolation(Layout.Capacity);
@@ -185,9 +191,9 @@ namespace Rill
             if (contents.Has(SnapshotSection.NeighborCounts) && (stages & StageSet.ImplicitViscosity) != 0)
                 implicitViscosity = new ImplicitViscosity(Layout.Capacity);
             if (contents.Has(SnapshotSection.EmitterStates) && (stages & StageSet.Emitters) != 0)
-                emitters ??= new Emitters(limits);
+                emitters ??= new Emitters(limits, ReadbackErrors);
             if (contents.Has(SnapshotSection.DrainStates) && (stages & StageSet.Drains) != 0)
-                drains ??= new Drains();
+                drains ??= new Drains(ReadbackErrors);
             if (contents.Has(SnapshotSection.Fields) && (stages & StageSet.ForceFields) != 0)
             {
                 forceFields ??= new ForceFields();

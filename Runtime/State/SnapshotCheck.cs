@@ -79,6 +79,9 @@ namespace Rill
             if (contents.Has(SnapshotSection.Coarse))
             {
                 Require(IsFinite(Single<CoarseRecord>(contents, SnapshotSection.Coarse).wantedSize), "the size of coarse cells is not finite");
+                if (contents.Has(SnapshotSection.FlowTime))
+                    Require(Single<float>(contents, SnapshotSection.FlowTime) is float time && time >= 0f && IsFinite(time),
+                        "the flow's time is not finite");
                 foreach (SnapshotSection section in new[] { SnapshotSection.CoarseErrors, SnapshotSection.FlowPotential,
                     SnapshotSection.ErrorPotential })
                     foreach (float value in contents.Values<float>(section))

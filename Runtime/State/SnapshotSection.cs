@@ -58,5 +58,7 @@ namespace Rill
         Drains,
         /// <summary><see cref="ColliderRecord"/> [colliders].</summary>
         Colliders,
+        /// <summary>float, s: length of the substep that the flow's potential is of, since version 3.</summary>
+        FlowTime,
     }
 }

@@ -10,7 +10,8 @@ using UnityEngine.TestTools;
 namespace Rill.Tests
 {
     /// <summary>
-    /// The snippets of Documentation~/scripting.md: each region is one of them, word for word, which a test of the host compares.
+    /// The snippets of the manual: each region is one of them, word for word, which a test of the host compares. Its name is that of the section
+    /// in Documentation~/scripting.md, or of another page in brackets. Those of modules are with their tests.
     /// </summary>
     public class ManualSnippets
     {
@@ -97,6 +98,16 @@ namespace Rill.Tests
                 lake.position = fluid.transform.position;                               // a Fluid Volume as wide as the box
                 fluid.Fill(lake.GetComponent<FluidVolume>());                           // fills what is new, and nothing else
             }
+            #endregion
+        }
+
+        static void FollowByAComponent(FluidSimulation fluid, Transform boat)
+        {
+            #region Follow a target by a component
+            var follow = fluid.gameObject.AddComponent<FluidFollow>();
+            follow.Target = boat;                           // not below the fluid
+            follow.Distance = 6f;                           // spacings that it may be away before the box moves
+            follow.Leaving = LeavingParticles.Keep;         // finds its water again
             #endregion
         }
 
@@ -272,13 +283,16 @@ namespace Rill.Tests
             #endregion
         }
 
-        static void CastRays(FluidQueryBatch batch, Transform eye, Transform marker)
+        static void CastRays(FluidQueryBatch batch, Transform eye, Transform marker, Transform leaf)
         {
             #region Cast rays against the water
             batch.RayCount = 1;
             batch.SetRay(0, new FluidRay(eye.position, eye.forward, 20f));      // or FluidRay.Sphere(eye.position, 0.1f, eye.forward)
             if (batch.TryGetHit(0, out FluidRayHit found) && found.hit)         // false before the first result, and where it misses
+            {
                 marker.SetPositionAndRotation(found.point, Quaternion.LookRotation(found.normal));
+                leaf.position = found.ExtrapolatedPoint;                        // where the water has carried it since
+            }
             #endregion
         }
 
@@ -306,6 +320,29 @@ namespace Rill.Tests
             FluidSnapshot saved = FluidSnapshot.FromBytes(File.ReadAllBytes(path));
             fluid.Restore(saved);                                       // the next step goes on from it
             #endregion
+        }
+
+        static FluidSnapshotAsset StartFromAStoredState(FluidSimulation fluid, FluidSnapshotRequest request)
+        {
+            #region Start from a stored state
+            FluidSnapshotAsset stored = FluidSnapshotAsset.Create(request.Snapshot);     // AssetDatabase.CreateAsset saves it
+            fluid.StartState = stored;
+            fluid.Restart();                                // begins with it instead of its volumes
+            #endregion
+            return stored;
+        }
+
+        internal static void BakeAMesh(Mesh mesh, SignedDistanceField field, string guidOfTheMesh, bool canceled)
+        {
+            #region Bake from a script (baking.md)
+            MeshReport report = MeshCheck.Run(mesh);                     // what is wrong with it, in numbers and words
+            MeshSdfSettings settings = MeshSdfSettings.Default;
+            settings.resolution = 128;
+            MeshSdfEstimate size = MeshSdfBaker.Estimate(TriangleMesh.Of(mesh), settings);   // voxels, bytes, or why not
+            SdfBake bake = MeshSdfBaker.Bake(mesh, settings, (fraction, stage) => !canceled);  // null if canceled
+            Texture3D replaced = field.Apply(bake, guidOfTheMesh);       // into the asset that is there; references to it stay
+            #endregion
+            _ = (report, size, replaced);
         }
 
         static ParticleSequence Export(FluidSimulation fluid, string folder)
@@ -449,6 +486,8 @@ namespace Rill.Tests
             AskTheWater(probe, buoy);
             Assert.That(buoy.position.y, Is.LessThan(-0.1f).And.GreaterThan(-1f));
             Assert.That(basin.Latest.valid);
+            var leaf = new GameObject("Leaf").transform;
+            leaf.SetParent(root.transform, false);
             FluidQueryBatch batch = null;
             var floats = new[] { probe.transform.position, probe.transform.position + 0.05f * Vector3.right };
             Vector3 above = probe.transform.position + 0.4f * Vector3.up;
@@ -456,12 +495,13 @@ namespace Rill.Tests
             for (int i = 0; i < 6; i++)
             {
                 AskInManyPlaces(fluid, floats, ref batch);
-                CastRays(batch, probe.transform, buoy);
+                CastRays(batch, probe.transform, buoy, leaf);
                 yield return null;
             }
             Assert.That(floats[1].y, Is.LessThan(-0.1f).And.GreaterThan(-1f));
             Assert.That(buoy.position.y, Is.EqualTo(floats[0].y).Within(0.1f));
             Assert.That(batch.TryGetHit(0, out FluidRayHit below) && below.hit);
+            Assert.That(Vector3.Distance(leaf.position, below.point), Is.LessThan(0.1f), "a few frames further");
             batch.Dispose();
 
             StartAgain(fluid);
@@ -510,6 +550,39 @@ namespace Rill.Tests
             Assert.That(fluid.IsCulled, "there is no camera");
             Assert.That(fluid.StepCount - before, Is.EqualTo(2));
             Time.captureDeltaTime = 0f;
+        }
+
+        [UnityTest]
+        public IEnumerator The_snippets_that_follow_and_start_from_a_state_do_what_the_page_says()
+        {
+            root = MakeFluid();
+            var fluid = root.GetComponent<FluidSimulation>();
+            Time.captureDeltaTime = 1f / 60f;
+            var boat = new GameObject("Boat");
+            FluidSnapshotAsset stored = null;
+            try
+            {
+                boat.transform.position = 0.5f * Vector3.right;
+                yield return null;
+                FluidSnapshotRequest request = fluid.RequestSnapshot();
+                yield return request;
+                FollowByAComponent(fluid, boat.transform);
+                yield return null;
+                Assert.That(fluid.transform.position.x, Is.Zero, "nearer than six spacings");
+                boat.transform.position = Vector3.right;
+                yield return null;
+                Assert.That(fluid.transform.position.x, Is.EqualTo(1f).Within(1e-3f));
+                stored = StartFromAStoredState(fluid, request);
+                Assert.That(fluid.StepCount, Is.Zero);
+                yield return null;
+                Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(8 * 12 * 10));
+            }
+            finally
+            {
+                Object.DestroyImmediate(boat);
+                Object.DestroyImmediate(stored);
+                Time.captureDeltaTime = 0f;
+            }
         }
 
         T Part<T>() where T : Component

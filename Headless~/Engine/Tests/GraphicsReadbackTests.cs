@@ -53,6 +53,39 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_request_that_fails_as_on_a_lost_device_is_done_with_an_error_calls_back_once_and_has_no_data()
+        {
+            int called = 0;
+            ReadbackQueue.Fails = source => source.Contains("Source");
+            var other = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 1, 4) { name = "Other" };
+            other.SetData(new uint[] { 9 });
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer, r =>
+            {
+                called++;
+                Assert.That((r.done, r.hasError), Is.EqualTo((true, true)));
+                Assert.That(Assert.Throws<InvalidOperationException>(() => r.GetData<uint>()).Message,
+                    Does.Contain("Source").And.Contain("ended with an error"));
+            });
+            AsyncGPUReadbackRequest unharmed = AsyncGPUReadback.Request(other);
+            Assert.That(request.hasError, Is.False, "while it is pending");
+            AsyncGPUReadback.WaitAllRequests();
+            Assert.That((request.done, request.hasError, called), Is.EqualTo((true, true, 1)));
+            Assert.That(unharmed.GetData<uint>()[0], Is.EqualTo(9));
+
+            var array = new NativeArray<uint>(8, Allocator.Persistent);
+            AsyncGPUReadbackRequest into = AsyncGPUReadback.RequestIntoNativeArray(ref array, buffer);
+            into.WaitForCompletion();
+            Assert.That((into.done, into.hasError), Is.EqualTo((true, true)));
+            Assert.That(array.ToArray(), Is.EqualTo(new uint[8]), "left as it was");
+            array.Dispose();
+            Frame();
+            Assert.That(called, Is.EqualTo(1));
+            other.Dispose();
+            PlayerLoop.Reset();
+            Assert.That(ReadbackQueue.Fails, Is.Null, "the next test fails by itself");
+        }
+
+        [Test]
         public void Updates_alone_bring_a_request_that_the_device_has_finished()
         {
             int called = 0;

@@ -30,6 +30,7 @@ namespace Host.Check
             new ModulesRule(),
             new UnityMembersRule(),
             new SourceNamesRule(),
+            new SampleScriptsRule(),
             new NetStandardRule(),
             new NUnitRule(),
             new HostSurfaceRule(),

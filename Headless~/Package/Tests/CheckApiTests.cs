@@ -208,6 +208,25 @@ namespace Host.Tests
             planted.Catches(new SourceNamesRule(), "Runtime/Planted.cs:2", "#if UNITY_6000_0_OR_NEWER", "unexamined");
         }
 
+        [TestCase("class X { Object f() => Object.FindObjectOfType<Object>(); }", "FindObjectOfType<>()", "6000.0, 6000.3 has it as obsolete",
+            TestName = "A_member_that_became_obsolete_is_named_in_a_sample")]
+        [TestCase("#if UNITY_EDITOR\nclass X { Object f() => Object.FindObjectOfType<Object>(); }\n#endif", "FindObjectOfType<>()", "obsolete",
+            TestName = "A_branch_of_a_sample_for_the_editor_is_seen")]
+        [TestCase("#if !ENABLE_LEGACY_INPUT_MANAGER\nclass X { HideFlags f = HideFlags.HideInNowhere; }\n#endif", "HideFlags.HideInNowhere",
+            "has no such member", TestName = "A_branch_of_a_sample_without_the_old_input_is_seen")]
+        [TestCase("#if UNITY_ANDROID\nclass X { }\n#endif", "Samples~/Game/Tests/Planted.cs:2", "#if UNITY_ANDROID",
+            TestName = "A_branch_of_a_sample_that_is_not_compiled_is_named")]
+        [TestCase("record struct X(int Y);", "Samples~/Game/Tests/Planted.cs:2", "10.0", TestName = "A_sample_in_a_newer_language_is_named")]
+        public void A_fault_of_a_sample_is_named(string source, string what, string why)
+        {
+            planted.Compile("UnityEngine", "namespace UnityEngine { public enum HideFlags { None, HideInNowhere } " +
+                "public class Object { public static T FindObjectOfType<T>() => default; public static T FindAnyObjectByType<T>() => default; } }");
+            planted.Write("Samples~/Game/Good.cs", "class Good { UnityEngine.Object f() => UnityEngine.Object.FindAnyObjectByType<UnityEngine.Object>(); }");
+            Assert.That(planted.Examine(new SampleScriptsRule()).Faults, Is.Empty);
+            planted.Write("Samples~/Game/Tests/Planted.cs", "using UnityEngine;\n" + source);
+            planted.Catches(new SampleScriptsRule(), what, why);
+        }
+
         [Test]
         public void A_constant_of_what_is_not_known_is_named()
         {

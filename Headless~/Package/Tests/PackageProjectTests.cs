@@ -47,6 +47,18 @@ namespace Host.Tests
             }
         }
 
+        /// <summary>So small a game can be read in one go. Its tests do not count.</summary>
+        [Test]
+        public void The_scripts_of_the_sample_game_stay_below_300_lines_in_all()
+        {
+            string game = Path.Combine(PackageFolder.Path, "Samples~", "Key in a Well");
+            string[] scripts = Directory.GetFiles(game, "*.cs");
+            Assert.That(scripts, Has.Length.GreaterThanOrEqualTo(4));
+            Assert.That(Directory.GetFiles(game, "*.cs", SearchOption.AllDirectories).Except(scripts).Select(Path.GetDirectoryName).Distinct(),
+                Is.EqualTo(new[] { Path.Combine(game, "Tests") }), "others that would not be counted");
+            Assert.That(scripts.Sum(script => File.ReadLines(script).Count()), Is.InRange(100, 299));
+        }
+
         static void Import(string sample, string project)
         {
             string from = Path.Combine(PackageFolder.Path, "Samples~", sample), to = Path.Combine(project, "Assets", "Samples", sample);

@@ -17,7 +17,7 @@ namespace Host.Tests
     {
         const string Python = "/usr/bin/python3";       // Debian's, which has Debian's packages
 
-        const string ReadVtk = @"
+        internal const string ReadVtk = @"
 import sys, vtk
 reader = vtk.vtkPolyDataReader()
 reader.SetFileName(sys.argv[1])
@@ -33,7 +33,7 @@ for i in range(n):
     print(*[repr(x) for x in data.GetPoint(i) + named['velocity'].GetTuple3(i)], repr(named['density'].GetValue(i)), named['phase'].GetValue(i), named['id'].GetValue(i))
 ";
 
-        const string ReadPly = @"
+        internal const string ReadPly = @"
 import sys, meshio
 mesh = meshio.read(sys.argv[1])
 d = mesh.point_data
@@ -149,7 +149,8 @@ for i in range(data.GetNumberOfPoints()):
 
         static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
 
-        static string[] Read(string script, string file)
+        /// <summary>The lines that a script of Python writes about a file.</summary>
+        internal static string[] Read(string script, string file)
         {
             var start = new ProcessStartInfo(Python, new[] { "-c", script, file }) { RedirectStandardOutput = true, RedirectStandardError = true };
             using Process process = Process.Start(start);

@@ -24,6 +24,9 @@ namespace Rill
         /// <summary>Whether the flow has been solved for: another fluid can take what was found.</summary>
         public bool HasFound => flowTime > 0f;
 
+        /// <summary>Length of the substep that the flow's potential is of, s; 0 before the first. A neighbor depends on it.</summary>
+        public float FlowTime { get => flowTime; set => flowTime = value; }
+
         // Takes the flow's potentials of all neighbors, or those of the errors.
         void RecordNeighbors(in StepContext step, bool ofFlow)
         {

@@ -24,8 +24,10 @@ namespace Rill
         readonly uint[] zeros = new uint[Words];
         float time, takenTime;
 
-        public ColliderReactions(ComputeShader shader)
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
+        public ColliderReactions(ComputeShader shader, ReadbackErrors errors = null)
         {
+            readback.Report(errors, ReadbackKinds.Forces);
             this.shader = shader;
             take = new Kernel(shader, "TakeReactions");
             sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);

@@ -44,10 +44,13 @@ namespace Rill
         int words, recordedCount;
         bool binned;
         int seenVersion = -1, seenOrder;
+        readonly ReadbackErrors errors;
         ColliderReactions reactions;
 
-        public Colliders(SolverLayout layout)
+        /// <param name="errors">Learns of forces that the device did not give; may be null.</param>
+        public Colliders(SolverLayout layout, ReadbackErrors errors = null)
         {
+            this.errors = errors;
             binColliders = new Kernel(shader, "BinColliders");
             measureColliderVolume = new Kernel(shader, "MeasureColliderVolume");
             deforming = new LocalKeyword(shader, DeformingKeyword);
@@ -324,7 +327,7 @@ namespace Rill
                 reactions = null;
                 return;
             }
-            reactions ??= new ColliderReactions(shader);
+            reactions ??= new ColliderReactions(shader, errors);
             if (seenOrder != set.Order)
                 reactions.Invalidate(cmd);
             seenOrder = set.Order;

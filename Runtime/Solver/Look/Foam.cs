@@ -55,8 +55,9 @@ namespace Rill
         GraphicsBuffer particles, moved, arguments, cells, potentials, spawnCounts, groupCounts, sums;
 
         /// <param name="budget">Most particles.</param>
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
         /// <exception cref="ArgumentOutOfRangeException">More than the device can bind.</exception>
-        public Foam(SolverLayout layout, int budget)
+        public Foam(SolverLayout layout, int budget, ReadbackErrors errors = null)
         {
             Budget = budget;
             averageCells = new Kernel(shader, "AverageCells");
@@ -88,6 +89,8 @@ namespace Rill
                 arguments = GpuBuffer.Arguments("Rill.Foam.Arguments");
                 prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), foamGroups + fluidGroups + 1);
                 readback = new Readback(GpuBuffer.Structured<uint>("Rill.Foam.Counters", CounterCount));
+                readback.Report(errors, ReadbackKinds.Foam);
+                readback.Lost = readback.Invalidate;
                 BufferClear.Now(groupCounts);
                 Clear();
             }

@@ -127,13 +127,15 @@ namespace Rill
         readonly uint[] zeros = new uint[Words];
         GraphicsBuffer points, detectors, ringHeights;
 
-        public Queries(QueryShader shader)
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
+        public Queries(QueryShader shader, ReadbackErrors errors = null)
         {
             this.shader = shader;
             points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
             detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
             ringHeights = GpuBuffer.Structured<float>("Rill.Queries.RingHeights", MaxProbes * QueryShader.Columns);
             ring = new ReadbackRing("Rill.Queries.Results", RingSize, Words, slot => Arrived?.Invoke(slot));
+            ring.Report(errors, ReadbackKinds.Queries);
         }
 
         /// <summary>Called with the slot of each result when it has come; in the order of the requests.</summary>

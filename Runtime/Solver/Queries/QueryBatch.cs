@@ -24,7 +24,8 @@ namespace Rill
         /// <param name="pointCapacity">0 or more.</param>
         /// <param name="rayCapacity">0 or more; not both are 0.</param>
         /// <param name="arrived">Called with the slot of each answer that has come.</param>
-        public QueryBatch(int pointCapacity, int rayCapacity, Action<int> arrived)
+        /// <param name="lost">Called with the slot of each request that ended with an error; may be null.</param>
+        public QueryBatch(int pointCapacity, int rayCapacity, Action<int> arrived, Action<int> lost = null)
         {
             firstRayWord = pointCapacity * Queries.ProbeWords;
             if (pointCapacity > 0)
@@ -34,7 +35,7 @@ namespace Rill
             ringHeights = GpuBuffer.Structured<float>("Rill.QueryBatch.RingHeights",
                 (long)math.max(pointCapacity, rayCapacity) * QueryShader.Columns);
             int words = firstRayWord + rayCapacity * RayQuery.RayWords;
-            ring = new ReadbackRing("Rill.QueryBatch.Results", RingSize, words, arrived);
+            ring = new ReadbackRing("Rill.QueryBatch.Results", RingSize, words, arrived, lost);
         }
 
         /// <summary>Slot of the next request; -1 while all are pending.</summary>
@@ -64,7 +65,12 @@ namespace Rill
         }
 
         /// <summary>Asks for what was recorded for a slot.</summary>
-        public void Request(int slot) => ring.Request(slot);
+        /// <param name="errors">Learns of it where the device does not give the answer; may be null.</param>
+        public void Request(int slot, ReadbackErrors errors = null)
+        {
+            ring.Report(errors, ReadbackKinds.QueryBatches);
+            ring.Request(slot);
+        }
 
         /// <summary>Answers from before this call are dropped when they come.</summary>
         public void Invalidate() => ring.Invalidate();

@@ -24,8 +24,11 @@ namespace Rill
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize));
         GraphicsBuffer partials, histogram;
 
-        public StatisticsPass(int capacity)
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
+        public StatisticsPass(int capacity, ReadbackErrors errors = null)
         {
+            readback.Report(errors, ReadbackKinds.Statistics);
+            readback.Lost = readback.Invalidate;        // an older one would be taken for new
             measure = new KernelVariants(shader, "Measure", "MeasureWithColliders");
             reduce = new Kernel(shader, "Reduce");
             int groups = ParticleBuffers.Groups(capacity);

@@ -69,8 +69,10 @@ namespace Rill
         GraphicsBuffer regions, histogram;
         uint gone;
 
-        public Drains()
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
+        public Drains(ReadbackErrors errors = null)
         {
+            readback.Report(errors, ReadbackKinds.Drains);
             countRandomRanks = new Kernel(shader, "CountRandomRanks");
             selectRandom = new Kernel(shader, "SelectRandom");
             drain = new Kernel(shader, "Drain");

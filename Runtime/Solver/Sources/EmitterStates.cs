@@ -35,7 +35,12 @@ namespace Rill
 
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Emitters.States", StepSources.MaxEmitters * Words));
 
-        public EmitterStates() => Clear();
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
+        public EmitterStates(ReadbackErrors errors = null)
+        {
+            readback.Report(errors, ReadbackKinds.Emitters);
+            Clear();
+        }
 
         /// <summary>uint [emitters * <see cref="Words"/>].</summary>
         public GraphicsBuffer Buffer => readback.Buffer;

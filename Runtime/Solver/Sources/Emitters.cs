@@ -34,7 +34,8 @@ namespace Rill
 
         public Emitters() : this(DeviceLimits.Current) { }
 
-        public Emitters(in DeviceLimits limits)
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
+        public Emitters(in DeviceLimits limits, ReadbackErrors errors = null)
         {
             findRoom = new KernelVariants(shader, "FindRoom", "FindRoomWithColliders");
             emit = new Kernel(shader, limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small);
@@ -43,7 +44,7 @@ namespace Rill
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
             free = GpuBuffer.Structured<uint>("Rill.Emitters.Free", MaxCandidates);
             constants = GpuBuffer.Constants<EmitterConstants>("Rill.Emitters.Constants");
-            States = new EmitterStates();
+            States = new EmitterStates(errors);
         }
 
         public EmitterStates States { get; private set; }

@@ -110,8 +110,10 @@ namespace Rill
         GraphicsBuffer goes, goneBefore;
         PrefixSum sum;
 
-        public ParticleTransfer()
+        /// <param name="errors">Learns of results that the device did not give; may be null.</param>
+        public ParticleTransfer(ReadbackErrors errors = null)
         {
+            readback.Report(errors, ReadbackKinds.Transfers);
             mark = new Kernel(shader, "MarkGoing");
             markApart = new Kernel(shader, "MarkGoingApart");
             writeMotion = new Kernel(shader, "WriteMotion");

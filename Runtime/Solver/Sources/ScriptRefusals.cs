@@ -8,11 +8,14 @@ namespace Rill
     sealed class ScriptRefusals : IDisposable
     {
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.RefusedOfScripts", 1));
-        bool isStale;
+        bool isStale, isLost;
 
         /// <param name="arrived">Called when a number has come.</param>
-        public ScriptRefusals(Action arrived)
+        /// <param name="errors">Learns of numbers that the device did not give; may be null.</param>
+        public ScriptRefusals(Action arrived, ReadbackErrors errors = null)
         {
+            readback.Report(errors, ReadbackKinds.Refusals);
+            readback.Lost = () => isLost = true;
             readback.Arrived = () =>
             {
                 if (isStale)
@@ -31,6 +34,7 @@ namespace Rill
         /// <summary>None was refused.</summary>
         public void Clear()
         {
+            isLost = false;
             BufferClear.Now(readback.Buffer);
             readback.Invalidate();
         }
@@ -39,7 +43,15 @@ namespace Rill
         public void Request()
         {
             isStale = readback.IsPending;
+            isLost = false;
             readback.Request();
+        }
+
+        /// <summary>Asks again where the last request ended with an error.</summary>
+        public void RequestLost()
+        {
+            if (isLost)
+                Request();
         }
 
         public void Dispose() => readback.Dispose();

@@ -26,9 +26,9 @@ namespace Rill.Samples.Tests
         {
             Time.captureDeltaTime = 1f / 60f;
             yield return Load("d3267cc9dc48bba8938fa3c69e539e80", "KeyInAWell");
-            game = Object.FindObjectOfType<WellGame>();
-            fluid = Object.FindObjectOfType<FluidSimulation>();
-            player = Object.FindObjectOfType<ScriptedPlayer>();
+            game = Object.FindAnyObjectByType<WellGame>();
+            fluid = Object.FindAnyObjectByType<FluidSimulation>();
+            player = Object.FindAnyObjectByType<ScriptedPlayer>();
             key = GameObject.Find("Key").transform;
             fluid.Configure(fluid.DomainSize, Spacing, Capacity);
             fluid.GetComponent<FluidSurface>().enabled = fluid.GetComponent<FluidFoam>().enabled = Camera.main.enabled = false;
@@ -56,7 +56,7 @@ namespace Rill.Samples.Tests
             Assert.That((game.State, won), Is.EqualTo((WellState.Won, 1)));
             FluidAssert.NothingLost(fluid);
             FluidAssert.NothingEscaped(fluid);
-            FluidAssert.VolumeIn(Object.FindObjectOfType<FluidDetector>(), 0.16f, 0.21f);       // 0.21 m³ up to the ground
+            FluidAssert.VolumeIn(Object.FindAnyObjectByType<FluidDetector>(), 0.16f, 0.21f);       // 0.21 m³ up to the ground
             Assert.That(key.position.y, Is.GreaterThan(0f), "above the ground");
             Assert.That(game.WaterLeft, Is.GreaterThan(0f), "a careful player has some left");
         }
@@ -71,7 +71,7 @@ namespace Rill.Samples.Tests
             yield return Play(8f);
             Assert.That((game.State, isLost, game.WaterLeft), Is.EqualTo((WellState.Lost, true, 0f)));
             FluidAssert.NothingLost(fluid);
-            FluidAssert.VolumeIn(Object.FindObjectOfType<FluidDetector>(), 0f, 0.02f);
+            FluidAssert.VolumeIn(Object.FindAnyObjectByType<FluidDetector>(), 0f, 0.02f);
             Assert.That(key.position.y, Is.LessThan(-0.5f), "still on its grate");
         }
 

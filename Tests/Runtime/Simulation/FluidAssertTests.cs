@@ -50,6 +50,40 @@ namespace Rill.Tests
             Assert.That(Failure(() => FluidAssert.VolumeIn(detector, 1f)), Does.Contain("at least 1 m³ asked for"));
         }
 
+        // Three particles at rest without gravity: 1 cm inside of each shape, 3 cm and 10 cm outside.
+        [UnityTest]
+        public IEnumerator A_volume_that_is_another_names_the_particles_nearest_to_the_boundary(
+            [Values(DetectorShape.Box, DetectorShape.Sphere, DetectorShape.Capsule, DetectorShape.Mesh)] DetectorShape shape)
+        {
+            FluidSimulation fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 100, Vector3.zero, f => f.Gravity = Vector3.zero);
+            FluidDetector detector = Detector(fluid);
+            detector.Shape = shape;
+            detector.Size = 0.2f * Vector3.one;
+            detector.Radius = 0.1f;
+            detector.Height = 0.4f;
+            if (shape == DetectorShape.Mesh)
+            {
+                MeshSdfSettings settings = MeshSdfSettings.Default;
+                settings.resolution = 20;
+                detector.Field = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Box(0.4f * Vector3.one, Vector3.zero), settings));
+                detector.transform.localScale = 0.5f * Vector3.one;     // that of the box above
+            }
+            detector.transform.rotation = Quaternion.Euler(0f, 90f, 0f);
+            yield return null;
+            Add(fluid, new float3(0.2f, 0f, 0f), 0f);
+            Add(fluid, new float3(0f, 0f, 0.13f), 0f);
+            Add(fluid, new float3(-0.09f, 0f, 0f), 0f);
+            yield return Frames(2);
+            string message = Failure(() => FluidAssert.VolumeIn(detector, 1f));
+            Assert.That(message, Does.Contain("Nearest to its boundary: Particle 2 is at 0.210, 0.300, 0.300 m in the box's frame, 0.010 m inside; " +
+                "Particle 1 is at 0.300, 0.300, 0.430 m in the box's frame, 0.030 m outside; Particle 0 is at 0.500, 0.300, 0.300 m in the box's frame, "));
+            Assert.That(message, Does.EndWith(shape == DetectorShape.Mesh ? "0.093 m outside." : "0.100 m outside."), "a field ends before that");
+            if (shape != DetectorShape.Mesh)
+                yield break;
+            UnityEngine.Object.DestroyImmediate(detector.Field.Texture);
+            UnityEngine.Object.DestroyImmediate(detector.Field);
+        }
+
         [UnityTest]
         public IEnumerator A_detector_that_measures_nothing_is_an_error_and_no_empty_shape()
         {
@@ -63,6 +97,25 @@ namespace Rill.Tests
             Assert.That(() => FluidAssert.VolumeIn(detector, -1f), Throws.InstanceOf<ArgumentOutOfRangeException>());
             Assert.That(() => FluidAssert.VolumeIn(detector, 2f, 1f), Throws.InstanceOf<ArgumentOutOfRangeException>());
             Assert.That(() => FluidAssert.VolumeIn(detector, float.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+
+        // The box is full: for a second the particles wait, then they are given up.
+        [UnityTest]
+        public IEnumerator Particles_that_an_emitter_gave_up_are_lost_and_the_message_names_it_and_what_is_in_its_way()
+        {
+            FluidSimulation fluid = Fluid("Full", 0.3f * Vector3.one, Spacing, 400, 0.3f * Vector3.one);
+            yield return Frames(2);
+            var tap = new GameObject("Tap");
+            made.Add(tap);
+            tap.transform.SetParent(fluid.transform, false);
+            tap.SetActive(false);
+            FluidEmitter emitter = tap.AddComponent<FluidEmitter>();
+            emitter.Rate = 0.05f;
+            tap.SetActive(true);
+            yield return Frames(100);
+            string problem = Failure(() => FluidAssert.NothingLost(fluid));
+            Assert.That(problem, Does.Match(@"(\d+) were given up by emitters.* Emitter 'Tap' gave up \1; nearest to it: Particle \d+ is at 0\.\d+, 0\.\d+, 0\.\d+ m in the box's frame, 0\.0\d\d m away;"));
+            Assert.That(problem.Split(new[] { " is at " }, StringSplitOptions.None), Has.Length.EqualTo(6), "five particles");
         }
 
         [UnityTest]
@@ -128,21 +181,19 @@ namespace Rill.Tests
         public IEnumerator Water_that_still_moves_has_not_settled_and_the_message_has_the_figures()
         {
             FluidSimulation fluid = Pool();
-            IEnumerator settling = FluidAssert.Settles(fluid, within: 0.1f, noise: 1e-6f);
-            FluidAssertionException failure = null;
-            while (failure == null)
-            {
-                try
-                {
-                    Assert.That(settling.MoveNext(), "it settled");
-                }
-                catch (FluidAssertionException thrown)
-                {
-                    failure = thrown;
-                }
-                yield return null;
-            }
-            Assert.That(failure.Message, Does.Contain("has not settled in 0.1 s: jitter 0.").And.Contain("of 0.000"));
+            yield return FailToSettle(FluidAssert.Settles(fluid, within: 0.1f, noise: 1e-6f));
+            Assert.That(unsettled, Does.Contain("has not settled in 0.1 s: jitter 0.").And.Contain("of 0.000"));
+        }
+
+        [UnityTest]
+        public IEnumerator Water_that_has_not_settled_names_the_fastest_particles()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            Add(fluid, new float3(0.1f, 0.1f, 0f), new float3(0f, 2f, 0f));     // id 400, above the water
+            yield return FailToSettle(FluidAssert.Settles(fluid, within: 0.05f, noise: 1e-6f));
+            Assert.That(unsettled, Does.Match(@"The fastest: Particle 400 is at 0\.35\d, 0\.[45]\d\d, 0\.25\d m in the box's frame, 1\.\d\d\d m/s by -?0\.0\d, 1\.\d\d, -?0\.0\d; Particle "));
+            Assert.That(unsettled.Split(new[] { " is at " }, StringSplitOptions.None), Has.Length.EqualTo(6), "five particles");
         }
 
         [UnityTest]
@@ -222,6 +273,26 @@ namespace Rill.Tests
                 FluidAssert.Measure(measured);
             }
             TestFluid.AssertSame(TestFluid.Read(measured.Solver), TestFluid.Read(left.Solver));
+        }
+
+        string unsettled;       // the message of the newest
+
+        IEnumerator FailToSettle(IEnumerator settling)
+        {
+            unsettled = null;
+            while (unsettled == null)
+            {
+                try
+                {
+                    Assert.That(settling.MoveNext(), "it settled");
+                }
+                catch (FluidAssertionException thrown)
+                {
+                    unsettled = thrown.Message;
+                    TestContext.Out.WriteLine(unsettled);
+                }
+                yield return null;
+            }
         }
 
         static string Failure(Action assertion)

@@ -25,6 +25,22 @@ namespace Rill.Tests
         static bool IsOfPackage(string assembly) => assembly == "Rill.Physics" || assembly == "Rill.Terrain" || assembly == "Rill.Universal"
             || assembly == "Rill.HighDefinition";
 
+        [Test]
+        public void No_fewer_components_and_fields_are_looked_at_than_there_are()
+        {
+            Dictionary<string, (int components, int fields)> counts = Components.GroupBy(component => component.Assembly.GetName().Name)
+                .ToDictionary(group => group.Key, group => (group.Count(), group.Sum(component => SerializedFields(component)
+                .SelectMany(Parts).Count())));
+            foreach (var count in counts)
+                TestContext.Out.WriteLine(count);
+            foreach ((string assembly, int components, int fields) in new[] { ("Rill", 18, 149), ("Rill.Physics", 2, 13), ("Rill.Terrain", 1, 1) })
+            {
+                Assert.That(counts.TryGetValue(assembly, out (int components, int fields) seen), assembly);
+                Assert.That(seen.components, Is.GreaterThanOrEqualTo(components), assembly);
+                Assert.That(seen.fields, Is.GreaterThanOrEqualTo(fields), assembly);
+            }
+        }
+
         [TestCaseSource(nameof(Components))]
         public void A_script_sets_every_field_that_the_inspector_sets(Type component)
         {

@@ -18,6 +18,10 @@ namespace UnityEngine.Headless
         public static int Frame { get; private set; }
         public static int PendingCount => requests.Count;
 
+        /// <summary>For tests: which requests end with an error when they are due, by the words for their buffer or texture, as where the
+        /// device was lost. Null for none.</summary>
+        public static Func<string, bool> Fails { get; set; }
+
         /// <summary>Whether a request for a buffer is pending.</summary>
         public static bool IsPending(BufferStorage buffer)
         {
@@ -73,6 +77,7 @@ namespace UnityEngine.Headless
             foreach (ReadbackRequest request in requests)
                 request.Expire();
             requests.Clear();
+            Fails = null;
         }
 
         /// <param name="size">Bytes; -1 for all behind the offset.</param>

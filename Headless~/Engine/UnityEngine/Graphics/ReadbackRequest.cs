@@ -98,12 +98,12 @@ namespace UnityEngine.Headless
 
         readonly List<IntPtr> layers = new List<IntPtr>();
         SafetyHandle safety;
-        bool expired;
+        bool expired, failed;
 
         public bool IsDone => DoneFrame >= 0;
-        public bool HasError => expired;
+        public bool HasError => expired || failed;
 
-        public string WhyUnavailable() => !IsDone ? $"the request for {Source} is not done; it arrives at the beginning of the second frame after it."
+        public string WhyUnavailable() => failed ? $"the request for {Source} ended with an error." : !IsDone ? $"the request for {Source} is not done; it arrives at the beginning of the second frame after it."
             : $"the data of {Source} was valid in the frame in which it arrived; copy it there, or request into a NativeArray.";
 
         /// <summary>Completes the request if the device is through with it, and sees to it that it gets there.</summary>
@@ -125,6 +125,13 @@ namespace UnityEngine.Headless
             if (IsDone)
                 return;
             DoneFrame = ReadbackQueue.Frame;
+            if (ReadbackQueue.Fails?.Invoke(Source.ToString()) == true)
+            {
+                failed = true;
+                DropCopies();
+                Callback?.Invoke(new AsyncGPUReadbackRequest(this));
+                return;
+            }
             byte[][] converted = Convert?.Invoke(Copies);
             int count = converted?.Length ?? Copies.Count;
             if (Output == null)
@@ -141,9 +148,7 @@ namespace UnityEngine.Headless
                 data.CopyTo(new Span<byte>(memory, data.Length));
                 layers.Add((IntPtr)memory);
             }
-            foreach (DeviceReadback copy in Copies)
-                copy.Dispose();
-            Copies.Clear();
+            DropCopies();
             Callback?.Invoke(new AsyncGPUReadbackRequest(this));
         }
 
@@ -162,6 +167,11 @@ namespace UnityEngine.Headless
             foreach (IntPtr layer in layers)
                 NativeMemory.FreeRaw((void*)layer);
             layers.Clear();
+            DropCopies();
+        }
+
+        void DropCopies()
+        {
             foreach (DeviceReadback copy in Copies)
                 copy.Dispose();
             Copies.Clear();

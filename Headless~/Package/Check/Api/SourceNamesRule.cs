@@ -117,7 +117,7 @@ namespace Host.Check.Api
                     $"here, so that the other branch would go unexamined. Do without it, or let the API rules compile both.");
         }
 
-        static IEnumerable<MetadataReference> References(PackageTree package)
+        internal static IEnumerable<MetadataReference> References(PackageTree package)
         {
             foreach (string name in PackageAssemblies.StandIns.Append("nunit.framework"))
                 if (PackageAssemblies.Find(package.Assemblies, name) is { } path)
@@ -157,7 +157,7 @@ namespace Host.Check.Api
 
         static bool IsUnity(ISymbol symbol) => symbol.ContainingAssembly is { } assembly && UnityMembersRule.IsUnity(assembly.Name);
 
-        static string Where(Location location) => $"{location.SourceTree?.FilePath}:{location.GetLineSpan().StartLinePosition.Line + 1}";
+        internal static string Where(Location location) => $"{location.SourceTree?.FilePath}:{location.GetLineSpan().StartLinePosition.Line + 1}";
 
         static void Report(Findings findings, IReadOnlyList<ApiCatalog> versions, SyntaxNode node, string what, Func<ApiCatalog, string> complain)
         {

@@ -44,7 +44,8 @@ namespace Host.Check
             ("MeshSdfBaker.Complete", "WaitForCompletion", "a bake that is waited for is a tool; Step does not wait"),
             ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is canceled"),
             ("FluidSimulation.MeasureNow", "WaitAllRequests", "for the assertions of Rill.Testing, which nothing of a game calls"),
-            ("FluidSimulation.FindFurthestOut", "GetData", "the same"),
+            ("FluidSimulation.FindParticles", "GetData", "the same"),
+            ("FluidSimulation.FindBlockedEmitters", "WaitAllRequests", "the same"),
             ("FluidSimulation.FlushQueries", "WaitAllRequests", "for tests and tools of a user, as its documentation says; nothing of " +
                 "the package calls it but the Flush of probes and detectors"),
             ("FluidRecorder.OnDisable", "WaitForCompletion",

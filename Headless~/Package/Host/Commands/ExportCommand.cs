@@ -51,10 +51,27 @@ namespace Host.Commands
             };
         }
 
+        // Before the scene is played, which may take long.
+        static void CheckFolder(string folder)
+        {
+            try
+            {
+                Directory.CreateDirectory(folder);
+                using (File.Create(Path.Combine(folder, Path.GetRandomFileName()), 1, FileOptions.DeleteOnClose))
+                {
+                }
+            }
+            catch (Exception refusal) when (refusal is IOException || refusal is UnauthorizedAccessException)
+            {
+                throw new HostException($"--out {folder}: no files can be written there ({refusal.Message.TrimEnd('.')}). Give another folder.");
+            }
+        }
+
         static int Run(string name, int frames, double framesPerSecond, int every, ParticleFileFormat format, string target, TextWriter output)
         {
             LocatedScene located = Session.Locate(name);
             string folder = ResultsFolder.Of(target, Path.GetFileNameWithoutExtension(located.File));
+            CheckFolder(folder);
             using var session = new Session(located, player: true);
             session.LoadScene(located);
             FluidSimulation[] simulations = Object.FindObjectsOfType<FluidSimulation>();

@@ -43,6 +43,53 @@ namespace Rill.Tests
 
         // A mesh that is not around its object's place, in a box that is moved and turned: in water it finds its own volume, and beside it none.
         [Test]
+        public void A_listener_that_throws_is_logged_and_other_events_and_detectors_go_on()
+        {
+            using (var scene = new SourceScene(new Vector3(0.4f, 0.4f, 0.4f), Spacing, 300).Fill(0.2f))
+            {
+                var told = new List<string>();
+                for (int i = 0; i < 2; i++)
+                {
+                    FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.1f, 0f), Vector3.forward, d => d.Size = 0.2f * Vector3.one);
+                    detector.Entered.AddListener(() => throw new InvalidOperationException("of a listener"));
+                    detector.Entered.AddListener(() => told.Add("entered"));
+                    detector.Filled.AddListener(() => told.Add("filled"));
+                    LogAssert.Expect(LogType.Exception, new Regex("InvalidOperationException: of a listener"));
+                }
+                scene.Run(3);
+                Assert.That(told, Is.EqualTo(new[] { "filled", "filled" }), "as Unity, which goes no further in the same event");
+            }
+        }
+
+        [Test]
+        public void Of_a_million_reads_at_any_time_none_is_passed_as_valid_that_is_not()
+        {
+            using (var scene = new SourceScene(new Vector3(0.4f, 0.4f, 0.4f), Spacing, 300).Fill(0.2f))
+            {
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.1f, 0f), Vector3.forward, d => d.Size = 0.4f * Vector3.one);
+                const float volume = 0.4f * 0.2f * 0.4f;
+                int heard = 0, reads = 0, valid = 0;
+                detector.Filled.AddListener(() => heard++);
+                void Read(int count)
+                {
+                    for (int i = 0; i < count; i++, reads++)
+                    {
+                        bool isValid = detector.TryGetSample(out FluidDetectorSample s);
+                        if (isValid != s.valid || isValid && (s.step < 1 || s.step > scene.Fluid.StepCount || !(s.age >= 0f)
+                            || !(Math.Abs(s.volume - volume) < 0.1f * volume) || !s.hasVelocity
+                            || Math.Abs(s.time + s.age - scene.Fluid.FrameTime) > 1e-5))
+                            Assert.Fail($"read {reads}: {isValid}, step {s.step} of {scene.Fluid.StepCount}, age {s.age}, {s.volume} m³");
+                        valid += isValid ? 1 : 0;
+                    }
+                }
+                QueryScene.ReadAtAnyTime(scene.Fluid, Read);
+                TestContext.Out.WriteLine($"{reads:N0} reads, {valid:N0} valid, filled {heard} times");
+                Assert.That(reads, Is.GreaterThanOrEqualTo(1000000));
+                Assert.That(valid, Is.GreaterThan(reads / 4).And.LessThan(reads));
+            }
+        }
+
+        [Test]
         public void The_volume_in_a_mesh_is_that_of_its_field_at_the_objects_pose_and_scale()
         {
             MeshSdfSettings settings = MeshSdfSettings.Default;

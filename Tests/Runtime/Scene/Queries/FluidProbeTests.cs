@@ -235,19 +235,7 @@ namespace Rill.Tests
                         lastAge = s.age;
                     }
                 }
-                for (int round = 0; round < 50; round++)
-                {
-                    Read(5000);
-                    for (int frame = 0; frame < 5; frame++)
-                    {
-                        scene.Fluid.Advance(frame % 2 == 0 ? 1f / 144f : 1f / 50f);
-                        Read(3000);
-                        if (round % 3 == frame % 3)
-                            probe.Flush();
-                    }
-                    if (round % 2 == 0)
-                        scene.Fluid.Restart();
-                }
+                QueryScene.ReadAtAnyTime(scene.Fluid, Read);
                 TestContext.Out.WriteLine($"{reads:N0} reads, {valid:N0} valid, the last {lastAge:0.000} s old");
                 Assert.That(reads, Is.GreaterThanOrEqualTo(1000000));
                 Assert.That(valid, Is.GreaterThan(reads / 4).And.LessThan(reads));

@@ -216,6 +216,48 @@ namespace Rill.Tests
             }
         }
 
+        // A point in the water, one outside the box, and a ray from above; set again in between.
+        [Test]
+        public void Of_a_million_reads_at_any_time_none_is_passed_as_valid_that_is_not([Values] bool repeats)
+        {
+            using (var scene = new SourceScene(new Vector3(0.4f, 0.4f, 0.4f), Spacing, 300).Fill(0.2f))
+            using (var batch = new FluidQueryBatch(scene.Fluid, 2, 1) { Repeats = repeats })
+            {
+                Vector3 inside = new Vector3(0f, -0.1f, 0f), outside = 3f * Vector3.one;
+                int reads = 0, valid = 0, set = 0;
+                void Fail(string what, int step, float age)
+                    => Assert.Fail($"read {reads}: {what}, step {step} of {scene.Fluid.StepCount}, age {age}");
+                bool IsOfNow(int step, double time, float age) => step >= 1 && step <= scene.Fluid.StepCount && age >= 0f
+                    && Math.Abs(time + age - scene.Fluid.FrameTime) < 1e-5;
+                void Read(int count)
+                {
+                    if (set++ % 7 == 0)
+                    {
+                        batch.SetPoints(new[] { inside, outside }, 0, 2);
+                        batch.SetRays(new[] { new FluidRay(new Vector3(0f, 0.19f, 0f), Vector3.down) }, 0, 1);
+                    }
+                    for (int i = 0; i < count; i += 3, reads += 3)
+                    {
+                        bool isValid = batch.TryGetSample(0, out FluidProbeSample s);
+                        if (isValid != s.valid || isValid != batch.HasResult || isValid && (!IsOfNow(s.step, s.time, s.age) || !(s.density > 0.5f)
+                            || !s.hasSurface || s.position != inside))
+                            Fail($"point {isValid}, density {s.density}", s.step, s.age);
+                        if (batch.TryGetSample(1, out FluidProbeSample none) || none.valid)
+                            Fail("a point outside the box is valid", none.step, none.age);
+                        bool isCast = batch.TryGetHit(0, out FluidRayHit found);
+                        if (isCast != found.valid || isCast != isValid || isCast && (!IsOfNow(found.step, found.time, found.age) || !found.hit
+                            || Math.Abs(found.distance - 0.19f) > 2f * Spacing))
+                            Fail($"ray {isCast}, hit {found.hit} at {found.distance}", found.step, found.age);
+                        valid += isValid ? 3 : 0;
+                    }
+                }
+                QueryScene.ReadAtAnyTime(scene.Fluid, Read);
+                TestContext.Out.WriteLine($"{reads:N0} reads, {valid:N0} valid");
+                Assert.That(reads, Is.GreaterThanOrEqualTo(1000000));
+                Assert.That(valid, Is.GreaterThan(reads / 4).And.LessThan(reads));
+            }
+        }
+
         static SourceScene Pool() => new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000).Fill(0.35f);
 
         static void AssertThrows<T>(TestDelegate call, string text) where T : Exception

@@ -26,6 +26,25 @@ namespace Rill.Tests
             return scene;
         }
 
+        /// <summary>Reads a million times between frames of two lengths, before and after results come, and across restarts.</summary>
+        /// <param name="read">Gets how many times to read.</param>
+        public static void ReadAtAnyTime(FluidSimulation fluid, Action<int> read)
+        {
+            for (int round = 0; round < 50; round++)
+            {
+                read(5000);
+                for (int frame = 0; frame < 5; frame++)
+                {
+                    fluid.Advance(frame % 2 == 0 ? 1f / 144f : 1f / 50f);
+                    read(3000);
+                    if (round % 3 == frame % 3)
+                        fluid.FlushQueries();
+                }
+                if (round % 2 == 0)
+                    fluid.Restart();
+            }
+        }
+
         /// <summary>Particles on a lattice in the box where they satisfy a condition, at one velocity. World space, m.</summary>
         public static int AddWhere(this SourceScene scene, Func<Vector3, bool> isWater, Vector3 velocity = default)
         {
