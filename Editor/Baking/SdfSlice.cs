@@ -28,7 +28,7 @@ namespace Rill.Editor
         }
 
         /// <summary>Largest distance of a layer, without its sign, m: what the colors span.</summary>
-        public float Largest(SdfVolume volume, int layer)
+        public float MaxDistance(SdfVolume volume, int layer)
         {
             float most = 0f;
             foreach (float distance in Values(volume, layer))

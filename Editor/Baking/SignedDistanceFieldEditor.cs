@@ -89,7 +89,7 @@ namespace Rill.Editor
             layers[axis] = EditorGUILayout.IntSlider(new GUIContent("Layer", "Voxels from the lower end."),
                 Mathf.Clamp(layers[axis], 0, volume.Resolution[axis] - 1), 0, volume.Resolution[axis] - 1);
             int layer = layers[axis];
-            float range = Mathf.Max(view.Largest(volume, layer), volume.VoxelSize);
+            float range = Mathf.Max(view.MaxDistance(volume, layer), volume.VoxelSize);
             InspectorRows.Text(" ",
                 $"{Axes[axis]} = {view.PositionOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
             Vector2Int size = view.SizeOf(volume, SlicePixels);

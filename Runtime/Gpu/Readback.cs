@@ -48,7 +48,7 @@ namespace Rill
         public NativeArray<uint> Latest => latest;
 
         /// <summary>Notes from now on how requests end.</summary>
-        /// <param name="to">Null for nobody.</param>
+        /// <param name="to">Null to report to none.</param>
         /// <param name="what">One kind.</param>
         public void Report(ReadbackErrors to, ReadbackKinds what) => (errors, kind) = (to, what);
 

@@ -31,7 +31,7 @@ namespace Rill
         }
 
         /// <summary>Notes from now on how requests end.</summary>
-        /// <param name="to">Null for nobody.</param>
+        /// <param name="to">Null to report to none.</param>
         /// <param name="what">One kind.</param>
         public void Report(ReadbackErrors to, ReadbackKinds what)
         {

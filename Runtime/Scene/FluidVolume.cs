@@ -83,14 +83,14 @@ namespace Rill
             if (shape == VolumeShape.Sphere)
                 return lattice.Mark(new SphereVolume(radius - 0.5f * spacing), marks);
             field.TryGetSampler(out FieldSampler sampler);
-            return lattice.Mark(new FieldVolume(sampler, Middle, SignedScale, -0.5f * spacing), marks);
+            return lattice.Mark(new FieldVolume(sampler, Center, SignedScale, -0.5f * spacing), marks);
         }
 
         NativeArray<float4> Fill(in VolumeLattice lattice, int inside, ReadOnlySpan<byte> marks, int seed)
         {
             var positions = new NativeArray<float4>(inside, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             if (inside > 0)
-                lattice.Fill(marks, new Random(math.hash(new int2(seed, inside)) | 1u), Middle, transform.position, transform.rotation,
+                lattice.Fill(marks, new Random(math.hash(new int2(seed, inside)) | 1u), Center, transform.position, transform.rotation,
                     positions.AsSpan());
             return positions;
         }
@@ -107,7 +107,7 @@ namespace Rill
         }
 
         // Of that box, m, in this object's frame without its scale.
-        float3 Middle => shape == VolumeShape.SignedDistanceField ? (float3)field.Bounds.center * SignedScale : float3.zero;
+        float3 Center => shape == VolumeShape.SignedDistanceField ? (float3)field.Bounds.center * SignedScale : float3.zero;
 
         float Scale => math.abs(transform.lossyScale.x);
 

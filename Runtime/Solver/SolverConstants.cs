@@ -122,7 +122,7 @@ namespace Rill
                 confinement = material.vorticity / layout.Spacing * atOnce,
                 extrapolation = VelocityExtrapolation.WeightFor(input),
                 accelerationFraction = atOnce,
-                maxExtrapolation = VelocityExtrapolation.Longest(input, layout.Spacing),
+                maxExtrapolation = VelocityExtrapolation.MaxChange(input, layout.Spacing),
                 openFaces = input.connections?.OpenFaces ?? 0,
             };
         }

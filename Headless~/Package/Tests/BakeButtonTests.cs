@@ -143,7 +143,7 @@ namespace Host.Tests
             BakeWindow window = EditorWindow.GetWindow<BakeWindow>();
             window.Choose(new Object[] { cup });
             BakeIn(window);
-            Assert.That(volume.Field, Is.Null, "another choice is for nobody");
+            Assert.That(volume.Field, Is.Null, "another choice is for no component");
             Press(volume, Bake);
             Object.DestroyImmediate(volume);
             BakeIn(window);

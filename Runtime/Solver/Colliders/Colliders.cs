@@ -68,7 +68,7 @@ namespace Rill
             states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
             colliderVolume = GpuBuffer.Structured<uint>("Rill.Colliders.ColliderVolume", 1);
             boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
-            contactOffsets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
+            contactOffsets = GpuBuffer.Structured<float>("Rill.Colliders.ContactOffsets", layout.Capacity);
             pathBoundary = GpuBuffer.Structured<float4>("Rill.Colliders.PathBoundary", layout.Capacity);
             pathContactOffsets = GpuBuffer.Structured<float>("Rill.Colliders.PathContactOffsets", layout.Capacity);
         }
@@ -161,7 +161,7 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Records that the ways of the particles which the sort has left end at the surfaces they meet, and are counted into the
+        /// <summary>Records that the paths of the particles which the sort has left end at the surfaces they meet, and are counted into the
         /// cells there.</summary>
         /// <param name="cellHistogram">uint [cells + 1], particles in a cell.</param>
         /// <param name="cellRanks">uint2 [capacity], cell of a particle and its number there; see CellCount.hlsl.</param>
@@ -257,7 +257,7 @@ namespace Rill
             description.Buffer("Rill.Colliders.Masks", colliders.masks);
             description.Buffer("Rill.Colliders.ColliderVolume", colliders.colliderVolume);
             description.Buffer("Rill.Colliders.Boundary", colliders.boundary);
-            description.Buffer("Rill.Colliders.Insets", colliders.contactOffsets);
+            description.Buffer("Rill.Colliders.ContactOffsets", colliders.contactOffsets);
             description.Buffer("Rill.Colliders.PathBoundary", colliders.pathBoundary);
             description.Buffer("Rill.Colliders.PathContactOffsets", colliders.pathContactOffsets);
             description.Buffers.Add(("Rill.Colliders.NoField", FieldAtlas.BytesOfVoxel));

@@ -45,7 +45,7 @@ namespace Rill
         public static float FractionAtOnce(in StepInput input) => 1f - WeightFor(input);
 
         /// <summary>Longest change of velocity in a substep that is extrapolated, d/s.</summary>
-        public static float Longest(in StepInput input, float spacing)
+        public static float MaxChange(in StepInput input, float spacing)
         {
             float dt = input.SubstepTime;
             float strongest = math.length(input.gravity) / spacing;

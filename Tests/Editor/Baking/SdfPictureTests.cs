@@ -56,7 +56,7 @@ namespace Rill.Editor.Tests
             Vector2Int size = view.SizeOf(volume, 120);
             Assert.That(Mathf.Max(size.x, size.y), Is.EqualTo(120));
             var pixels = new Color32[size.x * size.y];
-            view.Paint(volume, layer, view.Largest(volume, layer), size, pixels);
+            view.Paint(volume, layer, view.MaxDistance(volume, layer), size, pixels);
 
             int black = 0;
             Vector3 at = default;

@@ -22,7 +22,7 @@ namespace Host.Baking
         {
             if (!Tool.Gnuplot.IsInstalled)
                 return false;
-            float most = Views.Max(view => view.Largest(volume, Middle(volume, view)));
+            float most = Views.Max(view => view.MaxDistance(volume, Middle(volume, view)));
 
             var script = new StringBuilder();
             void Line(FormattableString line) => script.Append(line.ToString(CultureInfo.InvariantCulture)).Append('\n');
