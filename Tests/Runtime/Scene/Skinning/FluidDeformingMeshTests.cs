@@ -83,7 +83,7 @@ namespace Rill.Tests
             Assert.That(deepest, Is.GreaterThan(-0.25f * Spacing), "nothing is in the arm");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Water_around_a_swinging_arm_stays_out_of_it([Values] bool deep)
         {
             AddArm();
@@ -111,7 +111,7 @@ namespace Rill.Tests
             Assert.That(state.velocities.Max(v => math.length(v.xyz)) * Spacing, Is.LessThan(6f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_ball_that_breathes_pushes_water_out_and_lets_it_back_without_a_loss()
         {
             TriangleMesh sphere = TestMeshes.Sphere(0.25f, 10);
