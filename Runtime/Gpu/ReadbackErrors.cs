@@ -27,9 +27,6 @@ namespace Rill
         /// <summary>Kinds whose newest request ended with an error.</summary>
         public ReadbackKinds Lost { get; private set; }
 
-        /// <summary>Whether <see cref="TakeNew"/> has something to tell.</summary>
-        public bool HasNew => untold != ReadbackKinds.None;
-
         /// <summary>Notes how a request ended.</summary>
         public void Note(ReadbackKinds kind, bool isLost)
         {
@@ -45,6 +42,14 @@ namespace Rill
             told |= fresh;
             untold = ReadbackKinds.None;
             return fresh;
+        }
+
+        /// <summary>Takes one kind out of several; false where none is left.</summary>
+        public static bool TryTake(ref ReadbackKinds kinds, out ReadbackKinds kind)
+        {
+            kind = kinds & (ReadbackKinds)(-(int)kinds);
+            kinds &= ~kind;
+            return kind != ReadbackKinds.None;
         }
 
         /// <summary>What was lost, what follows, and what to do, of one kind; goes on after the name of the fluid.</summary>

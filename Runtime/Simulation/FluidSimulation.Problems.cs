@@ -28,9 +28,8 @@ namespace Rill
             problems.AddIfAny(isTooViscous ? TooViscousProblem : null);
             foreach ((DeviceFeature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);
-            for (var kind = (uint)ReadbackKinds.Statistics; kind <= (uint)pbf.ReadbackErrors.Lost; kind <<= 1)
-                if (((uint)pbf.ReadbackErrors.Lost & kind) != 0)
-                    problems.Add(ReadbackErrors.Problem((ReadbackKinds)kind));
+            for (ReadbackKinds lost = pbf.ReadbackErrors.Lost; ReadbackErrors.TryTake(ref lost, out ReadbackKinds kind);)
+                problems.Add(ReadbackErrors.Problem(kind));
         }
 
         string NoPoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null

@@ -7,12 +7,10 @@ namespace Rill
     {
         void CheckReadbacks()
         {
-            if (pbf == null || pbf.ReadbackErrors.Lost == ReadbackKinds.None && !pbf.ReadbackErrors.HasNew)
+            if (pbf == null)
                 return;
-            var fresh = (uint)pbf.ReadbackErrors.TakeNew();
-            for (uint kind = 1; kind <= fresh; kind <<= 1)
-                if ((fresh & kind) != 0)
-                    Debug.LogError($"Rill: FluidSimulation '{name}' {ReadbackErrors.Problem((ReadbackKinds)kind)}", this);
+            for (ReadbackKinds fresh = pbf.ReadbackErrors.TakeNew(); ReadbackErrors.TryTake(ref fresh, out ReadbackKinds kind);)
+                Debug.LogError($"Rill: FluidSimulation '{name}' {ReadbackErrors.Problem(kind)}", this);
             pbf.RequestLost();
         }
     }

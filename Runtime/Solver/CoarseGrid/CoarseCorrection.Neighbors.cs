@@ -9,7 +9,6 @@ namespace Rill
     partial class CoarseCorrection
     {
         readonly Kernel takePotential;
-        float flowTime;     // length of the substep that the flow's potential is of, s; 0 before the first
 
         /// <summary>Neighbors whose solution is taken.</summary>
         static int CountTied(StepConnections connections)
@@ -22,10 +21,10 @@ namespace Rill
         }
 
         /// <summary>Whether the flow has been solved for: another fluid can take what was found.</summary>
-        public bool HasFound => flowTime > 0f;
+        public bool HasFound => FlowTime > 0f;
 
         /// <summary>Length of the substep that the flow's potential is of, s; 0 before the first. A neighbor depends on it.</summary>
-        public float FlowTime { get => flowTime; set => flowTime = value; }
+        public float FlowTime { get; set; }
 
         // Takes the flow's potentials of all neighbors, or those of the errors.
         void RecordNeighbors(in StepContext step, bool ofFlow)
@@ -37,7 +36,7 @@ namespace Rill
                     continue;
                 CoarseCorrection other = connections.neighbors[n].solver.Coarse;
                 // The flow's is a displacement within a substep, which grows with its square.
-                float ratio = ofFlow ? step.SubstepTime / other.flowTime : 1f;
+                float ratio = ofFlow ? step.SubstepTime / other.FlowTime : 1f;
                 RecordTake(step.Commands, connections.neighbors[n].region, other, ofFlow ? other.flowPotential : other.errorPotential,
                     ofFlow ? flowPotential : errorPotential, ratio * ratio);
             }

@@ -146,7 +146,7 @@ namespace Rill
             Dispatch(cmd, find);
 
             RecordNeighbors(step, ofFlow: true);
-            flowTime = step.SubstepTime;
+            FlowTime = step.SubstepTime;
             RecordSource(cmd, findDivergence, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
