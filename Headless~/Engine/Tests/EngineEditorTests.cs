@@ -15,9 +15,13 @@ namespace Host.Tests
         [Serializable]
         struct Part { public float length; public Vector3 place; }
 
+        [Serializable]
+        class Tally { public int stored; [NonSerialized] public int running; }
+
         class Settings : MonoBehaviour
         {
             [SerializeField] int count = 3;
+            public Tally tally = new Tally();
             public Mode mode = Mode.Second;
             public Part part = new Part { length = 2 };
             public List<Part> parts = new List<Part> { default, new Part { length = 4 } };
@@ -121,6 +125,24 @@ namespace Host.Tests
             Undo.PerformUndo();
             Assert.That(settings.Count, Is.EqualTo(3));
             Assert.That(Story.Take(), Is.EqualTo(new[] { "valid 9", "valid 3" }));
+        }
+
+        [Test]
+        public void An_inline_class_stays_and_keeps_what_is_not_serialized()
+        {
+            Undo.ClearAll();
+            Settings settings = Add<Settings>();
+            Tally tally = settings.tally;
+            tally.running = 7;
+            var serialized = new SerializedObject(settings);
+            serialized.FindProperty("tally.stored").intValue = 5;
+            serialized.ApplyModifiedProperties();
+            Assert.That((tally.stored, tally.running), Is.EqualTo((5, 7)));
+            Undo.PerformUndo();
+            Assert.That((tally.stored, tally.running), Is.EqualTo((0, 7)));
+            Assert.That(settings.tally, Is.SameAs(tally));
+            Settings copy = UnityEngine.Object.Instantiate(settings);
+            Assert.That((copy.tally == tally, copy.tally.running), Is.EqualTo((false, 0)), "a copy has its own");
         }
 
         [Test]

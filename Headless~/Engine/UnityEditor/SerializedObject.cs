@@ -94,7 +94,7 @@ namespace UnityEditor
                 if (undo)
                     Undo.RecordObject(edited[i], $"Modified {written[i].First().Name} in {edited[i].name}");
                 foreach (FieldInfo field in written[i])
-                    field.SetValue(edited[i], copies[i][field]);
+                    SerializedCopy.Store(field, edited[i], copies[i][field]);
                 Messages.Send(edited[i], Message.OnValidate);
             }
             Update();

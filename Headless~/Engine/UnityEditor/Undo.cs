@@ -231,7 +231,7 @@ namespace UnityEditor
                 if (!target)
                     return;
                 foreach ((FieldInfo field, object value) in before)
-                    field.SetValue(target, value);
+                    SerializedCopy.Store(field, target, value);
                 (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
                 Messages.Send(target, Message.OnValidate);
             }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using NUnit.Framework;
+using Rill;
 using Rill.Editor;
 using UnityEditor;
 using UnityEditor.IMGUI.Controls;
@@ -38,7 +39,23 @@ namespace Host.Tests
                 if (editor)
                     Object.DestroyImmediate(editor);
             editors.Clear();
+            PlayerLoop.Reset();
+            Assert.That(HeldStages(), Is.Empty, "held by no component that is left: another test would find them in a build without them");
         }
+
+        static List<string> HeldStages()
+        {
+            Func<string, StageShader> findBefore = StageShader.EditorFind;
+            StageShader.EditorFind = null;
+            List<string> held = Stages.Where(stage => StageShader.Find(stage) != null).ToList();
+            StageShader.EditorFind = findBefore;
+            return held;
+        }
+
+        /// <summary>The names of all groups' stages.</summary>
+        internal static IEnumerable<string> Stages
+            => Enumerable.Range(0, 31).Select(bit => (StageSet)(1 << bit)).Where(group => (group & StageSet.All) != 0)
+            .SelectMany(group => Enumerable.Range(0, 99).Select(i => StageSets.StageAt(group, i)).TakeWhile(stage => stage != null));
 
         /// <summary>The package's custom inspectors, by what they inspect.</summary>
         internal static IEnumerable<(Type inspected, Type editor)> Inspectors

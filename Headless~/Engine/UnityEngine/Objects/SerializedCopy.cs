@@ -20,6 +20,11 @@ namespace UnityEngine.Headless
         /// <summary>A copy of a field's value as storing and reading it again would give.</summary>
         public static object Of(FieldInfo field, object value) => new Context().CopyField(field, value);
 
+        /// <summary>Writes a value that <see cref="Of"/> made into a field. An inline class that is there stays, as in Unity, and keeps what is
+        /// not serialized.</summary>
+        public static void Store(FieldInfo field, object target, object value)
+            => field.SetValue(target, new Context().CopyField(field, value, field.GetValue(target)));
+
         sealed class Context
         {
             public Dictionary<Object, Object> Copies;
@@ -28,13 +33,14 @@ namespace UnityEngine.Headless
             public void CopyFields(object from, object to)
             {
                 foreach (FieldInfo field in SerializedFields.Of(from.GetType()))
-                    field.SetValue(to, CopyField(field, field.GetValue(from)));
+                    field.SetValue(to, CopyField(field, field.GetValue(from), field.GetValue(to)));
             }
 
-            public object CopyField(FieldInfo field, object value) => field.IsDefined(typeof(SerializeReference)) ? CopyReference(value)
-                : CopyValue(value, field.FieldType);
+            /// <param name="there">The field's value where the copy goes; null where it has none.</param>
+            public object CopyField(FieldInfo field, object value, object there = null)
+                => field.IsDefined(typeof(SerializeReference)) ? CopyReference(value) : CopyValue(value, field.FieldType, there);
 
-            object CopyValue(object value, Type type)
+            object CopyValue(object value, Type type, object there = null)
             {
                 if (typeof(Object).IsAssignableFrom(type))
                     return Redirect((Object)value);
@@ -59,7 +65,8 @@ namespace UnityEngine.Headless
                     return Make(type);
                 if (!SerializedFields.CanStore(value.GetType()))
                     return value;
-                object made = type.IsValueType ? value : Make(value.GetType() == type ? type : value.GetType());
+                object made = type.IsValueType ? value
+                    : there != null && there.GetType() == value.GetType() && !ReferenceEquals(there, value) ? there : Make(value.GetType());
                 (value as ISerializationCallbackReceiver)?.OnBeforeSerialize();
                 CopyFields(value, made);
                 (made as ISerializationCallbackReceiver)?.OnAfterDeserialize();
