@@ -174,6 +174,16 @@ namespace Waiting
         }
 
         [Test]
+        public void A_fixture_that_is_stuck_is_ended_by_name_and_the_others_run()
+        {
+            Assert.That(Run(out string[] lines, "--jobs", "2", "--filter", "Planted.", "--filter", "Waiting.Waits", "--fixture-limit", "8"),
+                Is.EqualTo(1));
+            Assert.That(lines.Single(line => line.Contains("FAILED")),
+                Does.EndWith("FAILED: its worker process was ended after 8 s while it ran Waiting.Waits"));
+            Assert.That(lines[^1], Is.EqualTo("9 passed, 1 failed, 1 skipped"));
+        }
+
+        [Test]
         public void Workers_end_with_the_run_that_is_stopped()
         {
             using Process run = Start("--jobs", "2", "--filter", "Waiting.");

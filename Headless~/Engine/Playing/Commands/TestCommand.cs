@@ -20,6 +20,7 @@ namespace Host.Commands
             public string[] Texts, LeftOut;
             public bool PackageOnly, HostOnly, Validation, ShowsAll, Alone, Strict;
             public string Assembly, Worker, Project;
+            public int Limit;
 
             public bool IsWhole => Texts.Length == 0 && LeftOut.Length == 0 && !PackageOnly && !HostOnly && Assembly == null && Project == null;
             public TestFilter Filter => Texts.Length == 0 && LeftOut.Length == 0 ? TestFilter.Empty : new TextFilter(Texts, LeftOut);
@@ -50,10 +51,12 @@ namespace Host.Commands
             var assembly = new Option<string>("--assembly") { Description = "Only the tests of this file.", Hidden = true };
             var worker = new Option<string>("--worker") { Description = "The pipe to ask for fixtures.", Hidden = true };
             var alone = new Option<bool>("--alone") { Description = "As a worker: fixtures that run alone.", Hidden = true };
+            var limit = new Option<int>("--fixture-limit") { Description = "Seconds after which a fixture of several processes counts as stuck.",
+                DefaultValueFactory = _ => TestJobs.DefaultLimit, Hidden = true };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
             var command = new Command("test", "Runs the tests.") { project, strict, filter, leaveOut, list, package, host, noValidation,
-                written, jobs, shaders, limits, assembly, worker, alone };
+                written, jobs, shaders, limits, assembly, worker, alone, limit };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -64,6 +67,7 @@ namespace Host.Commands
                         HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
                     ShowsAll = parsed.GetValue(written), Project = parsed.GetValue(project), Strict = parsed.GetValue(strict),
                         Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
+                    Limit = parsed.GetValue(limit),
                 };
                 return choice.Project != null ? ExecuteProject(choice, parsed.GetValue(list), parsed.GetValue(jobs))
                     : Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
@@ -190,7 +194,7 @@ namespace Host.Commands
             if (processes == 1)
                 return RunHere(choice, assemblies, tally);
 
-            using var workers = new TestJobs(Arguments(choice), tally);
+            using var workers = new TestJobs(Arguments(choice), tally, choice.Limit);
             workers.Run(fixtures[false].ToList(), processes, alone: false);
             workers.Run(fixtures[true].ToList(), 1, alone: true);
             complaints.AddRange(workers.Complaints);

@@ -23,21 +23,27 @@ namespace Host.Testing
         public const int MaxDefault = 4;
         public const int Max = 64;
 
+        /// <summary>Seconds after which a fixture counts as stuck: no fixture takes half as long on two busy cores.</summary>
+        public const int DefaultLimit = 1200;
+
         const string DeviceThreads = "LP_NUM_THREADS";      // how many lavapipe starts
 
         readonly object key = new();
         readonly List<string> arguments;
         readonly TestTally tally;
+        readonly int limit;
         readonly List<Process> running = new();
         readonly List<PosixSignalRegistration> signals = new();
         readonly HashSet<string> open = new();              // handed to no worker yet
         bool isStopped;
 
         /// <param name="arguments">Of <c>rill test</c>, to choose the same tests.</param>
-        public TestJobs(List<string> arguments, TestTally tally)
+        /// <param name="limit">Seconds that a fixture may take; its worker is then ended.</param>
+        public TestJobs(List<string> arguments, TestTally tally, int limit = DefaultLimit)
         {
             this.arguments = arguments;
             this.tally = tally;
+            this.limit = limit;
             foreach (PosixSignal signal in new[] { PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP })
                 signals.Add(PosixSignalRegistration.Create(signal, _ => Stop()));
         }
@@ -93,12 +99,17 @@ namespace Host.Testing
         bool Serve(int deviceThreads, bool alone, out int taken)
         {
             string name = "rill-test-" + Guid.NewGuid().ToString("N"), current = null;
-            bool ended = false;
+            bool ended = false, isStuck = false;
             taken = 0;
             using var pipe = new NamedPipeServerStream(name, PipeDirection.InOut, 1, PipeTransmissionMode.Byte, PipeOptions.Asynchronous);
             using Process process = Start(name, deviceThreads, alone);
             if (process == null)
                 return false;
+            using var clock = new Timer(_ =>
+            {
+                isStuck = true;
+                process.Kill(entireProcessTree: true);
+            });
             try
             {
                 if (IsConnected(pipe, process))
@@ -113,13 +124,17 @@ namespace Host.Testing
                             if (message.Report != null)
                                 tally.Add(message.Report);
                             if (message.Report?.Fixture == current)
+                            {
                                 current = null;
+                                clock.Change(Timeout.Infinite, Timeout.Infinite);
+                            }
                             if (message.Facts != null)
                                 Facts.Add(message.Facts);
                             if (message.Claim != null && open.Remove(message.Claim))
                             {
                                 current = message.Claim;
                                 taken++;
+                                clock.Change(1000L * limit, Timeout.Infinite);
                             }
                         }
                         ended |= message.Facts != null;
@@ -138,7 +153,7 @@ namespace Host.Testing
                 running.Remove(process);
                 if (isStopped || ended && process.ExitCode == 0)
                     return ended;
-                string ending = Ending(process.ExitCode);
+                string ending = isStuck ? $"was ended after {limit} s" : Ending(process.ExitCode);
                 if (current != null)
                     tally.Add(new FixtureReport { Assembly = current.Split(' ')[0], Failed = 1,
                         Text =
