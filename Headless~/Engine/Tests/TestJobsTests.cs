@@ -138,6 +138,23 @@ namespace Waiting
             Assert.That(lines.Last(), Is.EqualTo("2 passed, 0 failed"));
         }
 
+        [TestCase("1"), TestCase("2")]
+        public void What_needs_a_GPU_is_left_out_on_a_CPU_but_where_a_filter_names_it(string jobs)
+        {
+            if (!HostSetup.Device.Info.IsSoftware)
+                Assert.Ignore("the device is a GPU");
+            planted.Compile("Planted.Tests", @"
+using NUnit.Framework;
+namespace Heavy { public class Sweep { [TestCase(1), TestCase(2, Category = ""GpuOnly"")] public void One(int n) { } [Test] public void Two() { } }
+    public class More { [Test] public void One() { } [Test, Category(""GpuOnly"")] public void Two() { } } }");
+            Assert.That(Run(out string[] lines, "--jobs", jobs), Is.EqualTo(0));
+            Assert.That(lines[^1], Is.EqualTo("3 passed, 0 failed"));
+            Assert.That(lines[^2], Is.EqualTo("2 tests of the category GpuOnly left out, which run on a GPU or where a --filter names them"));
+            Assert.That(Run(out lines, "--jobs", jobs, "--filter", "Heavy."), Is.EqualTo(0));
+            Assert.That(lines[^1], Is.EqualTo("5 passed, 0 failed"));
+            Assert.That(lines[^2], Does.Not.Contain("left out"));
+        }
+
         [Test]
         public void A_category_that_no_test_has_is_refused_by_name()
         {

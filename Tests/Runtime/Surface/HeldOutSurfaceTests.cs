@@ -15,9 +15,9 @@ namespace Rill.Tests
         const int Coarse = 5;       // pixels from ray to ray through the isosurface
 
         [TestCase(24f, 6f, 0.5f, 150, 0f)]
-        [TestCase(30f, 8f, 0.5f, 200, 0f)]
-        [TestCase(30f, 8f, 0.01f, 400, 0f)]
-        [TestCase(30f, 8f, 0.5f, 200, 8f)]
+        [TestCase(30f, 8f, 0.5f, 200, 0f, Category = "GpuOnly")]
+        [TestCase(30f, 8f, 0.01f, 400, 0f, Category = "GpuOnly")]
+        [TestCase(30f, 8f, 0.5f, 200, 8f, Category = "GpuOnly")]
         public void A_pool_that_comes_to_rest_flat_is_drawn_flat(float side, float depth, float viscosity, int steps, float tilt)
         {
             SolverSettings settings = SolverSettings.Default;
@@ -30,9 +30,9 @@ namespace Rill.Tests
 
         // 24 x 6 x 24: the surface lies at the centers of the coarse grid's cells, which is where it is found worst.
         [TestCase(24f, 6f, 0.5f, 150, 0f, 0.2f, 5f)]
-        [TestCase(30f, 8f, 0.5f, 200, 0f, 0.1f, 2.5f)]
-        [TestCase(30f, 8f, 0.01f, 400, 0f, 0.1f, 2.5f)]
-        [TestCase(30f, 8f, 0.5f, 200, 8f, 0.25f, 5.5f)]
+        [TestCase(30f, 8f, 0.5f, 200, 0f, 0.1f, 2.5f, Category = "GpuOnly")]
+        [TestCase(30f, 8f, 0.01f, 400, 0f, 0.1f, 2.5f, Category = "GpuOnly")]
+        [TestCase(30f, 8f, 0.5f, 200, 8f, 0.25f, 5.5f, Category = "GpuOnly")]
         public void A_pool_is_a_plane_as_high_as_its_volume(float side, float depth, float viscosity, int steps, float tilt,
             float unevenness, float slope)
         {

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Reflection;
 using Host.Shaders;
 using Host.Testing;
+using Host.Vulkan;
 using NUnit.Framework.Internal;
 using UnityEngine.Headless;
 
@@ -15,15 +16,24 @@ namespace Host.Commands
     /// among several.</summary>
     static class TestCommand
     {
+        const string GpuOnly = "GpuOnly";
+
         sealed class Choice
         {
             public string[] Texts, LeftOut;
             public bool PackageOnly, HostOnly, Validation, ShowsAll, Alone, Strict;
             public string Assembly, Worker, Project;
             public int Limit;
+            public bool IsSoftware;     // the device is a CPU
+            public int ForGpu;          // tests that are left out there
 
             public bool IsWhole => Texts.Length == 0 && LeftOut.Length == 0 && !PackageOnly && !HostOnly && Assembly == null && Project == null;
-            public TestFilter Filter => Texts.Length == 0 && LeftOut.Length == 0 ? TestFilter.Empty : new TextFilter(Texts, LeftOut);
+            public TestFilter Filter => Texts.Length == 0 && AllLeftOut.Length == 0 ? TestFilter.Empty : new TextFilter(Texts, AllLeftOut);
+
+            /// <summary>Whether tests that ask for a GPU are left out: without a GPU, and where no filter asks for them by name.</summary>
+            public bool LeavesOutGpuOnly => IsSoftware && Texts.Length == 0;
+
+            public string[] AllLeftOut => LeavesOutGpuOnly ? LeftOut.Append(GpuOnly).ToArray() : LeftOut;
         }
 
         public static Command Create()
@@ -86,21 +96,25 @@ namespace Host.Commands
             List<Assembly> assemblies = TestAssemblies.Load(host: !choice.PackageOnly, package: !choice.HostOnly, choice.Assembly);
             if (choice.LeftOut.Length > 0 && choice.Worker == null)
                 CheckCategories(choice, assemblies);
-            TestFilter filter = choice.Filter;
 
             TextWriter output = Console.Out;
             if (list)
             {
-                foreach (string name in assemblies.SelectMany(assembly => TestRun.List(assembly, filter)))
+                foreach (string name in assemblies.SelectMany(assembly => TestRun.List(assembly, choice.Filter)))
                     output.WriteLine(name);
                 return 0;
             }
             if (choice.Worker != null)
             {
-                new TestWorker(choice.Worker).Run(assemblies, filter, choice.Alone, choice.Validation, choice.ShowsAll);
+                new TestWorker(choice.Worker).Run(assemblies, choice.Filter, choice.Alone, choice.Validation, choice.ShowsAll);
                 return 0;
             }
 
+            using (var device = new VulkanDevice())
+                choice.IsSoftware = device.Info.IsSoftware;
+            if (choice.LeavesOutGpuOnly)
+                choice.ForGpu = assemblies.SelectMany(assembly => TestRun.List(assembly, TestFilter.Empty)).Count()
+                    - assemblies.SelectMany(assembly => TestRun.List(assembly, new TextFilter(Array.Empty<string>(), new[] { GpuOnly }))).Count();
             var complaints = new List<string>();
             var durations = new TestDurations();
             var tally = new TestTally(output, durations);
@@ -169,6 +183,8 @@ namespace Host.Commands
             output.WriteLine(choice.Validation ? $"validation layer: {validationMessages} messages" : "validation layer: off (--no-validation)");
             output.WriteLine($"{tally.Methods} test methods, {tally.DispatchingMethods} of them dispatched on the device");
             ShadersOption.Report(output);
+            if (choice.ForGpu > 0)
+                output.WriteLine($"{choice.ForGpu} tests of the category {GpuOnly} left out, which run on a GPU or where a --filter names them");
             foreach (string complaint in complaints)
                 output.WriteLine("FAILED " + complaint);
             int failed = tally.Failed + complaints.Count;
@@ -190,7 +206,7 @@ namespace Host.Commands
             ILookup<bool, string> fixtures = assemblies.SelectMany(assembly => TestRun.Fixtures(assembly, choice.Filter))
                 .ToLookup(fixture => fixture.IsAlone, fixture => fixture.Name);
             // A process more costs seconds, and a fixture by itself is fastest with all cores.
-            int processes = fixtures[false].Count() < 2 ? 1 : jobs ?? TestJobs.Default();
+            int processes = fixtures[false].Count() < 2 ? 1 : jobs ?? TestJobs.Default(choice.IsSoftware);
             if (processes == 1)
                 return RunHere(choice, assemblies, tally);
 
@@ -208,7 +224,7 @@ namespace Host.Commands
         {
             var arguments = new List<string> { "--shaders", ShaderBackend.Current.Name, "--limits", Player.Limits.Name };
             arguments.AddRange(choice.Texts.SelectMany(text => new[] { "--filter", text }));
-            arguments.AddRange(choice.LeftOut.SelectMany(category => new[] { "--leave-out", category }));
+            arguments.AddRange(choice.AllLeftOut.SelectMany(category => new[] { "--leave-out", category }));
             if (choice.PackageOnly)
                 arguments.Add("--package-only");
             if (choice.HostOnly)

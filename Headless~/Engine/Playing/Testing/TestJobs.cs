@@ -9,7 +9,6 @@ using System.Runtime.InteropServices;
 using System.Text.Json;
 using System.Threading;
 using System.Threading.Tasks;
-using Host.Vulkan;
 
 namespace Host.Testing
 {
@@ -55,13 +54,7 @@ namespace Host.Testing
         public List<string> Complaints { get; } = new();
 
         /// <summary>As many processes as suit this machine: lavapipe leaves cores idle between dispatches, a GPU is shared at a loss.</summary>
-        public static int Default()
-        {
-            if (Environment.ProcessorCount == 1)
-                return 1;
-            using var device = new VulkanDevice();
-            return device.Info.IsSoftware ? Math.Min(Environment.ProcessorCount, MaxDefault) : 1;
-        }
+        public static int Default(bool isSoftware) => isSoftware ? Math.Min(Environment.ProcessorCount, MaxDefault) : 1;
 
         /// <param name="alone">Of the fixtures that run alone, instead of the others.</param>
         public void Run(List<string> fixtures, int jobs, bool alone)

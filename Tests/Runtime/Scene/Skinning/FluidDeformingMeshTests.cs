@@ -17,7 +17,7 @@ namespace Rill.Tests
         const float Spacing = 0.05f, Step = 1f / 60f;
 
         // Frames that a bake is spread over, and frames a second: at 30 a frame has two steps.
-        static readonly int2[] Rates = { new int2(1, 60), new int2(3, 60), new int2(1, 30) };
+        static readonly int2[] Rates = { new int2(3, 60), new int2(1, 30) };
 
         SkinnedArm arm;
         GameObject ballObject;
@@ -32,9 +32,15 @@ namespace Rill.Tests
             Object.DestroyImmediate(ball);
         }
 
-        // Particles that hang still in front of the lower arm, too far apart to feel each other.
         [UnityTest]
         public IEnumerator What_a_swinging_arm_meets_moves_with_the_surface_that_pushes_it([ValueSource(nameof(Rates))] int2 rates)
+            => PushWithArm(rates);
+
+        [UnityTest, Category("GpuOnly")]
+        public IEnumerator What_a_swinging_arm_meets_moves_with_it_where_each_frame_has_a_bake() => PushWithArm(new int2(1, 60));
+
+        // Particles that hang still in front of the lower arm, too far apart to feel each other.
+        IEnumerator PushWithArm(int2 rates)
         {
             int framesPerBake = rates.x, steps = 60 / rates.y;
             float turn = 5f * steps;        // degrees a frame: 1.8 m/s at the hand, 0.6 spacings a step
@@ -119,12 +125,12 @@ namespace Rill.Tests
             FluidDeformingMesh deforming = AddBall(sphere);
             FluidSimulation fluid = Fluid("Pool", new Vector3(1f, 1.3f, 1f), Spacing, 12000, new Vector3(1f, 0.9f, 1f),
                 f => f.transform.position = new Vector3(0f, 0.2f, 0f));
-            yield return Frames(50);
+            yield return Frames(40);
             int count = TestFluid.Read(fluid.Solver).Count;
             float before = Top(fluid), highest = 0f, deepest = float.PositiveInfinity;
-            for (int i = 0; i <= 48; i++)
+            for (int i = 0; i <= 24; i++)
             {
-                float radius = 1f + 0.3f * math.sin(i * math.PI / 48f);      // 1.3 after 0.4 s, and back
+                float radius = 1f + 0.3f * math.sin(i * math.PI / 24f);      // 1.3 after 0.2 s, and back
                 ball.vertices = Array.ConvertAll(rest, v => radius * v);
                 yield return null;
                 ParticleState now = TestFluid.Read(fluid.Solver);
@@ -133,7 +139,7 @@ namespace Rill.Tests
                     deepest = math.min(deepest, fluid.DomainToWorld.MultiplyPoint3x4(now.positions[k].xyz).magnitude - 0.25f * radius);
             }
             yield return Frames(15);
-            Assert.That(deforming.BakedFields, Is.GreaterThan(40));
+            Assert.That(deforming.BakedFields, Is.GreaterThan(20));
             Assert.That(TestFluid.Read(fluid.Solver).Count, Is.EqualTo(count));
             Assert.That(deepest, Is.GreaterThan(-0.75f * Spacing));
             // 0.078 m³ more in 1 m² of water.

@@ -15,9 +15,11 @@ namespace Rill.Tests
         const float Radius = 7f, Half = 8f; // of the can, inside, d
 
         // A second of fluid time is 60 steps; the minute that the bar asks for was run with Seconds = 60.
-        [Test]
-        public void A_shaken_can_with_a_wall_of_one_spacing_holds_its_water([Values(1f, 0.25f)] float wall,
-            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        [TestCase(0.25f, DeepWater.On)]
+        [TestCase(0.25f, DeepWater.Off)]
+        [TestCase(1f, DeepWater.On, Category = "GpuOnly")]
+        [TestCase(1f, DeepWater.Off, Category = "GpuOnly")]
+        public void A_shaken_can_with_a_thin_wall_holds_its_water(float wall, DeepWater deepWater)
         {
             Texture3D can = Can(wall, out float3 halfSize);
             try

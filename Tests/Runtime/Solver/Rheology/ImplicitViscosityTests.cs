@@ -61,7 +61,10 @@ namespace Rill.Tests
         {
             ParticleState body = ParticleState.Random(997, seed: 3);
             using (var stage = new Stage(body.With(p => new float3(1f, 2f, 3f) + math.cross(new float3(0.7f, -0.4f, 1.1f), p)), strength))
-                Compare.Vectors("velocities", body.Count, i => stage.Run().After[i].xyz, i => stage.Before[i].xyz, i => 1e-3);
+            {
+                float4[] after = stage.Run().After;
+                Compare.Vectors("velocities", body.Count, i => after[i].xyz, i => stage.Before[i].xyz, i => 1e-3);
+            }
         }
 
         // 1 / T_n of Chebyshev's polynomial for eigenvalues from 1 to 1 + span.

@@ -534,7 +534,7 @@ namespace Rill.Tests
         [Test]
         public void What_lets_nothing_in_any_more_is_not_covered([Values("stopped", "over", "no rate", "no drain")] string cause)
         {
-            using (var scene = new SourceScene(Box, Spacing, 9000).Fill(0.2f))
+            using (SourceScene scene = cause == "no drain" ? new SourceScene(Box, Spacing, 9000).Fill(0.2f) : new SourceScene(Box, Spacing, 5000))
             {
                 Obstacle(scene, Vector3.zero, 0.6f * Vector3.one);
                 scene.Add(new Vector3(0.6f, 0f, 0f), Vector3.up, Jet(0.001f));      // goes on
