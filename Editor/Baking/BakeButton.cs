@@ -18,11 +18,18 @@ namespace Rill.Editor
         public static void Draw<T>(Object[] targets, Func<T, bool> needsField) where T : Component
         {
             List<T> empty = targets.Cast<T>().Where(one => needsField(one) && one.GetComponentInChildren<MeshFilter>(true) != null).ToList();
-            if (empty.Count == 0 || !GUILayout.Button(Label))
+            List<T> own = empty.Where(one => MeshOf(one) != null).ToList();
+            // Where all meshes are shown in other frames, the window can give the objects that show them colliders.
+            bool toWindow = typeof(T) == typeof(FluidCollider) && own.Count == 0;
+            if (!toWindow && empty.Find(one => MeshOf(one) == null) is T other)
+                EditorGUILayout.HelpBox($"The mesh below '{other.name}' has another position, rotation or scale, and its field would not fit here: " +
+                    $"put a {ObjectNames.NicifyVariableName(typeof(T).Name)} on the object that shows it.", MessageType.Info);
+            if ((toWindow ? empty : own).Count == 0 || !GUILayout.Button(Label))
                 return;
-            // What shows its mesh in another frame needs a component of its own there: the window's Assign.
-            FieldReceiver receiver = empty.TrueForAll(one => MeshOf(one) != null) ? ReceiverFor(empty, needsField) : null;
-            BakeWindow.Open(empty.Select(one => one.gameObject), receiver);
+            if (toWindow)
+                BakeWindow.Open(empty.Select(one => one.gameObject));
+            else
+                BakeWindow.Open(own.Select(MeshOf).Distinct(), ReceiverFor(own, needsField));
         }
 
         static FieldReceiver ReceiverFor<T>(List<T> empty, Func<T, bool> needsField) where T : Component
@@ -30,9 +37,9 @@ namespace Rill.Editor
             string label = empty.Count == 1 ? $"Field of '{empty[0].name}'" : $"Field of {empty.Count} objects";
             return new FieldReceiver(label, (mesh, field) =>
             {
-                foreach (T one in empty)
-                    if (one != null && needsField(one) && MeshOf(one) == mesh)
-                        Set(one, field);
+                List<T> takers = empty.FindAll(one => one != null && needsField(one) && MeshOf(one) == mesh);
+                takers.ForEach(one => Set(one, field));
+                return takers.Count > 0;
             });
         }
 

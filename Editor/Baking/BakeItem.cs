@@ -106,6 +106,13 @@ namespace Rill.Editor
             return true;
         }
 
+        /// <summary>Adds to the outcome that nothing took the field.</summary>
+        public void NoteTaken(bool isTaken)
+        {
+            if (!isTaken)
+                Outcome += " Assigned to nothing: what asked for it is gone or has a field. Drag the asset to where it belongs.";
+        }
+
         void Write(SdfBake bake)
         {
             // Its own, where it was baked before.

@@ -109,7 +109,7 @@ namespace Rill.Editor
                 if (item.Failed)
                     continue;
                 if (receiver != null)
-                    receiver.Take(item.Mesh, item.Field);
+                    item.NoteTaken(receiver.Take(item.Mesh, item.Field));
                 else if (assign != BakeAssign.Nothing)
                     foreach (GameObject shown in item.Objects)
                         Assign(shown, item.Field, assign);

@@ -6,16 +6,17 @@ namespace Rill.Editor
     /// <summary>What takes the fields of a bake, instead of colliders on the objects that show the meshes.</summary>
     sealed class FieldReceiver
     {
-        readonly Action<Mesh, SignedDistanceField> take;
+        readonly Func<Mesh, SignedDistanceField, bool> take;
 
         /// <param name="label">Where the fields go, for the window.</param>
-        /// <param name="take">Called for each mesh that could be baked. What it is for may be gone by then. Undo takes back what it does.</param>
-        public FieldReceiver(string label, Action<Mesh, SignedDistanceField> take) => (Label, this.take) = (label, take);
+        /// <param name="take">Called for each mesh that could be baked; false where what it is for is gone or has a field by then. Undo takes back
+        /// what it does.</param>
+        public FieldReceiver(string label, Func<Mesh, SignedDistanceField, bool> take) => (Label, this.take) = (label, take);
 
         /// <summary>Where the fields go.</summary>
         public string Label { get; }
 
-        /// <summary>Takes the field of a mesh.</summary>
-        public void Take(Mesh mesh, SignedDistanceField field) => take(mesh, field);
+        /// <summary>Takes the field of a mesh; false where it is no longer wanted.</summary>
+        public bool Take(Mesh mesh, SignedDistanceField field) => take(mesh, field);
     }
 }

@@ -25,7 +25,10 @@ namespace Rill.Editor
             if (meshes.Length > 0)
                 BakeWindow.Open(meshes, ReceiverFor(missing));
             else
-                EditorUtility.DisplayDialog(Title, "The mesh of every Mesh Collider near the box and on Collider Layers has a field.", "OK");
+            {
+                EditorUtility.DisplayDialog(Title, "The mesh of every Mesh Collider that is near the box now and on Collider Layers has a field.", "OK");
+                GUIUtility.ExitGUI();       // the dialog has ended this event's layout
+            }
         }
 
         static List<Mesh> MeshesOf(FluidPhysicsColliders colliders)
@@ -38,11 +41,18 @@ namespace Rill.Editor
         static FieldReceiver ReceiverFor(List<(FluidPhysicsColliders of, List<Mesh> meshes)> missing)
         {
             string label = missing.Count == 1 ? $"Mesh Fields of '{missing[0].of.name}'" : $"Mesh Fields of {missing.Count} objects";
+            if (Application.isPlaying)
+                label += ", until play mode ends";
             return new FieldReceiver(label, (mesh, field) =>
             {
+                bool isTaken = false;
                 foreach ((FluidPhysicsColliders of, List<Mesh> meshes) in missing)
                     if (of != null && meshes.Contains(mesh) && of.FieldOf(mesh) == null)
+                    {
                         Add(of, mesh, field);
+                        isTaken = true;
+                    }
+                return isTaken;
             });
         }
 

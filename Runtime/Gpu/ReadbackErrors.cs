@@ -22,15 +22,18 @@ namespace Rill
     /// <summary>Which results of a fluid the graphics device gave an error for instead of their data.</summary>
     sealed class ReadbackErrors
     {
-        ReadbackKinds told, untold;
+        // Those that asked are told themselves, and may never ask again.
+        const ReadbackKinds OfScripts = ReadbackKinds.QueryBatches | ReadbackKinds.Particles;
 
-        /// <summary>Kinds whose newest request ended with an error.</summary>
-        public ReadbackKinds Lost { get; private set; }
+        ReadbackKinds told, untold, lost;
+
+        /// <summary>Kinds whose newest request ended with an error, but those of scripts' requests.</summary>
+        public ReadbackKinds Lost => lost & ~OfScripts;
 
         /// <summary>Notes how a request ended.</summary>
         public void Note(ReadbackKinds kind, bool isLost)
         {
-            Lost = isLost ? Lost | kind : Lost & ~kind;
+            lost = isLost ? lost | kind : lost & ~kind;
             if (isLost)
                 untold |= kind & ~told;
         }

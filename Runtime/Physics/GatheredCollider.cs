@@ -121,8 +121,8 @@ namespace Rill
                     break;
                 case MeshCollider mesh:
                     Field = source.FieldOf(mesh.sharedMesh);
-                    problem ??= Field == null ? "its mesh has no signed distance field. Press Bake Missing Fields... below Mesh Fields, or " +
-                        "take the object out of Collider Layers."
+                    problem ??= Field == null ? "its mesh has no signed distance field. Bake one and add both to Mesh Fields, " +
+                        "which Bake Missing Fields... does for what is near the box, or take the object out of Collider Layers."
                         : place.DescribeField(Field, ref motion, ref pose);
                     break;
                 case Collider _ when ground != null:

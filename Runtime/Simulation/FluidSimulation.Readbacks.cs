@@ -9,9 +9,14 @@ namespace Rill
         {
             if (pbf == null)
                 return;
+            LogLost();
+            pbf.RequestLost();
+        }
+
+        void LogLost()
+        {
             for (ReadbackKinds fresh = pbf.ReadbackErrors.TakeNew(); ReadbackErrors.TryTake(ref fresh, out ReadbackKinds kind);)
                 Debug.LogError($"Rill: FluidSimulation '{name}' {ReadbackErrors.Problem(kind)}", this);
-            pbf.RequestLost();
         }
     }
 }

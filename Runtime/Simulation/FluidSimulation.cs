@@ -264,6 +264,8 @@ namespace Rill
         {
             ReleaseKept();
             ReleaseBatches();
+            if (pbf != null)
+                LogLost();
             pbf?.Dispose();
             pbf = null;
             colliders.Clear();

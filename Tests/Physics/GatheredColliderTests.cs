@@ -188,8 +188,8 @@ namespace Rill.Tests
             mesh.sharedMesh = Cube();
             mesh.name = "Rock";
             LogAssert.Expect(LogType.Error, new Regex(
-                "FluidPhysicsColliders 'Pool' leaves out the collider 'Rock': its mesh has no signed distance field. Press Bake " +
-                "Missing Fields... below Mesh Fields, or take"));
+                "FluidPhysicsColliders 'Pool' leaves out the collider 'Rock': its mesh has no signed distance field. Bake one " +
+                "and add both to Mesh Fields"));
             for (int i = 0; i < 2; i++)
                 Assert.That(Gather()[0].TryDescribe(out _), Is.False);
             var box = Add<BoxCollider>(Vector3.zero);

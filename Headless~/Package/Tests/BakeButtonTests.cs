@@ -106,7 +106,7 @@ namespace Host.Tests
             Assert.That(window.Plan.Items.Select(item => item.Mesh), Is.EqualTo(new[] { rock, second, point }));
             BakeIn(window);
             Assert.That(window.Plan.Items.Select(item => item.Failed), Is.EqualTo(new[] { false, false, true }));
-            Assert.That(GuiDrawing.Labels.Select(label => label.text), Has.Member("Mesh Fields of 'Pool'").And.Member("Point"));
+            Assert.That(GuiDrawing.Labels.Select(label => label.text), Has.Member("Mesh Fields of 'Pool', until play mode ends").And.Member("Point"));
             Assert.That(colliders.MeshFields.Select(pair => (pair.Mesh, pair.Field)), Is.EqualTo(new[] { (second, window.Plan.Items[1].Field),
                 (rock, window.Plan.Items[0].Field) }), "a pair without a field gets it");
             Assert.That(colliders.MeshFields.Select(pair => pair.Field), Has.None.Null);

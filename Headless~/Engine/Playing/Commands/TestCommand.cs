@@ -97,6 +97,9 @@ namespace Host.Commands
             if (choice.LeftOut.Length > 0 && choice.Worker == null)
                 CheckCategories(choice, assemblies);
 
+            if (choice.Worker == null)
+                using (var device = new VulkanDevice())
+                    choice.IsSoftware = device.Info.IsSoftware;
             TextWriter output = Console.Out;
             if (list)
             {
@@ -110,11 +113,11 @@ namespace Host.Commands
                 return 0;
             }
 
-            using (var device = new VulkanDevice())
-                choice.IsSoftware = device.Info.IsSoftware;
             if (choice.LeavesOutGpuOnly)
-                choice.ForGpu = assemblies.SelectMany(assembly => TestRun.List(assembly, TestFilter.Empty)).Count()
-                    - assemblies.SelectMany(assembly => TestRun.List(assembly, new TextFilter(Array.Empty<string>(), new[] { GpuOnly }))).Count();
+            {
+                var withThem = new TextFilter(choice.Texts, choice.LeftOut);
+                choice.ForGpu = assemblies.Sum(assembly => TestRun.List(assembly, withThem).Count() - TestRun.List(assembly, choice.Filter).Count());
+            }
             var complaints = new List<string>();
             var durations = new TestDurations();
             var tally = new TestTally(output, durations);

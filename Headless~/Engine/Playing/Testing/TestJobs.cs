@@ -22,7 +22,7 @@ namespace Host.Testing
         public const int MaxDefault = 4;
         public const int Max = 64;
 
-        /// <summary>Seconds after which a fixture counts as stuck: no fixture takes half as long on two busy cores.</summary>
+        /// <summary>Seconds without a word after which a worker counts as stuck: no fixture takes half as long on two busy cores.</summary>
         public const int DefaultLimit = 1200;
 
         const string DeviceThreads = "LP_NUM_THREADS";      // how many lavapipe starts
@@ -37,7 +37,7 @@ namespace Host.Testing
         bool isStopped;
 
         /// <param name="arguments">Of <c>rill test</c>, to choose the same tests.</param>
-        /// <param name="limit">Seconds that a fixture may take; its worker is then ended.</param>
+        /// <param name="limit">Seconds that a worker may take from one report to the next; it is then ended.</param>
         public TestJobs(List<string> arguments, TestTally tally, int limit = DefaultLimit)
         {
             this.arguments = arguments;
@@ -102,7 +102,7 @@ namespace Host.Testing
             {
                 isStuck = true;
                 process.Kill(entireProcessTree: true);
-            });
+            }, null, 1000L * limit, Timeout.Infinite);
             try
             {
                 if (IsConnected(pipe, process))
@@ -112,22 +112,19 @@ namespace Host.Testing
                     while (reader.ReadLine() is string line)
                     {
                         WorkerMessage message = JsonSerializer.Deserialize<WorkerMessage>(line);
+                        clock.Change(1000L * limit, Timeout.Infinite);
                         lock (key)
                         {
                             if (message.Report != null)
                                 tally.Add(message.Report);
                             if (message.Report?.Fixture == current)
-                            {
                                 current = null;
-                                clock.Change(Timeout.Infinite, Timeout.Infinite);
-                            }
                             if (message.Facts != null)
                                 Facts.Add(message.Facts);
                             if (message.Claim != null && open.Remove(message.Claim))
                             {
                                 current = message.Claim;
                                 taken++;
-                                clock.Change(1000L * limit, Timeout.Infinite);
                             }
                         }
                         ended |= message.Facts != null;

@@ -40,8 +40,7 @@ namespace Host.Report.Obstacles
             run.Save(Profiles, profiles, settled);
         }
 
-        static readonly (int, DeepWater, bool, float, int)[] Quick = { (12, DeepWater.On, false, 0f, 2), (12, DeepWater.Off, false, 1f, 1),
-            (12, DeepWater.Off, false, 1f, 2) };
+        static readonly (int, DeepWater, bool, float, int)[] Quick = { (12, DeepWater.On, false, 0f, 2), (12, DeepWater.Off, false, 1f, 1) };
 
         static IEnumerable<(int, DeepWater, bool, float, int)> Full()
         {

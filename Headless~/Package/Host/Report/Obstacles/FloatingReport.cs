@@ -16,7 +16,7 @@ namespace Host.Report.Obstacles
                 "period_s", "theory_period_s", "damping_ratio", "misfit");
             var heights = new ReportTable("shape", "across", "deep", "time_s", "height_m", "fit_m");
             foreach (int across in run.Quick ? new[] { 8 } : new[] { 8, 16, 32 })
-                foreach (ColliderShape shape in new[] { ColliderShape.Sphere, ColliderShape.Box })
+                foreach (ColliderShape shape in run.Quick ? new[] { ColliderShape.Box } : new[] { ColliderShape.Sphere, ColliderShape.Box })
                     foreach (DeepWater deep in run.Quick ? new[] { DeepWater.On } : new[] { DeepWater.On, DeepWater.Off })
                     {
                         SolverSettings settings = SolverSettings.Default;

@@ -17,7 +17,7 @@ namespace Host.Report
         public static void Measure(ReportRun run)
         {
             float[] dampings = run.Quick ? new[] { 1f, 0.33f } : new[] { 1f, 0.67f, 0.5f, 0.33f, 0.2f, 0f };
-            int[] substeps = run.Quick ? new[] { 1, 2 } : new[] { 1, 2, 4 };
+            int[] substeps = run.Quick ? new[] { 1 } : new[] { 1, 2, 4 };
             (int side, int layers) vortex = run.Quick ? (16, 4) : (40, 8);
             (int radius, int layers) tank = run.Quick ? (8, 6) : (24, 24);
             (int along, double depth, double lean) wave = run.Quick ? (32, 0.35, 0.1) : (80, 0.35, 0.1);
