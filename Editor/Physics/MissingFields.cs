@@ -26,7 +26,8 @@ namespace Rill.Editor
                 BakeWindow.Open(meshes, ReceiverFor(missing));
             else
             {
-                EditorUtility.DisplayDialog(Title, "The mesh of every Mesh Collider that is near the box now and on Collider Layers has a field.", "OK");
+                EditorUtility.DisplayDialog(Title, "The mesh of every Mesh Collider that is near the box now and on Collider Layers has a " +
+                    "field.", "OK");
                 GUIUtility.ExitGUI();       // the dialog has ended this event's layout
             }
         }
