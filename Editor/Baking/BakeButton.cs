@@ -18,10 +18,11 @@ namespace Rill.Editor
         public static void Draw<T>(Object[] targets, Func<T, bool> needsField) where T : Component
         {
             List<T> empty = targets.Cast<T>().Where(one => needsField(one) && one.GetComponentInChildren<MeshFilter>(true) != null).ToList();
-            List<T> own = empty.Where(one => MeshOf(one) != null).ToList();
+            ILookup<bool, T> byFrame = empty.ToLookup(one => MeshOf(one) != null);
+            List<T> own = byFrame[true].ToList();
             // Where all meshes are shown in other frames, the window can give the objects that show them colliders.
             bool toWindow = typeof(T) == typeof(FluidCollider) && own.Count == 0;
-            if (!toWindow && empty.Find(one => MeshOf(one) == null) is T other)
+            if (!toWindow && byFrame[false].FirstOrDefault() is T other)
                 EditorGUILayout.HelpBox($"The mesh below '{other.name}' has another position, rotation or scale, and its field would not fit here: " +
                     $"put a {ObjectNames.NicifyVariableName(typeof(T).Name)} on the object that shows it.", MessageType.Info);
             if ((toWindow ? empty : own).Count == 0 || !GUILayout.Button(Label))

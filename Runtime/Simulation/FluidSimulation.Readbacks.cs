@@ -7,14 +7,14 @@ namespace Rill
     {
         void CheckReadbacks()
         {
-            if (pbf == null)
-                return;
             LogLost();
-            pbf.RequestLost();
+            pbf?.RequestLost();
         }
 
         void LogLost()
         {
+            if (pbf == null)
+                return;
             for (ReadbackKinds fresh = pbf.ReadbackErrors.TakeNew(); ReadbackErrors.TryTake(ref fresh, out ReadbackKinds kind);)
                 Debug.LogError($"Rill: FluidSimulation '{name}' {ReadbackErrors.Problem(kind)}", this);
         }

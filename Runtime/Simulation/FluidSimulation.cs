@@ -264,8 +264,7 @@ namespace Rill
         {
             ReleaseKept();
             ReleaseBatches();
-            if (pbf != null)
-                LogLost();
+            LogLost();
             pbf?.Dispose();
             pbf = null;
             colliders.Clear();

@@ -124,7 +124,7 @@ namespace Rill.Tests
             Assert.That(seen, Is.EqualTo(expected).Within(0.03f * expected));
         }
 
-        [UnityTest, Category("GpuOnly")]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Edges_seen_through_still_water_keep_still()
         {
             surface.Look = SurfaceLook.Water;
