@@ -139,6 +139,19 @@ namespace Waiting
         }
 
         [TestCase("1"), TestCase("2")]
+        public void What_is_explicit_does_not_run_where_only_a_category_is_left_out(string jobs)
+        {
+            planted.Compile("Planted.Tests", @"
+using NUnit.Framework;
+namespace Asked { public class First { [Test] public void One() { } [Test, Explicit(""planted"")] public void Two() { } }
+    public class Second { [Test] public void One() { } [Test, Category(""Long"")] public void Two() { } } }");
+            Assert.That(Run(out string[] lines, "--jobs", jobs, "--leave-out", "Long"), Is.EqualTo(0));
+            Assert.That(lines.Last(), Does.StartWith("2 passed, 0 failed"));
+            Assert.That(Run(out lines, "--jobs", jobs, "--leave-out", "Long", "--filter", "Asked."), Is.EqualTo(0));
+            Assert.That(lines.Last(), Is.EqualTo("3 passed, 0 failed"), "a text names it");
+        }
+
+        [TestCase("1"), TestCase("2")]
         public void What_needs_a_GPU_is_left_out_on_a_CPU_but_where_a_filter_names_it(string jobs)
         {
             if (!HostSetup.Device.Info.IsSoftware)
