@@ -27,12 +27,14 @@ namespace Rill.Tests
         bool isProjected;
 
         /// <param name="gravity">m/s².</param>
-        public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f)
+        /// <param name="substeps">In which the device takes <see cref="TimeStep"/>; what this class computes itself is for one.</param>
+        public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f, int substeps = 1)
         {
             this.state = state;
             this.gravity = gravity;
             input = SolverStages.Still();
             input.timeStep = TimeStep;
+            input.settings.substeps = substeps;
             input.gravity = gravity;
             layout = new SolverLayout(state.box * SolverStages.Spacing, SolverStages.Spacing, state.Count + 5, 96, 1f);
             particles = new ParticleBuffers(state.Count + 5);

@@ -35,6 +35,23 @@ namespace Rill.Tests
             }
         }
 
+        // What draws dilute water together must not feed on the grain of still water, which short steps meet the more often.
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(4)]
+        public void Still_water_is_still_with_any_number_of_substeps(int substeps)
+        {
+            SolverSettings settings = TwoIterations(DeepWater.On);
+            settings.substeps = substeps;
+            using (var fluid = new TestFluid(new float3(12, 20, 12) * Spacing, Spacing, 12 * 12 * 12, settings).AddBlock(0f, 12f * Spacing))
+            {
+                FluidStatistics statistics = fluid.Step(120).Measure();
+                TestContext.Out.WriteLine($"jitter {statistics.jitter:0.0000} m/s, C+ {100f * statistics.densityError:0.000} %, volume {statistics.volumeRatio:0.000}");
+                Assert.That(statistics.jitter, Is.LessThan(0.03f));
+                Assert.That(statistics.volumeRatio, Is.InRange(0.98f, 1.02f));
+            }
+        }
+
         [Test]
         public void The_same_column_is_compressed_without()
         {
