@@ -46,7 +46,8 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(new float3(12, 20, 12) * Spacing, Spacing, 12 * 12 * 12, settings).AddBlock(0f, 12f * Spacing))
             {
                 FluidStatistics statistics = fluid.Step(120).Measure();
-                TestContext.Out.WriteLine($"jitter {statistics.jitter:0.0000} m/s, C+ {100f * statistics.densityError:0.000} %, volume {statistics.volumeRatio:0.000}");
+                TestContext.Out.WriteLine($"jitter {statistics.jitter:0.0000} m/s, C+ {100f * statistics.densityError:0.000} %, " +
+                    $"volume {statistics.volumeRatio:0.000}");
                 Assert.That(statistics.jitter, Is.LessThan(0.03f));
                 Assert.That(statistics.volumeRatio, Is.InRange(0.98f, 1.02f));
             }
