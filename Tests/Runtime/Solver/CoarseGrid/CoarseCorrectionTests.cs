@@ -283,6 +283,8 @@ namespace Rill.Tests
             {
                 float[] without = plain.Source, with = after.Source, last = after.LastErrors;
                 int[] active = Enumerable.Range(0, with.Length).Where(cell => with[cell] != Inactive && without[cell] != Inactive).ToArray();
+                if (substeps == 1)
+                    Assert.That(active, Is.EqualTo(Active(plain.FlowCells)), "active cells");
                 Assert.That(active.Count(cell => last[cell] < -0.05f), Is.GreaterThan(5));
                 Assert.That(active.Count(cell => last[cell] < 0f && last[cell] > -0.008f), Is.GreaterThan(5));
                 Assert.That(active.Count(cell => last[cell] > 0.05f), Is.GreaterThan(5));
