@@ -20,7 +20,7 @@ namespace Rill.Editor.Tests
             Near(constants.coupling.x, 1.0 / 25.0);
             Near(constants.coupling.y, 1.0 / (4.1 * 4.1));
             Near(constants.coupling.z, 1.0 / 4.0);
-            Near(constants.screening, 1e-4);
+            Near(constants.screening, 1.0 / 90000.0);
             Near(constants.negativeFraction, 0.3);
             Near(constants.minSurfaceDistance, 0.1);
             Near(constants.maxSurfaceDistance, 1.5);

@@ -51,8 +51,11 @@ namespace Rill
         /// </summary>
         const float ActiveLayers = 2f;
 
-        /// <summary>Length ℓ beyond which the potential is screened, d: shorter lets deep water sink, none lets it drift.</summary>
-        const float ScreeningLength = 100f;
+        /// <summary>
+        /// Length ℓ beyond which the potential is screened, d: shorter lets deep water sink and its waves answer to a weaker gravity, none
+        /// lets it drift. See Documentation~/solver.md, "Deep water".
+        /// </summary>
+        const float ScreeningLength = 300f;
 
         /// <summary>Fraction of a small negative density error that the projection takes up; without it thin layers hover.</summary>
         const float NegativeFraction = 0.3f;

@@ -10,7 +10,7 @@ namespace Rill.Tests.Reference
     /// </summary>
     sealed class CoarseCells
     {
-        public const double Screening = 1.0 / (100.0 * 100.0);
+        public const double Screening = 1.0 / (300.0 * 300.0);
 
         public readonly int3 counts;
         public readonly double3 size;

@@ -53,6 +53,24 @@ namespace Rill.Tests
             }
         }
 
+        // With a shorter screening length its own weight is not held up by the potential in full, and what is left of it keeps it moving.
+        [TestCase(2)]
+        [TestCase(4)]
+        public void A_column_of_40_layers_is_still_with_substeps(int substeps)
+        {
+            SolverSettings settings = TwoIterations(DeepWater.On);
+            settings.substeps = substeps;
+            using (var fluid = new TestFluid(new float3(8, 48, 8) * Spacing, Spacing, 8 * 40 * 8, settings)
+                .AddBlock(0f, new float3(8, 40, 8) * Spacing))
+            {
+                FluidStatistics statistics = fluid.Step(180).Measure();
+                TestContext.Out.WriteLine($"jitter {statistics.jitter:0.0000} m/s, C+ {100f * statistics.densityError:0.000} %, " +
+                    $"volume {statistics.volumeRatio:0.000}");
+                Assert.That(statistics.jitter, Is.LessThan(0.015f));
+                Assert.That(statistics.volumeRatio, Is.InRange(0.98f, 1.02f));
+            }
+        }
+
         [Test]
         public void The_same_column_is_compressed_without()
         {
