@@ -13,7 +13,7 @@ namespace Host.Studies
     static class DampingCommand
     {
         const string Scenes = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s>, bucket:<radius, " +
-            "d>:<layers>:<rad/s> or utube:<width, d>:<depth, d>:<height, d>.";
+            "d>:<layers>:<rad/s>, utube:<width, d>:<depth, d>:<height, d> or wavemaker:<layers>:<kh>:<stroke, d>.";
 
         public static Command Create()
         {
@@ -91,8 +91,15 @@ namespace Host.Studies
                         throw new HostException(Text($"scene \"{text}\": height in spacings is {n[2]}, which leaves the lower leg less than the passage of {n[0]} below; give at most {n[1] - n[0]}, that is depth less width, or more depth, as in utube:8:24:6."));
                     CheckSwings(seconds, TubePeriod((int)n[0], (int)n[1]));
                     return input => Tube((int)n[0], (int)n[1], (int)n[2], input, seconds);
+                case "wavemaker":
+                    n = GivenNumber.Parse(text, "wavemaker:24:1:4", new GivenNumber("layers", 4, 1000),
+                        new GivenNumber("kh, wave number times depth,", 0.1, 10, false), new GivenNumber("stroke in spacings", 0.1, 100, false));
+                    GivenNumber.CheckParticles(text, Wavemaker.Particles((int)n[0], n[1]));
+                    if (seconds > 0)
+                        throw new HostException("--seconds: a wavemaker always runs for 4.5 periods; leave it out.");
+                    return input => Waves((int)n[0], n[1], n[2], input);
                 default:
-                    throw new HostException($"scene \"{text}\": give {Scenes} As in slosh:40:20:2, vortex:40:8:3, bucket:12:12:6.3 or utube:8:24:6.");
+                    throw new HostException($"scene \"{text}\": give {Scenes} As in slosh:40:20:2, vortex:40:8:3, bucket:12:12:6.3, utube:8:24:6 or wavemaker:24:1:4.");
             }
         }
 
@@ -141,6 +148,12 @@ namespace Host.Studies
             DampedCosine fit = DampedCosine.Fit(UTube.Run(width, 2 * width, depth, height, TubeSpacing, input, seconds > 0 ? seconds : 3 * theory));
             double first = FluidRun.FirstOrderDamping(theory, input);
             return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; swings about {fit.Offset:0.00} d, misfit {100 * fit.Misfit:0.0} %");
+        }
+
+        static string Waves(int layers, double kh, double stroke, in StepInput input)
+        {
+            (double height, double speed) = Wavemaker.Run(layers, kh, stroke, WavemakerReport.Spacing, input);
+            return Text($"height over stroke {height:0.000} of {Wavemaker.HeightOverStroke(kh):0.000}, speed {speed:0.000} of the theory's");
         }
 
         static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

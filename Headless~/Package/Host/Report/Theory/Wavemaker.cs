@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Numerics;
 using Host.Report.Obstacles;
 using Rill;
 using Unity.Mathematics;
@@ -18,20 +19,28 @@ namespace Host.Report
         const float Plate = 6f;             // d: of the piston
         const double Tank = 2.5;            // wave lengths
         const double Station = 1.5;         // depths from the piston's rest position: of what does not travel 2 % are left there
+        const double Apart = 0.25;          // wave lengths from there to the second station
         const double FirstPeriod = 2.5, Periods = 2;        // of the measurement: after the front, before what the far wall returns
         const float Reach = 4f;             // d: of the mean over the length, whole so that a lattice that drifts by shows no waves
 
         public static double HeightOverStroke(double kh) => 2 * (Math.Cosh(2 * kh) - 1) / (Math.Sinh(2 * kh) + 2 * kh);
 
+        /// <summary>Length of the waves, d.</summary>
+        public static double Length(int layers, double kh) => 2 * Math.PI * layers / kh;
+
+        /// <summary>Particles of a tank.</summary>
+        public static double Particles(int layers, double kh) => Tank * Length(layers, kh) * layers * Thickness;
+
         /// <param name="layers">Depth h, d.</param>
         /// <param name="kh">Wave number times depth.</param>
         /// <param name="stroke">S, d.</param>
         /// <param name="spacing">m.</param>
-        /// <returns>Height of the waves from trough to crest over the stroke, of their first harmonic.</returns>
-        public static double Run(int layers, double kh, double stroke, float spacing, in StepInput input)
+        /// <returns>Height of the waves from trough to crest over the stroke, of their first harmonic, and how fast they run over what theory
+        /// says.</returns>
+        public static (double Height, double Speed) Run(int layers, double kh, double stroke, float spacing, in StepInput input)
         {
             double k = kh / layers, frequency = Math.Sqrt(FluidRun.Gravity / spacing * k * Math.Tanh(kh)), period = 2 * Math.PI / frequency;
-            int length = (int)Math.Round(Tank * 2 * Math.PI / k);
+            int length = (int)Math.Round(Tank * Length(layers, kh));
             var positions = new List<float3>();
             var random = new Random(7);
             FluidRun.AddBlock(positions, new float3(Plate, 0f, 0f), new int3(length, layers, Thickness), ref random);
@@ -41,7 +50,9 @@ namespace Host.Report
             // From rest; the plate is thick enough to stay in the domain's wall at the end of its stroke.
             ColliderMotion piston = Solids.Box(new float3(-Plate, -Plate, -Plate), new float3(Plate, box.y + Plate, box.z + Plate));
             float3 rest = piston.end.position;
-            double cosine = 0, sine = 0;
+            double weight = 2 * run.Input.timeStep / (Periods * period);
+            double[] stations = { Plate + Station * layers, Plate + Station * layers + Apart * Length(layers, kh) };
+            var harmonics = new Complex[stations.Length];
             while (run.Time < (FirstPeriod + Periods) * period)
             {
                 double time = run.Time + run.Input.timeStep;
@@ -51,15 +62,16 @@ namespace Host.Report
                 run.Step();
                 if (run.Time <= FirstPeriod * period)
                     continue;
-                double height = HeightAt(run, Plate + (float)(Station * layers)), weight = 2 * run.Input.timeStep / (Periods * period);
-                cosine += weight * height * Math.Cos(frequency * run.Time);
-                sine += weight * height * Math.Sin(frequency * run.Time);
+                float4[] places = run.ReadPositions();
+                for (int i = 0; i < stations.Length; i++)
+                    harmonics[i] += weight * HeightAt(places, (float)stations[i]) * Complex.FromPolarCoordinates(1, frequency * run.Time);
             }
-            return 2 * Math.Sqrt(cosine * cosine + sine * sine) / stroke;
+            double delay = (harmonics[1] / harmonics[0]).Phase / (2 * Math.PI);     // of the second station, periods
+            return (2 * harmonics[0].Magnitude / stroke, Apart / delay);
         }
 
         // Of the water by its volume, d: a weighted mean that falls to both sides.
-        static double HeightAt(FluidRun run, float x)
-            => run.ReadPositions().Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
+        static double HeightAt(float4[] places, float x)
+            => places.Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
     }
 }
