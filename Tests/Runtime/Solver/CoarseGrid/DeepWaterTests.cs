@@ -71,6 +71,28 @@ namespace Rill.Tests
             }
         }
 
+        // The box has room for 50.
+        [TestCase(51)]
+        [TestCase(60)]
+        public void A_closed_box_that_holds_too_much_is_still(int layers)
+        {
+            using (var fluid = new TestFluid(new float3(12, 50, 12) * Spacing, Spacing, 12 * layers * 12, TwoIterations(DeepWater.On)))
+            {
+                var positions = new List<float3>();
+                for (int y = 0; y < layers; y++)
+                    for (int z = 0; z < 12; z++)
+                        for (int x = 0; x < 12; x++)
+                            positions.Add((new float3(x, y * 50f / layers, z) + 0.5f) * Spacing);
+                fluid.Add(positions.ToArray());
+                float jitter = 0f;
+                fluid.Step(200);
+                for (int part = 0; part < 8; part++)
+                    jitter += fluid.Step(5).Measure().jitter / 8f;
+                TestContext.Out.WriteLine($"jitter {jitter:0.0000} m/s");
+                Assert.That(jitter, Is.LessThan(0.05f));
+            }
+        }
+
         [Test]
         public void The_same_column_is_compressed_without()
         {
