@@ -84,6 +84,9 @@ namespace Host.Tests
         [TestCase("bucket:12:12:-1", "turning in rad/s is -1; give")]
         [TestCase("bucket:12:12:50", "turning in rad/s is 50, at which the middle of the floor falls dry; give at most 11.43")]
         [TestCase("utube:8:24:20", "height in spacings is 20, which leaves the lower leg less than the passage of 8 below; give at most 16")]
+        [TestCase("wavemaker:2:1:4", "layers is 2; give a whole number from 4")]
+        [TestCase("wavemaker:24:0:4", "kh, wave number times depth, is 0")]
+        [TestCase("wavemaker:24:1", "stroke in spacings is missing; give a number from 0.1 to 100")]
         [TestCase("utube:8:24:6:1", "has 4 numbers; give utube:<width in spacings>:<depth in spacings>:<height in spacings>, as in utube:8:24:6")]
         [TestCase("wave:1:1:1", "give slosh:<particles along 1 m>")]
         public void Motion_that_cannot_be_is_refused(string text, string problem) =>

@@ -36,8 +36,18 @@ namespace Host.Report
         /// <param name="stroke">S, d.</param>
         /// <param name="spacing">m.</param>
         /// <returns>Height of the waves from trough to crest over the stroke, of their first harmonic, and how fast they run over what theory
-        /// says.</returns>
+        /// says. What the same tank shows while its piston rests is taken off: as the lattice settles it makes waves of its own, and the mean
+        /// height has some part in a harmonic, as periods are no whole steps.</returns>
         public static (double Height, double Speed) Run(int layers, double kh, double stroke, float spacing, in StepInput input)
+        {
+            Complex[] moved = Harmonics(layers, kh, stroke, spacing, input), rested = Harmonics(layers, kh, 0, spacing, input);
+            Complex first = moved[0] - rested[0], second = moved[1] - rested[1];
+            double delay = (second / first).Phase / (2 * Math.PI);     // of the second station, periods
+            return (2 * first.Magnitude / stroke, Apart / delay);
+        }
+
+        // The first harmonic of the water's height at both stations.
+        static Complex[] Harmonics(int layers, double kh, double stroke, float spacing, in StepInput input)
         {
             double k = kh / layers, frequency = Math.Sqrt(FluidRun.Gravity / spacing * k * Math.Tanh(kh)), period = 2 * Math.PI / frequency;
             int length = (int)Math.Round(Tank * Length(layers, kh));
@@ -66,8 +76,7 @@ namespace Host.Report
                 for (int i = 0; i < stations.Length; i++)
                     harmonics[i] += weight * HeightAt(places, (float)stations[i]) * Complex.FromPolarCoordinates(1, frequency * run.Time);
             }
-            double delay = (harmonics[1] / harmonics[0]).Phase / (2 * Math.PI);     // of the second station, periods
-            return (2 * harmonics[0].Magnitude / stroke, Apart / delay);
+            return harmonics;
         }
 
         // Of the water by its volume, d: a weighted mean that falls to both sides.

@@ -36,7 +36,7 @@ namespace Host.Report
             page.Heading("Wavemaker");
             page.Line("A piston at the end of a tank of 2.5 wave lengths moves to and fro. Height of the waves from trough to crest " +
                 "over the piston's stroke, by their first harmonic, 1.5 depths from it and before the far wall's reflection arrives. " +
-                "Speed: from there on over a quarter of the wave length. " +
+                "Speed: from there on over a quarter of the wave length. What the same tank shows while its piston rests is taken off. " +
                 "Theory: H/S = 2 (cosh 2kh − 1) / (sinh 2kh + 2kh) (Havelock 1929; Dean and Dalrymple 1991, section 6.2).");
             page.Line();
             page.Table(new[] { "layers", "kh", "numerical damping", "substeps", "H/S", "theory", "error", "speed's error" }, table.Rows.Select(row => new[]
