@@ -113,7 +113,7 @@ namespace Rill.Tests
                     GpuTest.Run(cmd => fluid.Solver.RecordSurface(cmd, fluid.Input));
                     leftOut += CountHidden(SurfaceShape.Read(fluid.Solver), Compare.Points(fluid.Read().positions), fluid.Solver.Layout.DomainSize);
                 }
-                Assert.That(leftOut, Is.GreaterThan(50), "gaps within the water that are not drawn");
+                Assert.That(leftOut, Is.GreaterThan(30), "gaps within the water that are not drawn");
             }
         }
 
@@ -126,7 +126,7 @@ namespace Rill.Tests
             for (int i = 0; i < points.Length; i++)
             {
                 (double weight, double offset) = reference.Sums(i);
-                bool isClear = weight < 13.0 || offset > 0.16;      // the lists lack some neighbor of what moves fast
+                bool isClear = weight < 13.0 || offset > 0.175;     // the lists lack some neighbor of what moves fast
                 if (drawn.Contains(i) || !isClear)
                     continue;
                 hidden++;
