@@ -39,7 +39,8 @@ namespace Host.Report
                 "Speed: from there on over a quarter of the wave length. What the same tank shows while its piston rests is taken off. " +
                 "Theory: H/S = 2 (cosh 2kh − 1) / (sinh 2kh + 2kh) (Havelock 1929; Dean and Dalrymple 1991, section 6.2).");
             page.Line();
-            page.Table(new[] { "layers", "kh", "numerical damping", "substeps", "H/S", "theory", "error", "speed's error" }, table.Rows.Select(row => new[]
+            string[] columns = { "layers", "kh", "numerical damping", "substeps", "H/S", "theory", "error", "speed's error" };
+            page.Table(columns, table.Rows.Select(row => new[]
             {
                 row["layers"], row["kh"], row["damping"], row["substeps"], Figures.Fixed(row.Number("ratio"), 3),
                     Figures.Fixed(row.Number("theory"), 3), Figures.Percent(row.Number("ratio") / row.Number("theory") - 1),
