@@ -100,11 +100,7 @@ namespace Rill.Tests
         [Test]
         public void A_deep_closed_box_with_too_many_particles_is_as_calm_as_an_open_one()
         {
-            float3[] places = Enumerable.Range(0, 8 * 60 * 8)
-                .Select(i => (new float3(i % 8, i / 8 % 60 * (5f / 6f), i / 480) + new float3(0.5f, 5f / 12f, 0.5f)) * Spacing).ToArray();
-            SolverSettings settings = Settings(DeepWater.On);
-            settings.iterations = 2;
-            using (var fluid = new TestFluid(new float3(8f, 50f, 8f) * Spacing, Spacing, places.Length, settings).Add(places))
+            using (TestFluid fluid = OverfullBox(8, 60))
             {
                 FluidStatistics statistics = fluid.Step(120).MeasureWhole();
                 TestContext.Out.WriteLine(
@@ -113,6 +109,31 @@ namespace Rill.Tests
                 Assert.That(statistics.densityError999, Is.LessThan(1.5f * statistics.densityError));
                 Assert.That(statistics.jitter, Is.LessThan(0.045f));
             }
+        }
+
+        [TestCase(51)]
+        [TestCase(60)]
+        public void Such_a_box_comes_to_rest(int layers)
+        {
+            using (TestFluid fluid = OverfullBox(12, layers))
+            {
+                float jitter = 0f;
+                fluid.Step(200);
+                for (int part = 0; part < 8; part++)
+                    jitter += fluid.Step(5).Measure().jitter / 8f;
+                TestContext.Out.WriteLine($"jitter {jitter:0.0000} m/s");
+                Assert.That(jitter, Is.LessThan(0.01f));
+            }
+        }
+
+        // Has room for 50 layers.
+        static TestFluid OverfullBox(int side, int layers)
+        {
+            float3[] places = Enumerable.Range(0, side * layers * side)
+                .Select(i => (new float3(i % side, i / side % layers, i / (side * layers)) + 0.5f) * new float3(1f, 50f / layers, 1f) * Spacing).ToArray();
+            SolverSettings settings = Settings(DeepWater.On);
+            settings.iterations = 2;
+            return new TestFluid(new float3(side, 50f, side) * Spacing, Spacing, places.Length, settings).Add(places);
         }
 
         // m/s: each pass moves a particle half a spacing at most, the grid's density correction two spacings.

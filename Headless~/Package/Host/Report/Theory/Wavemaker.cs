@@ -73,8 +73,9 @@ namespace Host.Report
                 if (run.Time <= FirstPeriod * period)
                     continue;
                 float4[] places = run.ReadPositions();
+                Complex turn = Complex.FromPolarCoordinates(weight, frequency * run.Time);
                 for (int i = 0; i < stations.Length; i++)
-                    harmonics[i] += weight * HeightAt(places, (float)stations[i]) * Complex.FromPolarCoordinates(1, frequency * run.Time);
+                    harmonics[i] += HeightAt(places, (float)stations[i]) * turn;
             }
             return harmonics;
         }

@@ -8,7 +8,7 @@ namespace Host.Report
     static class WavemakerReport
     {
         const string Heights = "experiment-wavemaker";
-        public const float Spacing = 0.02f;        // m
+        public const float Spacing = 0.02f; // m
         const double Stroke = 4;            // d
 
         public static void Measure(ReportRun run)
@@ -43,7 +43,7 @@ namespace Host.Report
             page.Table(columns, table.Rows.Select(row => new[]
             {
                 row["layers"], row["kh"], row["damping"], row["substeps"], Figures.Fixed(row.Number("ratio"), 3),
-                    Figures.Fixed(row.Number("theory"), 3), Figures.Percent(row.Number("ratio") / row.Number("theory") - 1),
+                Figures.Fixed(row.Number("theory"), 3), Figures.Percent(row.Number("ratio") / row.Number("theory") - 1),
                 Figures.Percent(row.Number("speed") - 1),
             }));
             page.Line($"({table.MeasuredOn}.)");
