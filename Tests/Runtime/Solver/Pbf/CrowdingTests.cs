@@ -130,7 +130,8 @@ namespace Rill.Tests
         static TestFluid OverfullBox(int side, int layers)
         {
             float3[] places = Enumerable.Range(0, side * layers * side)
-                .Select(i => (new float3(i % side, i / side % layers, i / (side * layers)) + 0.5f) * new float3(1f, 50f / layers, 1f) * Spacing).ToArray();
+                .Select(i => (new float3(i % side, i / side % layers, i / (side * layers)) + 0.5f) * new float3(1f, 50f / layers, 1f) * Spacing)
+                .ToArray();
             SolverSettings settings = Settings(DeepWater.On);
             settings.iterations = 2;
             return new TestFluid(new float3(side, 50f, side) * Spacing, Spacing, places.Length, settings).Add(places);
