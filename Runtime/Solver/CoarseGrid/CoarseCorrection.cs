@@ -147,7 +147,7 @@ namespace Rill
 
             RecordNeighbors(step, ofFlow: true);
             FlowTime = step.SubstepTime;
-            RecordSource(cmd, findDivergence, flowPotential);
+            RecordSource(step, findDivergence, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
             RecordReaction(cmd, reactToFlow, flowPotential);
@@ -161,7 +161,7 @@ namespace Rill
             cmd.BeginSample(DensityMarker);
             BindConstants(step);
             RecordNeighbors(step, ofFlow: false);
-            RecordSource(cmd, findErrors, errorPotential);
+            RecordSource(step, findErrors, errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders);
             RecordDisplacements(cmd, displaceErrors, errorPotential);
             RecordReaction(cmd, reactToErrors, errorPotential);
@@ -250,10 +250,13 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
-        void RecordSource(CommandBuffer cmd, KernelVariants variants, GraphicsBuffer potential)
+        void RecordSource(in StepContext step, KernelVariants variants, GraphicsBuffer potential)
         {
+            CommandBuffer cmd = step.Commands;
             int kernel = variants.For(WithColliders);
             BindCells(cmd, kernel, potential);
+            coarseColliders?.BindVolume(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
             cmd.SetComputeBufferParam(shader, kernel, Ids.LastErrors, lastErrors);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Diagonal, diagonal);

@@ -84,6 +84,7 @@ namespace Rill
             for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
                 RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
 
+            cmd.SetComputeBufferParam(shader, last, Ids.Couplings, couplings);
             cmd.SetComputeBufferParam(shader, last, Ids.Corrections, corrections);
             RecordSmooth(cmd, last, source, diagonal, smoothed, potential);
         }

