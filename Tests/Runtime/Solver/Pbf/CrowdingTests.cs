@@ -126,36 +126,39 @@ namespace Rill.Tests
             }
         }
 
-        // A box at an angle that turns, a fifth too full: in its corners are cells of the coarse grid with little room, few particles and hardly an
-        // open face. What its walls push around there must not throw the water about: at rest in the box its particles move at 1.5 m/s.
-        [Test]
-        public void A_box_that_holds_too_much_and_turns_does_not_burst()
+        // In the corners of a box at an angle are cells of the coarse grid with little room, few particles and hardly an open face. What its walls
+        // push around there must not throw the water about, which at rest in the box moves at 1.2 m/s. Beside the wall of a ball are coarser
+        // cells without water, which are no surface either.
+        [TestCase(ColliderShape.Box, 3f, 3f)]
+        [TestCase(ColliderShape.Sphere, 0f, 0.5f)]
+        public void A_vessel_that_holds_a_fifth_too_much_does_not_burst(ColliderShape shape, float turning, float fastest)
         {
-            const float full = 1.2f, half = 11f, turning = 3f;
+            const float half = 11f;
             RigidPose Pose(float time) => new RigidPose(20f, quaternion.Euler(0.3f + turning * time, 0.4f, 0.5f + 0.1f * turning * time));
             quaternion back = math.conjugate(Pose(0f).rotation);
-            float pitch = math.pow(full, -1f / 3f);
+            float pitch = math.pow(1.2f, -1f / 3f);
             float3[] places = Enumerable.Range(0, 43 * 43 * 43).Select(i => (new float3(i % 43, i / 43 % 43, i / (43 * 43)) - 21f) * pitch)
-                .Where(p => math.all(math.abs(math.mul(back, p)) < half - 0.45f)).Select(p => (p + 20f) * Spacing).ToArray();
-            ColliderMotion box = ColliderTests.Still(ColliderShape.Box, half, 20f, quaternion.identity);
-            box.insideOut = true;
-            box.end = Pose(0f);
+                .Where(p => (shape == ColliderShape.Box ? math.cmax(math.abs(math.mul(back, p))) : math.length(p)) < half - 0.45f)
+                .Select(p => (p + 20f) * Spacing).ToArray();
+            ColliderMotion vessel = ColliderTests.Still(shape, half, 20f, quaternion.identity);
+            vessel.insideOut = true;
+            vessel.end = Pose(0f);
             SolverSettings settings = Settings(DeepWater.On);
             settings.iterations = 2;
             using (TestFluid fluid = new TestFluid(40f * Spacing, Spacing, places.Length, settings).Add(places))
             {
-                float fastest = 0f;
-                for (int step = 1; step <= 90; step++)
+                float speed = 0f;
+                for (int step = 1; step <= 60; step++)
                 {
-                    box.start = box.end;
-                    box.end = Pose(step * fluid.Input.timeStep);
-                    ColliderTests.Use(fluid, box);
+                    vessel.start = vessel.end;
+                    vessel.end = Pose(step * fluid.Input.timeStep);
+                    ColliderTests.Use(fluid, vessel);
                     fluid.Step();
                     if (step % 10 == 0)
-                        fastest = math.max(fastest, fluid.Measure().speed);
+                        speed = math.max(speed, fluid.Measure().speed);
                 }
-                TestContext.Out.WriteLine($"{places.Length} particles, fastest mean {fastest:0.0} m/s");
-                Assert.That(fastest, Is.LessThan(3f));
+                TestContext.Out.WriteLine($"{places.Length} particles, mean speed at most {speed:0.00} m/s");
+                Assert.That(speed, Is.LessThan(fastest));
             }
         }
 
