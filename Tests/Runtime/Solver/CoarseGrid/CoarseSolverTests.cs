@@ -57,8 +57,8 @@ namespace Rill.Tests
 
         // What the residual falls to in a cycle, at most. Aggregates that keep the free surface's faces in full are too stiff
         // below it, the more so the deeper the water is; a calm surface is worth that. So is a surface that lies near a cell's center,
-        // whose row is up to ten times as large. A full box is held by the
-        // screening alone; that what all its water has in common comes late moves nothing.
+        // whose row is up to ten times as large. A full box is held by the screening alone; what all its water has in common comes late
+        // and moves nothing.
         static double MaxLeft(string name)
         {
             switch (name)
