@@ -354,7 +354,7 @@ namespace Rill
         {
             float substep = input.SubstepTime;
             return CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep,
-                coarseCorrection?.Grid.WantedSize ?? 0f);
+                WaterDepth(input.gravity), coarseCorrection?.Grid.WantedSize ?? 0f);
         }
 
         /// <summary>Makes what carries the pressure of deep water, with cells of so many d.</summary>

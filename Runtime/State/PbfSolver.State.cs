@@ -180,6 +180,7 @@ namespace Rill
                 coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits)
                 {
                     FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
+                    IsFirst = false,
                 };
             if (contents.Has(SnapshotSection.Extrapolation))
             {
@@ -204,7 +205,7 @@ namespace Rill
         bool CoarseFits(SnapshotContents contents)
         {
             float size = contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize;
-            if (size != CoarseGrid.CellSizeFor(Layout.DomainSize, 0f, 0f) && size != CoarseGrid.CellSizeFor(Layout.DomainSize, float.MaxValue, 0f))
+            if (!CoarseGrid.IsCellSize(Layout.DomainSize, size))
                 return false;
             long bytes = sizeof(float) * (long)new CoarseGrid(Layout.DomainSize, size).Total;
             foreach (SnapshotSection section in new[] { SnapshotSection.CoarseSurface, SnapshotSection.CoarseErrors,

@@ -24,9 +24,10 @@ namespace Rill.Editor.Tests
             Near(constants.negativeFraction, 0.3);
             Near(constants.minSurfaceDistance, 0.1);
             Near(constants.maxSurfaceDistance, 1.5);
-            Assert.That(constants.levelCount, Is.EqualTo(1));
+            Assert.That(constants.levelCount, Is.EqualTo(2));
             Assert.That(constants.levels.level1, Is.EqualTo(new uint4(1, 5, 1, 0)));
-            Assert.That(constants.levels.level7, Is.EqualTo(constants.levels.level1));
+            Assert.That(constants.levels.level2, Is.EqualTo(new uint4(1, 3, 1, 5)));
+            Assert.That(constants.levels.level7, Is.EqualTo(constants.levels.level2));
 
             void Near(float actual, double expected) => Assert.That(actual, Is.EqualTo(expected).Within(1e-6 * expected));
         }

@@ -15,6 +15,7 @@ namespace Host.Tests
     {
         [TestCase("dam:100000", 100_000, 0.02f)]
         [TestCase("dam:1000000", 1_000_000, 0.01f)]
+        [TestCase("dam:1000000:0.004", 1_000_000, 0.004f)]
         [TestCase("column:120:0.05", 24 * 120 * 24, 0.05f)]
         [TestCase("drop:4", 540_672, 0.0125f)]
         [TestCase("drop:0.5", 24 * 4 * 24 + 8 * 12 * 8, 0.1f)]

@@ -70,6 +70,9 @@ namespace Rill
 
         public CoarseSolver Solver { get; }
 
+        /// <summary>Whether the next substep's potentials have no past.</summary>
+        public bool IsFirst { get; set; } = true;
+
         /// <summary><see cref="CoarseConstants"/>, which do not change.</summary>
         public GraphicsBuffer Constants { get; private set; }
 
@@ -148,7 +151,7 @@ namespace Rill
             RecordNeighbors(step, ofFlow: true);
             FlowTime = step.SubstepTime;
             RecordSource(step, findDivergence, flowPotential);
-            Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders);
+            Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders, IsFirst);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
             RecordReaction(cmd, reactToFlow, flowPotential);
             cmd.EndSample(ProjectionMarker);
@@ -162,7 +165,8 @@ namespace Rill
             BindConstants(step);
             RecordNeighbors(step, ofFlow: false);
             RecordSource(step, findErrors, errorPotential);
-            Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders);
+            Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders, IsFirst);
+            IsFirst = false;
             RecordDisplacements(cmd, displaceErrors, errorPotential);
             RecordReaction(cmd, reactToErrors, errorPotential);
             cmd.EndSample(DensityMarker);

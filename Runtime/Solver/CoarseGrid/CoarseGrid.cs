@@ -21,8 +21,11 @@ namespace Rill
         /// <summary>Most cells: a larger domain gets larger ones.</summary>
         public const int MaxCells = 1 << 22;
 
-        const int EnoughCells = 64;         // of the coarsest level
-        const float Fine = 4f, Coarse = 8f; // sides of cells, d
+        const int EnoughCells = 64, EnoughAlong = 4;        // of the coarsest level, in all and along an axis: its sweeps are few
+        const float Fine = 4f, Middle = 5f, Coarse = 8f;    // sides of cells, d
+        const float MaxDepth = 5000f;       // layers² times |g| Δt², d, for fine cells
+        const float MaxGravityStep = 1.4f;  // |g| Δt², d, for fine and middle ones
+        const float Grows = 1.2f, Returns = 0.67f;          // of these limits, for a grid that is there
 
         readonly List<uint4> levels = new List<uint4>();
 
@@ -43,7 +46,7 @@ namespace Rill
                 levels.Add(new uint4((uint3)counts, first));
                 first += (uint)Cells(levels.Count - 1);
             }
-            while (Cells(levels.Count - 1) > EnoughCells && levels.Count < MaxLevels);
+            while ((Cells(levels.Count - 1) > EnoughCells || math.cmax(counts) > EnoughAlong) && levels.Count < MaxLevels);
             LevelCells = (int)first;
             FirstTailLevel = 1;
             while (LevelCells - levels[FirstTailLevel].w > tailCells)
@@ -73,15 +76,27 @@ namespace Rill
             => ThreadGroups.Dispatch(cmd, shader, kernel, ParticleBuffers.Groups(cells));
 
         /// <summary>
-        /// Side of a coarse cell, d, at which the correction is calm: it has to grow with how far gravity carries a particle
-        /// in a step. A grid that is there changes late, since with its potentials it loses where to start from.
+        /// Side of a coarse cell, d: the smallest at which the correction is calm, since larger ones damp waves. It has to grow with
+        /// how far gravity carries a particle in a step, and in deep water sooner; see Documentation~/solver.md, "Sides of cells". A grid
+        /// that is there changes late, since with its potentials it loses where to start from.
         /// </summary>
         /// <param name="gravityStep">|g| Δt², d.</param>
+        /// <param name="layers">Depth of the water, d.</param>
         /// <param name="present">Side of the present grid's cells, d; 0 without one.</param>
-        public static float CellSizeFor(float3 domainSize, float gravityStep, float present)
+        public static float CellSizeFor(float3 domainSize, float gravityStep, float layers, float present)
         {
-            float limit = present >= Coarse ? 0.2f : present > 0f ? 0.36f : 0.3f;
-            float size = gravityStep > limit ? Coarse : Fine;
+            bool Exceeds(float value, float limit, float size)
+                => value > limit * (present >= size ? Returns : present > 0f ? Grows : 1f);
+            return Fit(domainSize, Exceeds(gravityStep, MaxGravityStep, Coarse) ? Coarse
+                : Exceeds(layers * layers * gravityStep, MaxDepth, Middle) ? Middle : Fine);
+        }
+
+        /// <summary>Whether cells of so many d can be those of a domain.</summary>
+        public static bool IsCellSize(float3 domainSize, float size)
+            => size == Fit(domainSize, Fine) || size == Fit(domainSize, Middle) || size == Fit(domainSize, Coarse);
+
+        static float Fit(float3 domainSize, float size)
+        {
             while (math.csum(math.log2(math.max(math.round(domainSize / size), 1f))) > math.log2((float)MaxCells))
                 size *= 2f;
             return size;

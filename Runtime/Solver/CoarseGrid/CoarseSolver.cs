@@ -43,6 +43,9 @@ namespace Rill
             corrections = GpuBuffer.Structured<float>("Rill.Coarse.Corrections", grid.LevelCells);
         }
 
+        // V-cycles of a solve without a past. With one, deep water began with a fall and swung up and down.
+        const int FirstCycles = 4;
+
         /// <summary>V-cycles a solve, at least 1: with a warm start one is enough.</summary>
         public int Cycles { get; set; } = 1;
 
@@ -51,11 +54,13 @@ namespace Rill
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
         /// <param name="coarseColliders">What closes faces; null for nothing.</param>
+        /// <param name="isFirst">Whether the potential has no past: such a solve takes <see cref="FirstCycles"/> at least.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal,
-            GraphicsBuffer potential, CoarseColliders coarseColliders = null)
+            GraphicsBuffer potential, CoarseColliders coarseColliders = null, bool isFirst = false)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
-            for (int cycle = 0; cycle < Cycles; cycle++)
+            int cycles = isFirst ? Math.Max(Cycles, FirstCycles) : Cycles;
+            for (int cycle = 0; cycle < cycles; cycle++)
                 RecordCycle(cmd, source, diagonal, potential, coarseColliders);
         }
 

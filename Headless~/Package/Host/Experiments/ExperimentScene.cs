@@ -53,11 +53,13 @@ namespace Host.Experiments
             }
         }
 
-        /// <summary>A block 1 m high in the left half of a box twice as long and 2 m tall; particles in all as near as its lattice comes.</summary>
-        public static ExperimentScene Dam(int particles)
+        /// <summary>A block in the left half of a box twice as long and twice as tall; particles in all as near as its lattice comes.</summary>
+        /// <param name="spacing">m; 0 for a block 1 m high.</param>
+        public static ExperimentScene Dam(int particles, float spacing = 0f)
         {
             int3 lattice = DamLattice(particles);
-            return new ExperimentScene("dam", 1f / lattice.y, new float3(2 * lattice.x, 2 * lattice.y, lattice.z)).Add(0f, lattice);
+            float d = spacing > 0f ? spacing : 1f / lattice.y;
+            return new ExperimentScene("dam", d, new float3(2 * lattice.x, 2 * lattice.y, lattice.z)).Add(0f, lattice);
         }
 
         /// <summary>A block in the lowest corner of a box.</summary>
@@ -111,8 +113,8 @@ namespace Host.Experiments
             {
                 case "dam":
                     n = GivenNumber.Parse(text, "dam:100000",
-                        new GivenNumber("particles", MinDamParticles, SolverLayout.MaxCapacity, Otherwise: 100_000));
-                    return Dam((int)n[0]);
+                        new GivenNumber("particles", MinDamParticles, SolverLayout.MaxCapacity, Otherwise: 100_000), SpacingOr(0));
+                    return Dam((int)n[0], (float)n[1]);
                 case "column":
                     n = GivenNumber.Parse(text, "column:120:0.05", LayersOr(120), SpacingOr(0.05));
                     GivenNumber.CheckParticles(text, 24.0 * 24.0 * n[0]);
@@ -146,7 +148,7 @@ namespace Host.Experiments
                             $"at least {Math.Ceiling(1000 * thinnest) / 1000}, or a smaller cube."));
                     return Spill(n[0], (int)n[1], (float)n[2]);
                 default:
-                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m>, " +
+                    throw new HostException($"scene \"{text}\": give dam:<particles>:<spacing in m>, column:<layers>:<spacing in m>, " +
                         $"tank:<layers>:<side of the floor in spacings>:<spacing in m>, drop:<scale in eighths>:<spacing in m> or " +
                         $"spill:<layers>:<side of the cube in spacings>:<spacing in m>, as in dam:1000000, column:120:0.05, " +
                         $"tank:8:112:0.02, drop:4 or spill:2:16:0.05.");

@@ -83,30 +83,47 @@ namespace Rill.Tests
         public void A_domain_too_large_for_cells_of_four_spacings_gets_larger_ones()
         {
             var domain = new float3(8192f, 8192f, 100f);
-            float size = CoarseGrid.CellSizeFor(domain, 0.1f, 0f);
+            float size = CoarseGrid.CellSizeFor(domain, 0.1f, 100f, 0f);
             var grid = new CoarseGrid(domain, size);
             Assert.That(size, Is.GreaterThan(8f));
             Assert.That(grid.Total, Is.LessThanOrEqualTo(CoarseGrid.MaxCells));
             Assert.That(grid.LevelCount, Is.LessThan(CoarseGrid.MaxLevels));
         }
 
-        [TestCase(0.35f, 4f, 4f)]
-        [TestCase(0.37f, 4f, 8f)]
-        [TestCase(0.21f, 8f, 8f)]
-        [TestCase(0.19f, 8f, 4f)]
-        public void A_grid_that_is_there_changes_late(float gravityStep, float present, float cellSize)
+        [TestCase(100f, 0.59f, 4f, 4f)]
+        [TestCase(100f, 0.61f, 4f, 5f)]
+        [TestCase(100f, 0.34f, 5f, 5f)]
+        [TestCase(100f, 0.33f, 5f, 4f)]
+        [TestCase(10f, 1.67f, 4f, 4f)]
+        [TestCase(10f, 1.69f, 4f, 8f)]
+        [TestCase(10f, 0.95f, 8f, 8f)]
+        [TestCase(10f, 0.93f, 8f, 4f)]
+        [TestCase(100f, 0.93f, 8f, 5f)]
+        public void A_grid_that_is_there_changes_late(float layers, float gravityStep, float present, float cellSize)
         {
-            Assert.That(CoarseGrid.CellSizeFor(100f, gravityStep, present), Is.EqualTo(cellSize));
+            Assert.That(CoarseGrid.CellSizeFor(100f, gravityStep, layers, present), Is.EqualTo(cellSize));
         }
 
-        [TestCase(0f, 4f)]
-        [TestCase(0.27f, 4f)]       // 1 m of a million particles, 60 steps a second
-        [TestCase(0.3f, 4f)]
-        [TestCase(0.31f, 8f)]
-        [TestCase(0.6f, 8f)]        // the same of ten millions
-        public void Cells_grow_with_how_far_gravity_carries_in_a_step(float gravityStep, float cellSize)
+        [TestCase(100f, 0f, 4f)]
+        [TestCase(100f, 0.27f, 4f)]     // 1 m of a million particles, 60 steps a second
+        [TestCase(216f, 0.59f, 5f)]     // the same of ten millions
+        [TestCase(20f, 1.3f, 4f)]       // 4 cm of water, d = 2 mm
+        [TestCase(20f, 1.5f, 8f)]
+        [TestCase(216f, 1.5f, 8f)]
+        public void Cells_grow_with_how_far_gravity_carries_in_a_step_and_with_depth(float layers, float gravityStep, float cellSize)
         {
-            Assert.That(CoarseGrid.CellSizeFor(100f, gravityStep, 0f), Is.EqualTo(cellSize));
+            Assert.That(CoarseGrid.CellSizeFor(100f, gravityStep, layers, 0f), Is.EqualTo(cellSize));
+        }
+
+        [TestCase(4f, true)]
+        [TestCase(5f, true)]
+        [TestCase(8f, true)]
+        [TestCase(6f, false)]
+        [TestCase(0f, false)]
+        [TestCase(float.NaN, false)]
+        public void Only_the_sides_that_it_chooses_from_are_sides_of_cells(float size, bool isOne)
+        {
+            Assert.That(CoarseGrid.IsCellSize(100f, size), Is.EqualTo(isOne));
         }
     }
 }

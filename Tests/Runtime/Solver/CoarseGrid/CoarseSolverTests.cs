@@ -50,6 +50,8 @@ namespace Rill.Tests
             ["deep column"] = (new int3(6, 60, 6), (place, random) => BelowSurface(place.y, 50, random)),
             ["large half filled box"] = (new int3(50, 50, 50), (place, random) => BelowSurface(place.y, 25, random)),
             ["half filled, one level above the tail"] = (new int3(28, 28, 28), (place, random) => BelowSurface(place.y, 14, random)),
+            ["25 rows"] = (new int3(6, 75, 6), (place, random) => Rows(place.y, 25)),
+            ["49 rows"] = (new int3(6, 150, 6), (place, random) => Rows(place.y, 49)),
             ["full box of odd sides"] = (new int3(33, 17, 33), (place, random) => 1.0),
         };
 
@@ -63,13 +65,11 @@ namespace Rill.Tests
         {
             switch (name)
             {
-                case "deep column": return 0.9;
                 case "full box": return 0.95;
                 case "full box of odd sides": return 0.75;
-                case "primes":
-                case "large half filled box": return 0.7;
-                case "half filled box": return 0.5;
-                default: return 0.42;
+                case "deep column":
+                case "49 rows": return 0.55;
+                default: return 0.45;
             }
         }
 
@@ -196,6 +196,9 @@ namespace Rill.Tests
             Assert.That(For(1024, 16384), Is.EqualTo(PathOf(Small)));
             Assert.That(For(256, 16384), Is.EqualTo(PathOf(Small)));
         }
+
+        // One row more than what fills a coarse cell: up to the third level and further the top one is alone in its cell.
+        static double Rows(int y, int rows) => y < rows - 1 ? 1.0 : y == rows - 1 ? 0.8 : 0.0;
 
         // Full cells, a layer of any fill, none above.
         static double BelowSurface(int y, int surface, double random) => y < surface ? 0.9 + 0.2 * random : y == surface ? random : 0.0;

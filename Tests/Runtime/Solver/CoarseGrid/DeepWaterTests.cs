@@ -12,6 +12,29 @@ namespace Rill.Tests
         const float Spacing = 0.05f;
         const int Layers = 40;
 
+        [TestCase(40, 24, 0.02f)]      // wide: with one V-cycle it begins with a fall
+        [TestCase(200, 8, 0.01f)]      // a tower: with a coarsest level as long as that it swings
+        public void Deep_water_neither_falls_when_it_begins_nor_swings(int layers, int side, float d)
+        {
+            using (var fluid = new TestFluid(new float3(side, 2f * layers, side) * d, d, side * layers * side, TwoIterations(DeepWater.On))
+                .AddBlock(0f, new float3(side, layers, side) * d))
+            {
+                float energy = fluid.Measure().Energy, lowest = 1f, highest = 0f;
+                FluidStatistics statistics = default;
+                for (int step = 0; step < 24; step++)
+                {
+                    statistics = fluid.Step(1).Measure();
+                    lowest = math.min(lowest, statistics.volumeRatio);
+                    highest = math.max(highest, statistics.Energy);
+                }
+                TestContext.Out.WriteLine($"volume at least {lowest:0.0000}, energy at most {highest / energy:0.0000} of the start's, " +
+                    $"speed {statistics.speed:0.000} m/s");
+                Assert.That(lowest, Is.GreaterThan(0.999f));
+                Assert.That(highest, Is.LessThan(1.006f * energy));
+                Assert.That(statistics.speed, Is.LessThan(0.03f));
+            }
+        }
+
         [Test]
         public void A_column_of_forty_layers_holds_with_two_iterations_a_step()
         {
@@ -330,7 +353,7 @@ namespace Rill.Tests
                 float energy = fluid.Measure().Energy;
                 fluid.Step(10);
                 Assert.That(Cells(), Is.EqualTo(4 * 8 * 4));
-                fluid.Input.gravity.y = -30f;
+                fluid.Input.gravity.y = -80f;
                 fluid.Step(10);
                 Assert.That(Cells(), Is.EqualTo(2 * 4 * 2));
                 fluid.Input.gravity.y = -8.5f;     // well below: a grid changes late
