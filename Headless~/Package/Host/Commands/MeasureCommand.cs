@@ -15,7 +15,8 @@ namespace Host.Commands
         public static Command Create()
         {
             var scene = new Argument<string>("scene") { Description = "dam:<particles>:<spacing in m, 1 m of water without one>, " +
-                "column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, spill:<layers>:<side>:<spacing in m>, " +
+                "column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, " +
+                "spill:<layers>:<side>:<spacing in m>, " +
                 "bucket:<particles across the radius>:<friction of its wall> or " +
                 "cup:<thickness of its walls in spacings>:<acceleration in m/s²>:<degrees of its path to the grid>." };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time; a cup always takes 5/3 s.", DefaultValueFactory = _ => 6 };
