@@ -123,6 +123,28 @@ namespace Host.Tests
         }
 
         [Test]
+        public void The_honey_heaps_up_on_the_pancakes_and_sticks_to_them()
+        {
+            using (new SampleScene("Honey"))
+            {
+                FluidSimulation fluid = Play(54);
+                float spacing = fluid.ParticleSpacing;
+                List<Vector3> particles = Particles(fluid);
+                Vector3[] velocities = Velocities(fluid);
+                IsOutsideOfAll(fluid, particles);
+                IsWhole(fluid, 0.05f);
+                const float top = 0.0545f;      // of the pancakes, m
+                int[] lowest = Enumerable.Range(0, particles.Count).Where(i => particles[i].y < top + spacing).ToArray();
+                int heap = particles.Count(p => IsBetween(p.y, top + 2f * spacing, top + 6f * spacing));
+                float slip = lowest.Average(i => new Vector2(velocities[i].x, velocities[i].z).magnitude);
+                TestContext.WriteLine($"{lowest.Length} particles lie on the pancake and slip by {slip:0.000} m/s, {heap} heap up there");
+                Assert.That(lowest.Length, Is.GreaterThan(150));
+                Assert.That(slip, Is.LessThan(0.04f), "0.45 m/s come down");
+                Assert.That(heap, Is.GreaterThan(150), "water would run off");
+            }
+        }
+
+        [Test]
         public void The_ball_holds_what_the_spout_took_out_of_the_pool()
         {
             using (new SampleScene("Waterspout"))

@@ -110,7 +110,8 @@ namespace Host.Commands
         static void PrintBucket(string scene, int across, float friction, StepInput input, double seconds, string device)
         {
             const double period = BucketPeriod;
-            RotatingBucket bucket = RotatingBucket.Run(across, BucketReport.Speed, false, input, seconds - period, period, friction);
+            RotatingBucket bucket = RotatingBucket.Run(across, BucketReport.Speed, false, input, seconds - period, period, friction,
+                places: RotatingBucket.PlacesFor(across));
             double expected = RotatingBucket.TurningLeft(BucketReport.Speed, input.timeStep / input.settings.substeps, seconds - period / 2);
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene} N {bucket.Particles:N0}, {input.settings.substeps} " +
                 $"x {input.settings.iterations}, deep water {input.settings.deepWater}, {seconds:0.#} s, {device}"));

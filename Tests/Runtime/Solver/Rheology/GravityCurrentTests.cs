@@ -1,11 +1,12 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>A viscous fluid that spreads on a floor by its weight (Huppert, J. Fluid Mech. 121, 1982), in a narrow tank whose sides
+    /// <summary>A viscous fluid that spreads on a floor without slip by its weight (Huppert, J. Fluid Mech. 121, 1982). The sides of the tank
     /// slip.</summary>
     [Category("LongRun")]
     public class GravityCurrentTests
@@ -18,16 +19,9 @@ namespace Rill.Tests
         [Test]
         public void A_fixed_volume_spreads_by_the_fifth_root_of_time()
         {
-            var settings = SolverSettings.Default;
-            settings.deepWater = DeepWater.On;
-            settings.substeps = 4;
-            using (var fluid = new TestFluid(new float3(80f, Floor + 20f, Thickness) * Spacing, Spacing, Side * Side * Thickness, settings))
+            var box = new float3(80f, Floor + 20f, Thickness);
+            using (TestFluid fluid = OnAFloor(box, Viscosity, Side * Side * Thickness))
             {
-                fluid.Input.material = FluidMaterial.Viscous(1000f, 1000f * Viscosity);
-                fluid.Input.material.wallFriction = 0f;
-                ColliderMotion floor = ColliderTests.Still(ColliderShape.Box, new float3(1000f, Floor, 1000f), 0f, quaternion.identity);
-                floor.friction = 1f;
-                ColliderTests.Use(fluid, floor);
                 fluid.AddBlock(new float3(0f, Floor, 0f) * Spacing, new float3(Side, Side, Thickness) * Spacing);
 
                 double first = Mean(fluid.Step(First)), last = Mean(fluid.Step(Last - First));
@@ -38,6 +32,54 @@ namespace Rill.Tests
                 Assert.That(exponent, Is.EqualTo(0.2).Within(0.01));
                 Assert.That(last, Is.EqualTo(theory).Within(0.04 * theory));
             }
+        }
+
+        // A heap of volume V spreads as r_N = 0.894 (g V³ t / 3 ν)^(1/8), h ~ (1 - r²/r_N²)^(1/3), so that its mean is 0.612 r_N. A quarter of
+        // it, between two sides.
+        [Test]
+        public void A_heap_spreads_by_the_eighth_root_of_time()
+        {
+            const int radius = 16, height = 20, first = 80, last = 240;
+            const double viscosity = 0.02;      // m²/s
+            var box = new float3(52f, Floor + height + 8f, 52f);
+            using (TestFluid fluid = OnAFloor(box, viscosity, radius * radius * height))
+            {
+                var places = new List<float3>();
+                for (int i = 0; i < radius * radius * height; i++)
+                {
+                    float3 place = new float3(i % radius, i / (radius * radius), i / radius % radius) + 0.5f;
+                    if (math.length(place.xz) < radius)
+                        places.Add((place + new float3(0f, Floor, 0f)) * Spacing);
+                }
+                fluid.Add(places.ToArray());
+
+                double before = Mean(fluid.Step(first)), after = Mean(fluid.Step(last - first));
+                double exponent = Math.Log(after / before) / Math.Log((double)last / first);
+                double volume = 4 * places.Count * Math.Pow(Spacing, 3);
+                double theory = 0.6119 * 0.894
+                    * Math.Pow(Gravity * Math.Pow(volume, 3) * last * fluid.Input.timeStep / (3.0 * viscosity), 0.125) / Spacing;
+                TestContext.Out.WriteLine($"{places.Count} particles, mean radius {before:0.00} and {after:0.00} d, {theory:0.00} by theory; " +
+                    $"as t^{exponent:0.000}");
+                Assert.That(exponent, Is.EqualTo(0.125).Within(0.01));
+                Assert.That(after, Is.EqualTo(theory).Within(0.05 * theory));
+            }
+
+            double Mean(TestFluid fluid) => fluid.Read().positions.Average(p => (double)math.length(p.xz));
+        }
+
+        // Box in d.
+        static TestFluid OnAFloor(float3 box, double viscosity, int capacity)
+        {
+            var settings = SolverSettings.Default;
+            settings.deepWater = DeepWater.On;
+            settings.substeps = 4;
+            var fluid = new TestFluid(box * Spacing, Spacing, capacity, settings);
+            fluid.Input.material = FluidMaterial.Viscous(1000f, (float)(1000.0 * viscosity));
+            fluid.Input.material.wallFriction = 0f;
+            ColliderMotion floor = ColliderTests.Still(ColliderShape.Box, new float3(1000f, Floor, 1000f), 0f, quaternion.identity);
+            floor.friction = 1f;
+            ColliderTests.Use(fluid, floor);
+            return fluid;
         }
 
         // Distance from the wall where it started, d.

@@ -15,12 +15,15 @@ namespace Host.Report.Obstacles
     /// A particle's new velocity is the chord of its path, and what holds it on a circle pushes along the radius at the path's end: it loses
     /// Ω² Δt of its turning in a second, Δt the substep, see <see cref="TurningLeft"/>. So the surface is also compared with that of the
     /// turning that the water has.
+    /// How the bucket lies in the grid's cells shifts what a small one shows: of 12 particles across the radius, three cells, by up to a
+    /// tenth. So means are over several places, see <see cref="PlacesFor"/>.
     /// </remarks>
     sealed class RotatingBucket
     {
         public const double Radius = 0.6, Depth = 0.6;      // m
         public const int Rings = 6;                         // of equal width
         const int AverageEvery = 3;
+        const float CellSide = 4f;                          // of the coarse grid, d
 
         /// <summary>Mean over a ring of r², as a radius, m; twice the mean height of what is in it, m; how fast it turns, rad/s; the
         /// theory's surface for the bucket's Ω and for the turning seen, m.</summary>
@@ -50,48 +53,56 @@ namespace Host.Report.Obstacles
         /// <param name="time">s.</param>
         public static double TurningLeft(double speed, double substep, double time) => 1 / Math.Sqrt(1 + 2 * speed * speed * substep * time);
 
+        /// <summary>In how many places a bucket is looked at: 8 of one with 12 particles across its radius, 2 of one with 48.</summary>
+        public static int PlacesFor(int across) => Math.Max(1, 96 / across);
+
         /// <param name="across">Particles across the radius.</param>
         /// <param name="speed">Ω, rad/s.</param>
         /// <param name="flat">Whether the water starts level, and not as the parabola.</param>
         /// <param name="settle">Before the mean over <paramref name="seconds"/>, s.</param>
         /// <param name="friction">Of the wall: 0 slips and acts by its pressure alone, 1 sticks.</param>
         /// <param name="still">Whether the water starts still, in a bucket that turns.</param>
+        /// <param name="places">On the coarse grid, to take the mean over; each is a run.</param>
         public static RotatingBucket Run(int across, double speed, bool flat, StepInput input, double settle, double seconds,
-            float friction = 1f, bool still = false)
+            float friction = 1f, bool still = false, int places = 1)
         {
-            float spacing = (float)(Radius / across), middle = across + 1f;
-            List<float3> places = TurningTank.Lattice(across, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
+            float spacing = (float)(Radius / across), side = 2f * across + 2f + (places > 1 ? CellSide : 0f);
+            List<float3> lattice = TurningTank.Lattice(across, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
             float height = (float)(Surface(Depth, speed, Radius) / spacing) + across;
-            float3 Velocity(float3 p) => (still ? 0f : (float)speed) * spacing * new float3(p.z - middle, 0f, middle - p.x);
-            using var run = new FluidRun("bucket", new float3(2f * middle, height, 2f * middle), spacing, places, Velocity, input);
-            ColliderMotion wall = Solids.RoundTank(across, height, new float3(middle, height / 2f, middle));
-            wall.friction = friction;
-
             double[] heights = new double[Rings], counts = new double[Rings], momenta = new double[Rings], moments = new double[Rings];
-            while (run.Time < settle + seconds)
+            for (int place = 0; place < places; place++)
             {
-                wall.start = wall.end;
-                wall.end.rotation = math.mul(quaternion.RotateY((float)(speed * run.Input.timeStep)), wall.start.rotation);
-                run.Use(wall);
-                run.Step();
-                if (run.Time <= settle || run.Steps % AverageEvery != 0)
-                    continue;
-                float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
-                for (int i = 0; i < positions.Length; i++)
+                float2 shift = CellSide * math.frac(place * new float2(0.7549f, 0.5698f)), middle = across + 1f + shift;
+                float3 Velocity(float3 p) => (still ? 0f : (float)speed) * spacing * new float3(p.z - middle.y, 0f, middle.x - p.x);
+                using var run = new FluidRun("bucket", new float3(side, height, side), spacing,
+                    lattice.Select(p => p + new float3(shift.x, 0f, shift.y)).ToList(), Velocity, input);
+                ColliderMotion wall = Solids.RoundTank(across, height, new float3(middle.x, height / 2f, middle.y));
+                wall.friction = friction;
+                while (run.Time < settle + seconds)
                 {
-                    float2 arm = positions[i].xz - middle;
-                    int ring = math.min((int)(math.length(arm) / across * Rings), Rings - 1);
-                    counts[ring]++;
-                    heights[ring] += 2 * positions[i].y * spacing;
-                    momenta[ring] += arm.y * velocities[i].x - arm.x * velocities[i].z;
-                    moments[ring] += math.lengthsq(arm);
+                    wall.start = wall.end;
+                    wall.end.rotation = math.mul(quaternion.RotateY((float)(speed * run.Input.timeStep)), wall.start.rotation);
+                    run.Use(wall);
+                    run.Step();
+                    if (run.Time <= settle || run.Steps % AverageEvery != 0)
+                        continue;
+                    float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
+                    for (int i = 0; i < positions.Length; i++)
+                    {
+                        float2 arm = positions[i].xz - middle;
+                        int ring = math.min((int)(math.length(arm) / across * Rings), Rings - 1);
+                        counts[ring]++;
+                        heights[ring] += 2 * positions[i].y * spacing;
+                        momenta[ring] += arm.y * velocities[i].x - arm.x * velocities[i].z;
+                        moments[ring] += math.lengthsq(arm);
+                    }
                 }
             }
 
             var bucket = new RotatingBucket
             {
-                Particles = places.Count,
-                RestDepth = places.Count * Math.Pow(spacing, 3) / (Math.PI * Radius * Radius),
+                Particles = lattice.Count,
+                RestDepth = lattice.Count * Math.Pow(spacing, 3) / (Math.PI * Radius * Radius),
                 Turning = momenta.Sum() / moments.Sum() / speed,
             };
             bucket.Compare(speed, Enumerable.Range(0, Rings)
