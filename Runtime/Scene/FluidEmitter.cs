@@ -41,8 +41,10 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Emitter"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
     public sealed class FluidEmitter : FluidPart
     {
-        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3;
+        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3,
+            Torn = FirstOwnProblem + 4;
         const float MaxWait = 1f;           // s
+        const float MaxTravel = 1f;         // spacings in a step, of a jet of thick fluid
         const float MinSpeed = 0.01f, MaxSpeed = 1000f, MaxRate = 1e6f;
         internal const int MaxPhase = 7;
         internal const float MaxLifetime = 86400f;      // s: fits the steps that a tag holds
@@ -236,6 +238,8 @@ namespace Rill
             searchSteps = result.StepsOfASearch;
             if (fraction.due > 0 && ShouldLog(TooFast, rate > 1.01f * MaxRateOf(spacing, step)))
                 Say(RateProblem(spacing, step));
+            if (fraction.due > 0 && ShouldLog(Torn, IsTorn(Simulation)))
+                Say(TornProblem(Simulation));
             return true;
         }
 
@@ -254,6 +258,8 @@ namespace Rill
             problems.AddIfAny(positionsProblem != null ? ShapeProblem : null);
             if (positions != null && rate > 1.01f * MaxRateOf(fluid.ParticleSpacing, fluid.FixedStep))
                 problems.Add(RateProblem(fluid.ParticleSpacing, fluid.FixedStep));
+            if (positions != null && IsTorn(fluid))
+                problems.Add(TornProblem(fluid));
             problems.AddIfAny(IsCovered ? CoveredProblem : null);
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
         }
@@ -307,6 +313,25 @@ namespace Rill
         string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at " +
             $"most {MaxRateOf(spacing, step):0.######} m³/s do{(positions.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise " +
             $"its speed or lower the rate.";
+
+        // Whether each step lets in a ring of its own: the one before is ahead by what it fell, in a fluid so thick that a step evens out the flow
+        // within a ring (ν Δt > d²).
+        bool IsTorn(FluidSimulation fluid)
+        {
+            float spacing = fluid.ParticleSpacing, step = fluid.FixedStep;
+            return !positions.FillsVolume && LeavingSpeed * step > 1.01f * MaxTravel * spacing
+                && fluid.Material.dynamicViscosity * step > fluid.Material.density * spacing * spacing;
+        }
+
+        string TornProblem(FluidSimulation fluid)
+        {
+            float perStep = MaxTravel * fluid.ParticleSpacing, rateNeeded = math.ceil(LeavingSpeed / perStep);
+            string remedy = rateNeeded > FluidSimulation.MaxStepRate ? $"Lower its speed to {perStep * FluidSimulation.MaxStepRate:G3} m/s and set " +
+                $"the Step Rate of FluidSimulation '{fluid.name}' to {FluidSimulation.MaxStepRate}"
+                : $"Set the Step Rate of FluidSimulation '{fluid.name}' to {rateNeeded} or more, or lower its speed";
+            return $"its jet of thick fluid moves by {LeavingSpeed * fluid.FixedStep / fluid.ParticleSpacing:G2} particle spacings in a step, so " +
+                $"that each step lets in a ring of its own. {remedy}; substeps do not help.";
+        }
 
         // For so long that what waited first is given up, and every place was tried.
         bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut)

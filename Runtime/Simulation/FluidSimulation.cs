@@ -25,6 +25,7 @@ namespace Rill
         /// frame.</summary>
         public const int ExecutionOrder = 1000;
 
+        internal const float MaxStepRate = 1000f;
         const float DefaultStepRate = 60f;
         static readonly Vector3 DefaultGravity = new Vector3(0f, -9.81f, 0f);
 
@@ -44,7 +45,7 @@ namespace Rill
         [SerializeField] Vector3 gravity = DefaultGravity;
 
         [Tooltip("Fixed steps in a second of fluid time. 10 to 1000.")]
-        [Range(10f, 1000f)]
+        [Range(10f, MaxStepRate)]
         [SerializeField] float stepRate = DefaultStepRate;
 
         [Tooltip("Steps that one frame takes at most, 1 to 16. Time beyond that is dropped and counted.")]
@@ -474,7 +475,7 @@ namespace Rill
             budget.Validate(out string budgetProblem);
             Limit.Append(ref problem, budgetProblem);
             Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
-            Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
+            Limit.Clamp("step rate", ref stepRate, 10f, MaxStepRate, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
             ValidateCulling(ref problem);
             ValidateKept(ref problem);

@@ -52,6 +52,10 @@ namespace Rill.Editor.Tests
             emitter.Radius = 0.1f;
             emitter.Rate = 10f;
             Assert.That(Problem(emitter), Does.StartWith($"Its rate of {10f} m³/s is more than leaves its shape at rest density"));
+            emitter.Rate = 0.01f;
+            emitter.Speed = 10f;
+            fluid.Material = FluidMaterial.Viscous(1000f, 1e5f);
+            Assert.That(Problem(emitter), Does.StartWith("Its jet of thick fluid moves by"));
             FluidCollider collider = Below<FluidCollider>(fluid);
             collider.Shape = ColliderShape.Mesh;
             Assert.That(Problem(collider), Does.StartWith("It is a mesh without a signed distance field"));

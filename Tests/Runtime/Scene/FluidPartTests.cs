@@ -296,6 +296,28 @@ namespace Rill.Tests
             }
         }
 
+        // 2 spacings in a step of 1/60 s.
+        [TestCase(300f, 60f, "2 particle spacings in a step.*Step Rate of FluidSimulation 'Fluid' to 120 or more.*substeps do not help")]
+        [TestCase(300f, 120f, null)]
+        [TestCase(100f, 60f, null)]
+        public void A_jet_of_thick_fluid_that_tears_into_rings_is_told_once(float viscosity, float stepRate, string message)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 2000))
+            {
+                if (message != null)
+                    LogAssert.Expect(LogType.Warning, new Regex(message));
+                scene.Fluid.Material = FluidMaterial.Viscous(1000f, viscosity);     // 150 Pa s is a spacing² in such a step
+                scene.Fluid.StepRate = stepRate;
+                scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e =>
+                {
+                    e.Rate = 0.01f;
+                    e.Speed = 2f * Spacing * 60f;
+                });
+                scene.Step(6);
+                LogAssert.NoUnexpectedReceived();
+            }
+        }
+
         [Test]
         public void An_emitter_outside_the_box_lets_nothing_in_and_counts_it()
         {

@@ -60,16 +60,18 @@ namespace Host.Report.Obstacles
         {
             ReportTable table = page.Load(Summary);
             page.Heading("Rotating bucket");
-            page.Line("Water in a cylinder (an inside-out capsule that turns; the floor is the domain's, which slips) is given the " +
-                "turning of the cylinder as its first velocity, level or already as the parabola; the wall alone would take minutes. " +
-                "Theory: z = z0 + Ω² r² / 2 g (Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², " +
-                "over the theory's. A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's " +
-                "end: water held on a circle loses Ω² Δt of its turning in a second (Δt the substep). What that alone leaves after a " +
-                "time t is 1 / √(1 + 2 Ω0² Δt t). A wall without friction should leave as much. One with friction 1 does not slip and " +
-                "drives the water, so up to 1 may be left. The surface is also compared with that of the turning that the water has, " +
-                "ring by ring: dz/dr = Ω(r)² r / g. Largest: distance of a ring from the theory's surface over the rise from the " +
-                "middle to the wall. All are means over 8, 4 and 2 positions of the cylinder in the cells of the coarse grid, at 12, 24 and " +
-                "48 d: one position alone may be off by a tenth at 12 d.");
+            page.Line("Water in a cylinder turns with it. The cylinder is an inside-out capsule; the floor is the domain's, which slips. The water " +
+                "begins level or as the parabola, turning as fast as the wall, which alone would take minutes. Theory: z = z0 + Ω² r² / 2 g " +
+                "(Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², over the theory's. Largest: distance " +
+                "of a ring from the theory's surface over the rise from the middle to the wall.");
+            page.Line();
+            page.Line("A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's end. So water held " +
+                "on a circle loses Ω² Δt of its turning in a second (Δt the substep). That alone leaves 1 / √(1 + 2 Ω0² Δt t) after a time t, " +
+                "and a wall without friction should leave as much. One with friction 1 does not slip and drives the water, so up to 1 may be " +
+                "left. The surface is also compared with that of the turning that the water has, ring by ring: dz/dr = Ω(r)² r / g.");
+            page.Line();
+            page.Line("All are means over 8, 4 and 2 positions of the cylinder in the cells of the coarse grid, at 12, 24 and 48 d. One " +
+                "position alone may be off by a tenth at 12 d.");
             page.Line();
             page.Table(new[] { "radius, d", "rise, d", "deep water", "starts", "wall's friction", "substeps x iterations", "steepness",
                 "within 5 %", "for its own turning", "within 5 %", "largest", "turning left", "by the step alone" },
