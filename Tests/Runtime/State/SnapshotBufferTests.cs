@@ -135,7 +135,7 @@ namespace Rill.Tests
         }
 
         // What would be read before it is written shows: the fluid goes on as it did all the same.
-        [Test]
+        [Test, Category("LongRun")]
         public void A_restored_fluid_reads_nothing_that_is_not_stored([Values] bool elastic)
         {
             SnapshotCase made = elastic ? ElasticStages : AllStages;

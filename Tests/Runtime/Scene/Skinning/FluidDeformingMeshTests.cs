@@ -32,7 +32,7 @@ namespace Rill.Tests
             Object.DestroyImmediate(ball);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator What_a_swinging_arm_meets_moves_with_the_surface_that_pushes_it([ValueSource(nameof(Rates))] int2 rates)
             => PushWithArm(rates);
 
