@@ -329,8 +329,8 @@ namespace Rill
             string remedy = rateNeeded > FluidSimulation.MaxStepRate ? $"Lower its speed to {perStep * FluidSimulation.MaxStepRate:G3} m/s and set " +
                 $"the Step Rate of FluidSimulation '{fluid.name}' to {FluidSimulation.MaxStepRate}"
                 : $"Set the Step Rate of FluidSimulation '{fluid.name}' to {rateNeeded} or more, or lower its speed";
-            return $"its jet of thick fluid moves by {LeavingSpeed * fluid.FixedStep / fluid.ParticleSpacing:G2} particle spacings in a step, so " +
-                $"that each step lets in a ring of its own. {remedy}; substeps do not help.";
+            return $"its jet of thick fluid moves by {LeavingSpeed * fluid.FixedStep / fluid.ParticleSpacing:0.##} particle spacings in a step, so " +
+                $"that each step lets in a ring of its own. {remedy}. Substeps do not help.";
         }
 
         // For so long that what waited first is given up, and every place was tried.

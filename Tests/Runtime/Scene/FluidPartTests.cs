@@ -297,7 +297,7 @@ namespace Rill.Tests
         }
 
         // 2 spacings in a step of 1/60 s.
-        [TestCase(300f, 60f, "2 particle spacings in a step.*Step Rate of FluidSimulation 'Fluid' to 120 or more.*substeps do not help")]
+        [TestCase(300f, 60f, "2 particle spacings in a step.*Step Rate of FluidSimulation 'Fluid' to 120 or more.*Substeps do not help")]
         [TestCase(300f, 120f, null)]
         [TestCase(100f, 60f, null)]
         public void A_jet_of_thick_fluid_that_tears_into_rings_is_told_once(float viscosity, float stepRate, string message)
