@@ -53,7 +53,7 @@ namespace Rill.Tests
                 }
                 fluid.Add(places.ToArray());
 
-                double before = Mean(fluid.Step(first)), after = Mean(fluid.Step(last - first));
+                double before = MeanRadius(fluid.Step(first)), after = MeanRadius(fluid.Step(last - first));
                 double exponent = Math.Log(after / before) / Math.Log((double)last / first);
                 double volume = 4 * places.Count * Math.Pow(Spacing, 3);
                 double theory = 0.6119 * 0.894
@@ -64,7 +64,7 @@ namespace Rill.Tests
                 Assert.That(after, Is.EqualTo(theory).Within(0.05 * theory));
             }
 
-            double Mean(TestFluid fluid) => fluid.Read().positions.Average(p => (double)math.length(p.xz));
+            double MeanRadius(TestFluid fluid) => fluid.Read().positions.Average(p => (double)math.length(p.xz));
         }
 
         // Box in d.
