@@ -38,7 +38,7 @@ namespace Host.Tests
         [TestCase(DeepWater.On, 0.955, 1.02)]
         public void A_slippery_round_wall_leaves_turning_water_what_the_step_leaves(DeepWater deepWater, double least, double most)
         {
-            RotatingBucket bucket = RotatingBucket.Run(12, 3, false, FluidRun.Water(1, 2, deepWater), 0.8, 0.8, 0f, places: 2);
+            RotatingBucket bucket = RotatingBucket.Run(12, 3, false, FluidRun.Water(1, 2, deepWater), 0.8, 0.8, 0f, runs: 2);
             double expected = RotatingBucket.TurningLeft(3, 1.0 / 60, 1.2);
             TestContext.WriteLine($"turning {bucket.Turning:0.000} of {expected:0.000}");
             Assert.That(bucket.Turning / expected, Is.InRange(least, most));

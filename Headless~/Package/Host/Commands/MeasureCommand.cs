@@ -110,13 +110,13 @@ namespace Host.Commands
         static void PrintBucket(string scene, int across, float friction, StepInput input, double seconds, string device)
         {
             const double period = BucketPeriod;
-            int places = RotatingBucket.PlacesFor(across);
+            int positions = RotatingBucket.PositionsFor(across);
             RotatingBucket bucket = RotatingBucket.Run(across, BucketReport.Speed, false, input, seconds - period, period, friction,
-                places: places);
+                runs: positions);
             double expected = RotatingBucket.TurningLeft(BucketReport.Speed, input.timeStep / input.settings.substeps, seconds - period / 2);
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene} N {bucket.Particles:N0}, {input.settings.substeps} " +
                 $"x {input.settings.iterations}, deep water {input.settings.deepWater}, {seconds:0.#} s, " +
-                $"mean over {places} places in the grid, {device}"));
+                $"mean over {positions} positions in the grid, {device}"));
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  turning left {bucket.Turning:0.0000} of " +
                 $"{expected:0.0000} by the step alone ({bucket.Turning / expected - 1:+0.0000;-0.0000}) | steepness for its own " +
                 $"turning {bucket.OwnSteepness:0.000}, for the bucket's {bucket.Steepness:0.000}"));

@@ -22,7 +22,7 @@ namespace Host.Report.Obstacles
             {
                 const int iterations = 2;
                 RotatingBucket bucket = RotatingBucket.Run(across, Speed, flat, FluidRun.Water(substeps, iterations, deep), settle, seconds,
-                    friction, places: run.Quick ? 1 : RotatingBucket.PlacesFor(across));
+                    friction, runs: run.Quick ? 1 : RotatingBucket.PositionsFor(across));
                 string start = flat ? "level" : "parabola";
                 summary.Add(across, bucket.Particles, ObstaclesSection.Text(deep), start, friction, substeps, iterations, bucket.Steepness,
                     bucket.OwnSteepness, bucket.MaxError, bucket.Turning,

@@ -16,7 +16,7 @@ namespace Host.Report.Obstacles
     /// Ω² Δt of its turning in a second, Δt the substep, see <see cref="TurningLeft"/>. So the surface is also compared with that of the
     /// turning that the water has.
     /// How the bucket lies in the grid's cells shifts what a small one shows: of 12 particles across the radius, three cells, by up to a
-    /// tenth. So means are over several places, see <see cref="PlacesFor"/>.
+    /// tenth. So means are over several positions, see <see cref="PositionsFor"/>.
     /// </remarks>
     sealed class RotatingBucket
     {
@@ -53,8 +53,8 @@ namespace Host.Report.Obstacles
         /// <param name="time">s.</param>
         public static double TurningLeft(double speed, double substep, double time) => 1 / Math.Sqrt(1 + 2 * speed * speed * substep * time);
 
-        /// <summary>In how many places a bucket is looked at: 8 of one with 12 particles across its radius, 2 of one with 48.</summary>
-        public static int PlacesFor(int across) => Math.Max(1, 96 / across);
+        /// <summary>In how many positions a bucket is looked at: 8 of one with 12 particles across its radius, 2 of one with 48.</summary>
+        public static int PositionsFor(int across) => Math.Max(1, 96 / across);
 
         /// <param name="across">Particles across the radius.</param>
         /// <param name="speed">Ω, rad/s.</param>
@@ -62,20 +62,20 @@ namespace Host.Report.Obstacles
         /// <param name="settle">Before the mean over <paramref name="seconds"/>, s.</param>
         /// <param name="friction">Of the wall: 0 slips and acts by its pressure alone, 1 sticks.</param>
         /// <param name="still">Whether the water starts still, in a bucket that turns.</param>
-        /// <param name="places">On the coarse grid, to take the mean over; each is a run.</param>
+        /// <param name="runs">Each in another position on the coarse grid; the mean is over all.</param>
         public static RotatingBucket Run(int across, double speed, bool flat, StepInput input, double settle, double seconds,
-            float friction = 1f, bool still = false, int places = 1)
+            float friction = 1f, bool still = false, int runs = 1)
         {
-            float spacing = (float)(Radius / across), side = 2f * across + 2f + (places > 1 ? CellSide : 0f);
+            float spacing = (float)(Radius / across), side = 2f * across + 2f + (runs > 1 ? CellSide : 0f);
             List<float3> lattice = TurningTank.Lattice(across, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
             float height = (float)(Surface(Depth, speed, Radius) / spacing) + across;
             double[] heights = new double[Rings], counts = new double[Rings], momenta = new double[Rings], moments = new double[Rings];
-            for (int place = 0; place < places; place++)
+            for (int number = 0; number < runs; number++)
             {
-                float2 shift = CellSide * math.frac(place * new float2(0.7549f, 0.5698f)), middle = across + 1f + shift;
-                float3 Velocity(float3 p) => (still ? 0f : (float)speed) * spacing * new float3(p.z - middle.y, 0f, middle.x - p.x);
+                float2 shift = CellSide * math.frac(number * new float2(0.7549f, 0.5698f)), middle = across + 1f + shift;
+                float3 Velocity(float3 at) => (still ? 0f : (float)speed) * spacing * new float3(at.z - middle.y, 0f, middle.x - at.x);
                 using var run = new FluidRun("bucket", new float3(side, height, side), spacing,
-                    lattice.Select(p => p + new float3(shift.x, 0f, shift.y)).ToList(), Velocity, input);
+                    lattice.Select(at => at + new float3(shift.x, 0f, shift.y)).ToList(), Velocity, input);
                 ColliderMotion wall = Solids.RoundTank(across, height, new float3(middle.x, height / 2f, middle.y));
                 wall.friction = friction;
                 while (run.Time < settle + seconds)
@@ -87,13 +87,13 @@ namespace Host.Report.Obstacles
                     if (run.Time <= settle || run.Steps % AverageEvery != 0)
                         continue;
                     float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
-                    for (int i = 0; i < positions.Length; i++)
+                    for (int p = 0; p < positions.Length; p++)
                     {
-                        float2 arm = positions[i].xz - middle;
+                        float2 arm = positions[p].xz - middle;
                         int ring = math.min((int)(math.length(arm) / across * Rings), Rings - 1);
                         counts[ring]++;
-                        heights[ring] += 2 * positions[i].y * spacing;
-                        momenta[ring] += arm.y * velocities[i].x - arm.x * velocities[i].z;
+                        heights[ring] += 2 * positions[p].y * spacing;
+                        momenta[ring] += arm.y * velocities[p].x - arm.x * velocities[p].z;
                         moments[ring] += math.lengthsq(arm);
                     }
                 }
