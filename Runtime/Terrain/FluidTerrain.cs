@@ -19,7 +19,7 @@ namespace Rill
             "large terrains and costs less memory.")]
         [SerializeField] Rect part = new Rect(0f, 0f, 1f, 1f);
 
-        FluidCollider collider;
+        FluidCollider fluidCollider;
         TerrainHeights heights;
         string clamped;     // what the newest validation changed
         string refusal;     // why the newest heights were not taken
@@ -50,7 +50,7 @@ namespace Rill
         {
             Release();
             refusal = null;
-            if (collider == null || !isActiveAndEnabled)
+            if (fluidCollider == null || !isActiveAndEnabled)
                 return;         // taken as it is enabled
             TerrainData data = GetComponent<Terrain>().terrainData;
             if (data == null)
@@ -65,14 +65,14 @@ namespace Rill
                 Refuse(heights.Problem);
                 return;
             }
-            shapeBefore = collider.Shape;
-            collider.Shape = ColliderShape.HeightField;
-            collider.Heights = heights.Field;
+            shapeBefore = fluidCollider.Shape;
+            fluidCollider.Shape = ColliderShape.HeightField;
+            fluidCollider.Heights = heights.Field;
         }
 
         void OnEnable()
         {
-            collider = GetComponent<FluidCollider>();
+            fluidCollider = GetComponent<FluidCollider>();
             Refresh();
         }
 
@@ -115,11 +115,11 @@ namespace Rill
 
         void Release()
         {
-            if (collider != null && heights?.Field != null && ReferenceEquals(collider.Heights, heights.Field))
+            if (fluidCollider != null && heights?.Field != null && ReferenceEquals(fluidCollider.Heights, heights.Field))
             {
-                collider.Heights = null;
+                fluidCollider.Heights = null;
                 if (!Application.isPlaying)         // the scene keeps what it stores
-                    collider.Shape = shapeBefore;
+                    fluidCollider.Shape = shapeBefore;
             }
             heights?.Dispose();
             heights = null;

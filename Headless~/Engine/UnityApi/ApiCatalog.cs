@@ -107,8 +107,12 @@ namespace Host.UnityApi
             type.Obsolete |= member.Obsolete;
             type.Protected |= member.Protected;
             foreach (ApiTypeName parent in member.Bases)
-                type.Bases.Add(Resolve(parent, type, Array.Empty<string>()));
+                type.Bases.Add(InEngine(Resolve(parent, type, Array.Empty<string>())));
         }
+
+        // The Editor's files import the engine's namespace, which the lists do not say.
+        ApiTypeName InEngine(ApiTypeName name) => !name.Full && Find("UnityEngine." + name.Key) is { } found
+            ? ApiTypeName.Named(found.Key.Split('.'), name.Arguments) : name;
 
         ApiMember Resolve(ApiMember member, ApiType type)
         {

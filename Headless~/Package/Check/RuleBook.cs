@@ -29,6 +29,8 @@ namespace Host.Check
             new LineLengthRule(),
             new ModulesRule(),
             new UnityMembersRule(),
+            new HiddenMembersRule(),
+            new MessagesRule(),
             new SourceNamesRule(),
             new SampleScriptsRule(),
             new NetStandardRule(),

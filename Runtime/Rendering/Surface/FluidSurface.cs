@@ -306,7 +306,7 @@ namespace Rill
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void Reset() => active = new List<FluidSurface>();
+        static void ResetStatics() => active = new List<FluidSurface>();
 
         static class Ids
         {

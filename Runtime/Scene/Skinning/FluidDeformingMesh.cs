@@ -47,7 +47,7 @@ namespace Rill
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
-        FluidCollider collider;
+        FluidCollider fluidCollider;
         DeformedMesh mesh;
         DeformingField field;
         SdfGrid grid;
@@ -194,21 +194,21 @@ namespace Rill
 
         void OnEnable()
         {
-            collider = GetComponent<FluidCollider>();
-            shapeBefore = collider.Shape;
+            fluidCollider = GetComponent<FluidCollider>();
+            shapeBefore = fluidCollider.Shape;
             shaders.Hold();
             Refresh();
-            collider.Shape = ColliderShape.Mesh;
-            collider.Deforming = this;
+            fluidCollider.Shape = ColliderShape.Mesh;
+            fluidCollider.Deforming = this;
         }
 
         void OnDisable()
         {
-            if (collider != null && ReferenceEquals(collider.Deforming, this))
+            if (fluidCollider != null && ReferenceEquals(fluidCollider.Deforming, this))
             {
-                collider.Deforming = null;
+                fluidCollider.Deforming = null;
                 if (!Application.isPlaying)         // the scene keeps what it stores
-                    collider.Shape = shapeBefore;
+                    fluidCollider.Shape = shapeBefore;
             }
             ReleaseField();
             mesh = null;

@@ -47,6 +47,10 @@ namespace Host.Check.Api
             return Same(listed, reference ? compiled.Element : compiled);
         }
 
+        /// <summary>Whether two methods of one name are the same to C#, which looks at parameters alone.</summary>
+        public static bool SameParameters(ApiMember listed, CompiledMember compiled) =>
+            listed.TypeParameters.Count == compiled.Arity && SameAll(listed.Parameters, compiled.Parameters);
+
         public static bool Fits(ApiMember listed, CompiledMember compiled)
         {
             if (listed.Kind != ApiKind.Constructor && compiled.IsStatic is { } isStatic && listed.Static != isStatic
@@ -67,8 +71,7 @@ namespace Host.Check.Api
                 case ApiKind.Constructor:
                     return SameAll(listed.Parameters, parameters);
                 case ApiKind.Method or ApiKind.Operator or ApiKind.Conversion:
-                    return listed.TypeParameters.Count == compiled.Arity && SameAll(listed.Parameters, parameters)
-                        && Same(listed.ReturnsReference, listed.Type, compiled.Returns);
+                    return SameParameters(listed, compiled) && Same(listed.ReturnsReference, listed.Type, compiled.Returns);
                 default:
                     return false;
             }

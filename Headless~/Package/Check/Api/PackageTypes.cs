@@ -1,0 +1,73 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection.Metadata;
+using Host.Pipelines;
+using Host.UnityApi;
+
+namespace Host.Check.Api
+{
+    /// <summary>A type that one of the package's assemblies defines.</summary>
+    sealed record PackageType(CompiledAssembly Assembly, TypeDefinitionHandle Handle)
+    {
+        public TypeDefinition Definition => Assembly.Metadata.GetTypeDefinition(Handle);
+        public ApiTypeName Name { get; } = CompiledTypeNames.Of(Assembly.Metadata, Handle);
+        public string Text(StringHandle name) => Assembly.Metadata.GetString(name);
+        public override string ToString() => Name.ToString();
+    }
+
+    /// <summary>The types of all of the package's assemblies together, those of its adapters for render pipelines included.</summary>
+    sealed class PackageTypes : IDisposable
+    {
+        readonly Dictionary<string, PackageType> byKey = new(StringComparer.Ordinal);
+
+        public readonly IReadOnlyList<CompiledAssembly> Assemblies;
+        public readonly IReadOnlyList<PackageType> All;
+
+        /// <param name="names">Of the assemblies, but for the adapters. What is not there is a fault.</param>
+        public PackageTypes(PackageTree package, IEnumerable<string> names, Findings findings)
+        {
+            Assemblies = PackageAssemblies.Open(package, names, findings).Concat(Adapters(package, findings)).ToList();
+            All = Assemblies.SelectMany(assembly => assembly.Metadata.TypeDefinitions.Select(handle => new PackageType(assembly, handle))).ToList();
+            foreach (PackageType type in All)
+                byKey.TryAdd(type.Name.Key, type);
+        }
+
+        public void Dispose()
+        {
+            foreach (CompiledAssembly assembly in Assemblies)
+                assembly.Dispose();
+        }
+
+        /// <summary>Null: the package has no such type.</summary>
+        public PackageType Find(ApiTypeName name) => byKey.GetValueOrDefault(name.Key);
+
+        /// <summary>The type and those of the package that it derives from, nearest first.</summary>
+        public IEnumerable<PackageType> Lineage(PackageType type)
+        {
+            for (; type != null; type = BaseOf(type) is { } parent ? Find(parent) : null)
+                yield return type;
+        }
+
+        /// <summary>The first class that is not the package's: null for an interface.</summary>
+        public ApiTypeName ForeignBase(PackageType type) => BaseOf(Lineage(type).Last());
+
+        static ApiTypeName BaseOf(PackageType type) =>
+            type.Definition.BaseType.IsNil ? null : CompiledTypeNames.Of(type.Assembly.Metadata, type.Definition.BaseType);
+
+        // Of the version in which an adapter has all of its paths.
+        static IEnumerable<CompiledAssembly> Adapters(PackageTree package, Findings findings)
+        {
+            foreach (string file in PipelineKind.All.Select(PipelineAdapters.FileOf).Where(package.Has))
+            {
+                AdapterDefinition adapter = AdapterDefinition.Read(package.FullPath(file));
+                byte[] image = PipelineAssemblies.Of(PipelineVersion.Find("17")).CompileAdapter(adapter, true, out List<string> errors);
+                if (image != null)
+                    yield return new CompiledAssembly(new MemoryStream(image));
+                else
+                    findings.Fault($"{adapter.Name} is not compiled: {string.Join("; ", errors)}");
+            }
+        }
+    }
+}
