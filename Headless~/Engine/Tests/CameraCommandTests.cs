@@ -243,6 +243,61 @@ ENDHLSL
             }
         }
 
+        // As Direct3D has it: a texture's picture is flipped, and that of the back buffer is not.
+        [Test]
+        public void A_copy_of_the_back_buffer_is_upside_down_and_its_picture_is_not(
+            [Values("", "allowHDR", "forced", "antialiased", "effect")] string way, [Values] bool part)
+        {
+            var camera = new GameObject("Camera").AddComponent<Camera>();
+            camera.clearFlags = CameraClearFlags.SolidColor;
+            camera.backgroundColor = Color.black;
+            camera.rect = new Rect(0, part ? 0.5f : 0, 1, part ? 0.5f : 1);
+            camera.allowHDR = way == "allowHDR";
+            camera.forceIntoRenderTexture = way == "forced";
+            if (way == "effect")
+                camera.gameObject.AddComponent<PassingEffect>();
+            GameObject above = GameObject.CreatePrimitive(PrimitiveType.Quad);      // one sided: its winding counts
+            above.transform.position = new Vector3(0, 5, 5);
+            above.transform.localScale = new Vector3(100, 10, 1);
+            above.GetComponent<MeshRenderer>().sharedMaterial = new Material(Shader.Find("Unlit/Color")) { color = Color.white };
+            var copy = new RenderTexture(Player.ScreenWidth, Player.ScreenHeight, 0);
+            var commands = new CommandBuffer();
+            commands.Blit(BuiltinRenderTextureType.CameraTarget, copy);
+            camera.AddCommandBuffer(CameraEvent.BeforeForwardAlpha, commands);
+            QualitySettings.antiAliasing = way == "antialiased" ? 4 : 0;
+            try
+            {
+                PlayerLoop.Frame(0.02f);
+            }
+            finally
+            {
+                QualitySettings.antiAliasing = 0;
+            }
+            int height = Player.ScreenHeight, low = part ? height / 2 : 0;
+            bool isForcedPart = part && way == "forced";        // into a texture of the part's size
+            (int, int) seen = isForcedPart ? (height / 2, height) : ((height + low) / 2, height);
+            (int, int) copied = BrightRows(copy);
+            copy.Release();
+            commands.Dispose();
+            Assert.That(BrightRows(ScreenTarget.Texture), Is.EqualTo(((height + low) / 2, height)), "as it is seen");
+            Assert.That(copied, Is.EqualTo(way == "" ? (0, height - (height + low) / 2) : seen), "copied");
+        }
+
+        sealed class PassingEffect : MonoBehaviour
+        {
+            void OnRenderImage(RenderTexture source, RenderTexture destination) => Graphics.Blit(source, destination);
+        }
+
+        // The first that is bright and the first after, from the bottom.
+        static (int, int) BrightRows(RenderTexture texture)
+        {
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture);
+            request.WaitForCompletion();
+            Color32[] pixels = request.GetData<Color32>().ToArray();
+            int[] rows = Enumerable.Range(0, texture.height).Where(y => pixels[y * texture.width + texture.width / 2].r > 200).ToArray();
+            return rows.Length == 0 ? (0, 0) : (rows[0], rows[^1] + 1);
+        }
+
         [Test]
         public void CopyTexture_from_the_screen_is_refused_by_name()
         {

@@ -135,12 +135,13 @@ namespace Rill
                 hasOurDepth = true;
             }
 
-            // A copy of the target of a camera that draws a part of the screen would be one of the whole screen; forced into a texture, its
-            // target is its part.
+            // A copy of the back buffer is upside down where textures begin at the top, and that of a target that the camera draws a part of
+            // holds the whole; forced into a texture, its target is its part.
             public void AskForOwnTarget()
             {
-                // The scene would store it in edit mode.
-                if (Camera.forceIntoRenderTexture || Camera.rect == new Rect(0f, 0f, 1f, 1f) || !Application.isPlaying)
+                bool hasOne = Camera.targetTexture != null && Camera.rect == new Rect(0f, 0f, 1f, 1f);
+                // The scene would store it in edit mode, where cameras draw into textures of the editor.
+                if (Camera.forceIntoRenderTexture || hasOne || !Application.isPlaying)
                     return;
                 Camera.forceIntoRenderTexture = true;
                 hasOurTarget = true;

@@ -95,7 +95,7 @@ namespace UnityEngine.Headless
             target ??= ScreenTarget.Texture;
             target.Create();
             DeviceTexture from = source.GetDevice(RenderTextureSubElement.Color), to = target.GetDevice(RenderTextureSubElement.Color);
-            return from != null && from != to && source.width == target.width && source.height == target.height
+            return from != null && from != to && !target.IsUpright && source.width == target.width && source.height == target.height
                 && from.Description.Format == to.Description.Format
                 && from.Description.Mips == to.Description.Mips && from.Description.Slices == to.Description.Slices
                 && from.Description.Dimension == to.Description.Dimension;

@@ -46,7 +46,7 @@ namespace UnityEngine.Headless
         {
             RenderState.View = view;
             RenderState.Projection = projection;
-            Matrix4x4 gpu = GL.GetGPUProjectionMatrix(projection, renderIntoTexture: true);
+            Matrix4x4 gpu = GL.GetGPUProjectionMatrix(projection, renderIntoTexture: !isUpright);
             Matrix4x4 both = gpu * view;
             Globals.SetMatrix(matrixV, view);
             Globals.SetMatrix(matrixInvV, view.inverse);
@@ -55,6 +55,22 @@ namespace UnityEngine.Headless
             Globals.SetMatrix(matrixVP, both);
             Globals.SetMatrix(matrixInvVP, both.inverse);
         }
+
+        static bool isUpright;
+        static Vector4 planes;      // what _ProjectionParams says of the camera's near and far plane
+
+        /// <summary>After another target has been set: whether y is flipped depends on it.</summary>
+        public static void FollowTarget()
+        {
+            if (isUpright == RenderState.IsUpright)
+                return;
+            isUpright = !isUpright;
+            SetViewProjection(RenderState.View, RenderState.Projection);
+            SetProjectionParams();
+        }
+
+        // x: -1 where y is flipped
+        static void SetProjectionParams() => Globals.SetVector(projectionParams, new Vector4(isUpright ? 1 : -1, planes.y, planes.z, planes.w));
 
         static readonly Matrix4x4[] eyeViews = new Matrix4x4[2], eyeInverseViews = new Matrix4x4[2], eyeProjections = new Matrix4x4[2],
             eyeInverseProjections = new Matrix4x4[2], eyeViewProjections = new Matrix4x4[2];
@@ -91,7 +107,8 @@ namespace UnityEngine.Headless
 
             float near = camera.nearClipPlane, far = camera.farClipPlane;
             Globals.SetVector(cameraPosition, camera.transform.position);
-            Globals.SetVector(projectionParams, new Vector4(-1, near, far, 1 / far));      // -1: y is flipped, every target being a texture
+            planes = new Vector4(0, near, far, 1 / far);
+            SetProjectionParams();
             Globals.SetVector(screenParams, new Vector4(width, height, 1 + 1f / width, 1 + 1f / height));
             float x = far / near - 1;
             Globals.SetVector(zBufferParams, new Vector4(x, 1, x / far, 1 / far));         // reversed Z

@@ -87,8 +87,8 @@ namespace UnityEngine.Headless
             DeviceRasterState state = material.shader.PassAt(passIndex).ResolveState(materialFloat);
             if (!Topology(call, out state.Topology, out bool quads))
                 return;
-            // The projection flips y, which turns every triangle's winding around; a mirroring matrix turns it again.
-            state.FrontIsCounterClockwise = call.Matrix.determinant >= 0 != RenderState.InvertCulling;
+            // The projection flips y, but for the back buffer, which turns every triangle's winding around; a mirroring matrix turns it again.
+            state.FrontIsCounterClockwise = call.Matrix.determinant >= 0 != RenderState.InvertCulling != RenderState.IsUpright;
 
             var draw = new DeviceDraw { VertexCount = call.Count, InstanceCount = call.Instances * RenderState.InstanceMultiplier,
                 FirstVertex = call.First, Indices32 = true };

@@ -124,16 +124,27 @@ namespace UnityEngine.Headless
         {
             RenderTexture target = camera.targetTexture;
             bool clears = camera.clearFlags == CameraClearFlags.Skybox || camera.clearFlags == CameraClearFlags.SolidColor;
+            if (DrawsToBackBuffer(camera))
+                return BackBuffer.Begin();
             if (!camera.forceIntoRenderTexture || !IsPart(camera) || !clears || camera.pixelWidth < 1 || camera.pixelHeight < 1)
                 return target;
             return RenderTexture.GetTemporary(new RenderTextureDescriptor(camera.pixelWidth, camera.pixelHeight,
                 (target is object ? target : ScreenTarget.Texture).graphicsFormat, GraphicsFormat.D32_SFloat));
         }
 
+        // A player's, which has no reason to draw into a texture first. Until something asks for one, a camera's picture is not flipped there.
+        static bool DrawsToBackBuffer(Camera camera) => camera.targetTexture is null && !camera.stereoEnabled && !camera.forceIntoRenderTexture
+            && !camera.allowHDR && !(camera.allowMSAA && QualitySettings.antiAliasing > 1) && !ImageEffects.Has(camera);
+
         static void Show(Camera camera, RenderTexture target)
         {
             if (ReferenceEquals(target, camera.targetTexture))
                 return;
+            if (target.IsUpright)
+            {
+                BackBuffer.End(target);
+                return;
+            }
             Blitter.BlitSlice(target, camera.targetTexture, 0, 0, viewport: camera.pixelRect);
             RenderTexture.ReleaseTemporary(target);
         }
@@ -188,7 +199,7 @@ namespace UnityEngine.Headless
                 return;
             }
             RenderState.SetTarget(target is object ? target : ScreenTarget.Texture);
-            if (IsPart(camera) && ReferenceEquals(target, camera.targetTexture))
+            if (IsPart(camera) && (ReferenceEquals(target, camera.targetTexture) || target.IsUpright))
                 RenderState.SetViewport(camera.pixelRect);
         }
 

@@ -35,6 +35,15 @@ namespace UnityEngine.Headless
             }
         }
 
+        /// <summary>Whether a script beside the camera has one.</summary>
+        public static bool Has(Camera camera)
+        {
+            foreach (Component component in camera.gameObject.Components)
+                if (component is MonoBehaviour script && script.isActiveAndEnabled && Method(script.GetType()) is object)
+                    return true;
+            return false;
+        }
+
         static MethodInfo Method(Type type)
         {
             if (!methods.TryGetValue(type, out MethodInfo method))

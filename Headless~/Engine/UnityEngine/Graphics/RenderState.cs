@@ -27,6 +27,9 @@ namespace UnityEngine.Headless
         public static int InstanceMultiplier = 1;
         public static Matrix4x4 View = Matrix4x4.identity, Projection = Matrix4x4.identity;
 
+        /// <summary>Whether draws go to where row 0 is the top of the picture: their projection does not flip y.</summary>
+        public static bool IsUpright => colorCount > 0 ? colors[0].IsUpright : depth is object && depth.IsUpright;
+
         public static Texture CurrentTexture => colorCount > 0 ? colors[0] : depth is object ? depth : (Texture)ScreenTarget.Texture;
         public static int Width => Math.Max(1, CurrentTexture.width >> mip);
         public static int Height => Math.Max(1, CurrentTexture.height >> mip);
@@ -37,17 +40,19 @@ namespace UnityEngine.Headless
         public static void SetTarget(RenderTexture target, int mipLevel = 0, int depthSlice = 0)
         {
             Gpu.ClosePass();
-            ActiveTexture = target;
+            ActiveTexture = target is object && target.IsUpright ? null : target;
             colorCount = 0;
             depth = null;
             viewport = null;
             (mip, slice, slices) = (mipLevel, Math.Max(0, depthSlice), SlicesOf(target, depthSlice));
-            if (target is null)
-                return;
-            target.Create();
-            depth = target.DepthTexture != null && mipLevel == 0 ? target : null;
-            if (target.graphicsFormat != Experimental.Rendering.GraphicsFormat.None)
-                colors[colorCount++] = target;
+            if (target is object)
+            {
+                target.Create();
+                depth = target.DepthTexture != null && mipLevel == 0 ? target : null;
+                if (target.graphicsFormat != Experimental.Rendering.GraphicsFormat.None)
+                    colors[colorCount++] = target;
+            }
+            BuiltinVariables.FollowTarget();
         }
 
         public static void SetTargets(IReadOnlyList<RenderTexture> colorTargets, RenderTexture depthTarget, int mipLevel, int depthSlice)
@@ -68,7 +73,8 @@ namespace UnityEngine.Headless
             }
             depth = depthTarget;
             depth?.Create();
-            ActiveTexture = colorCount > 0 ? colors[0] : depth;
+            ActiveTexture = IsUpright ? null : colorCount > 0 ? colors[0] : depth;
+            BuiltinVariables.FollowTarget();
         }
 
         // RenderTargetIdentifier.AllDepthSlices
@@ -125,7 +131,8 @@ namespace UnityEngine.Headless
 
             Rect rect = viewport ?? new Rect(0, 0, Width, Height);
             // Row 0 of a render texture is the picture's bottom, and so is Unity's viewport origin: no flip.
-            (targets.ViewportX, targets.ViewportY, targets.ViewportWidth, targets.ViewportHeight) = (rect.x, rect.y, rect.width, rect.height);
+            float y = IsUpright ? Height - rect.yMax : rect.y;
+            (targets.ViewportX, targets.ViewportY, targets.ViewportWidth, targets.ViewportHeight) = (rect.x, y, rect.width, rect.height);
             return targets;
         }
 

@@ -16,6 +16,8 @@ namespace UnityEngine
         DeviceTexture color, depthTexture;
         /// <summary>The engine's own: what it holds on the device is no one's leak.</summary>
         internal bool IsBuiltIn;
+        /// <summary>Row 0 is the top of the picture, as of Direct3D's back buffer.</summary>
+        internal bool IsUpright;
 
         protected RenderTexture() => wrapMode = TextureWrapMode.Clamp;
         public RenderTexture(RenderTextureDescriptor desc) : this() => description = Checked(desc);
