@@ -17,7 +17,7 @@ namespace Rill
         AsyncGPUReadbackRequest request;
         GraphicsBuffer buffer;
         NativeArray<uint> latest;
-        int generation, pendingGeneration;
+        int generation, pendingGeneration, calls, collected;
         bool disposed;
         ReadbackErrors errors;
         ReadbackKinds kind;
@@ -91,15 +91,29 @@ namespace Rill
                 GpuBuffer.Release(ref buffer);
         }
 
-        /// <summary>Waits for the request that is pending, and for no other.</summary>
+        /// <summary>Waits for the request that is pending, and for no other; its result has been handed over when this returns.</summary>
         public void Complete()
         {
-            if (IsPending)
-                request.WaitForCompletion();
-            Finish();       // if the callback has not
+            if (!IsPending)
+                return;
+            int before = calls;
+            request.WaitForCompletion();
+            if (calls != before)
+                return;
+            collected++;        // Unity does not say when the callback comes: this one is late
+            Collect(request);
         }
 
         void OnRead(AsyncGPUReadbackRequest arrived)
+        {
+            calls++;
+            if (collected > 0)
+                collected--;
+            else
+                Collect(arrived);
+        }
+
+        void Collect(in AsyncGPUReadbackRequest arrived)
         {
             if (disposed)
             {

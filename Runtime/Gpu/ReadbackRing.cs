@@ -9,6 +9,8 @@ namespace Rill
     {
         readonly string name;
         readonly Readback[] slots;
+        readonly long[] numbers;        // of the newest request of each slot
+        long requests;
 
         /// <param name="name">Of each buffer.</param>
         /// <param name="count">Buffers.</param>
@@ -19,6 +21,7 @@ namespace Rill
         {
             this.name = name;
             slots = new Readback[count];
+            numbers = new long[count];
             for (int i = 0; i < count; i++)
             {
                 int slot = i;
@@ -53,7 +56,26 @@ namespace Rill
         public GraphicsBuffer Buffer(int slot) => slots[slot].Buffer;
 
         /// <summary>Asks for what was recorded for a slot, after its command buffer was executed.</summary>
-        public void Request(int slot) => slots[slot].Request();
+        public void Request(int slot)
+        {
+            numbers[slot] = requests++;
+            slots[slot].Request();
+        }
+
+        /// <summary>Waits for the requests that are pending, and for no others; their answers are handed over in the order of the requests.</summary>
+        public void Complete()
+        {
+            for (int i = 0; i < slots.Length; i++)
+            {
+                int oldest = -1;
+                for (int slot = 0; slot < slots.Length; slot++)
+                    if (slots[slot].IsPending && (oldest < 0 || numbers[slot] < numbers[oldest]))
+                        oldest = slot;
+                if (oldest < 0)
+                    return;
+                slots[oldest].Complete();
+            }
+        }
 
         /// <summary>The words that have come to a slot.</summary>
         public NativeArray<uint> Latest(int slot) => slots[slot].Latest;

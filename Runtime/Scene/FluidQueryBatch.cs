@@ -91,14 +91,13 @@ namespace Rill
         /// <summary>Whether there is a result to read, which may be of what was set before.</summary>
         public bool HasResult => !isDisposed && newest >= 0 && fluid != null && fluid.IsRunning;
 
-        /// <summary>Waits for the GPU until the newest step's results are there. For tests and tools in the Editor: see
-        /// <see cref="FluidSimulation.FlushQueries"/>.</summary>
+        /// <summary>Waits for the GPU until the newest step's results of this batch are there, and for nothing else. For tests and tools in the
+        /// Editor: see <see cref="FluidSimulation.FlushQueries"/>.</summary>
         /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
         public void Flush()
         {
             NeedAlive();
-            if (fluid != null)
-                fluid.FlushQueries();
+            buffers?.Complete();
         }
 
         /// <summary>Stops asking and gives the memory back, at any time: a pending request is forgotten.</summary>

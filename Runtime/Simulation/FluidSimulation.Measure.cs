@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -21,12 +20,12 @@ namespace Rill
             if (IsRefused(DeviceFeature.Statistics) || !HasStages(StageSet.Statistics))
                 throw new InvalidOperationException($"FluidSimulation '{name}' cannot be measured: its statistics are not in this " +
                     $"build or not for this device. Set Shaders In Build to All Features.");
-            AsyncGPUReadback.WaitAllRequests();     // one that is pending is of an older state
+            pbf.CompleteStatistics();       // one that is pending is of an older state
             commands.Clear();
             pbf.RecordStatistics(commands, input);
             Graphics.ExecuteCommandBuffer(commands);
             pbf.RequestStatistics();
-            AsyncGPUReadback.WaitAllRequests();
+            pbf.CompleteStatistics();
             if (!TryGetStatistics(out FluidStatistics statistics))
                 throw new InvalidOperationException(
                     $"FluidSimulation '{name}' cannot be measured: it {ReadbackErrors.Problem(ReadbackKinds.Statistics)}");
@@ -79,9 +78,9 @@ namespace Rill
         /// <summary>Emitters that gave particles up for want of room, as they count it now. Waits for the GPU.</summary>
         internal List<FluidEmitter> FindBlockedEmitters()
         {
-            AsyncGPUReadback.WaitAllRequests();     // one that is pending is of an older state
+            pbf.CompleteSourceCounts();     // one that is pending is of an older state
             pbf.RequestSourceCounts();
-            AsyncGPUReadback.WaitAllRequests();
+            pbf.CompleteSourceCounts();
             var blocked = new List<FluidEmitter>();
             foreach (FluidEmitter emitter in emitters)
                 if (emitter != null && emitter.Blocked > 0)

@@ -1,6 +1,5 @@
 using Unity.Mathematics;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -26,13 +25,15 @@ namespace Rill
         int queryPartCount;
 
         /// <summary>
-        /// Waits for the GPU and hands all results that are pending to probes, detectors and batches. For tests and tools in the Editor: it holds
-        /// the frame up, and in the game a result that is a few frames old is there without waiting.
+        /// Waits for the GPU and hands all results that are pending to probes, detectors and batches of this fluid; other readbacks of the game
+        /// are left pending. For tests and tools in the Editor: it holds the frame up, and in the game a result that is a few frames old is
+        /// there without waiting.
         /// </summary>
         public void FlushQueries()
         {
-            if (pbf?.Queries != null || queryBatches.Count > 0)
-                AsyncGPUReadback.WaitAllRequests();
+            pbf?.Queries?.Complete();
+            for (int i = queryBatches.Count - 1; i >= 0; i--)
+                queryBatches[i].Flush();
         }
 
         // Records what is asked of the state that the steps of this frame left; the slot to request, -1 for nothing.

@@ -29,6 +29,13 @@ namespace Rill
             drains?.Request();
         }
 
+        /// <summary>Waits for what <see cref="RequestSourceCounts"/> asked for, and for nothing else.</summary>
+        public void CompleteSourceCounts()
+        {
+            emitters?.States.Complete();
+            drains?.Complete();
+        }
+
         ParticleTags TagsWithLifetimes => hasLifetimes ? tags : null;
 
         // Makes what the sources of this step need and gives back what they no longer do.

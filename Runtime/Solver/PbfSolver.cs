@@ -247,6 +247,9 @@ namespace Rill
         /// <summary>Starts the readback of what was measured last; at most one is pending.</summary>
         public void RequestStatistics() => statistics.Request();
 
+        /// <summary>Waits for the statistics that are pending, and for nothing else.</summary>
+        public void CompleteStatistics() => statistics?.Complete();
+
         /// <summary>Whether a readback of statistics is pending.</summary>
         public bool StatisticsPending => statistics != null && statistics.IsPending;
 

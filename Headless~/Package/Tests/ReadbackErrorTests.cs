@@ -91,6 +91,28 @@ namespace Host.Tests
             Assert.That(TimesLogged("did not get a measurement"), Is.EqualTo(1));
         }
 
+        // Unity does not say whether a callback comes as its request is waited for or after.
+        [Test]
+        public void A_measurement_that_is_waited_for_is_the_same_where_callbacks_are_late([Values] bool callsBackLate)
+        {
+            Fill();
+            FluidProbe probe = Add<FluidProbe>(new Vector3(0f, -0.25f, 0f));
+            Frames(3);
+            ReadbackQueue.CallsBackLate = callsBackLate;
+            for (int i = 0; i < 3; i++)
+            {
+                Assert.That(fluid.MeasureNow().particles, Is.EqualTo(500));
+                fluid.Advance(FrameTime);
+                fluid.FlushQueries();
+                Assert.That(probe.TryGetSample(out FluidProbeSample sample));
+                Assert.That(sample.step, Is.EqualTo(fluid.StepCount));
+                if (i == 1)
+                    Frames(1);
+            }
+            fluid.enabled = false;
+            Frames(3);
+        }
+
         [Test]
         public void A_lost_answer_lets_samples_grow_old_and_tells_no_event()
         {

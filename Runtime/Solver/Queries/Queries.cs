@@ -170,6 +170,9 @@ namespace Rill
         /// <summary>Asks for what was recorded for a slot, after its command buffer was executed.</summary>
         public void Request(int slot) => ring.Request(slot);
 
+        /// <summary>Waits for the results that are pending, and for nothing else.</summary>
+        public void Complete() => ring.Complete();
+
         /// <summary>Results from before this call are dropped when they come.</summary>
         public void Invalidate() => ring.Invalidate();
 

@@ -72,6 +72,9 @@ namespace Rill
             ring.Request(slot);
         }
 
+        /// <summary>Waits for the answers that are pending, and for nothing else.</summary>
+        public void Complete() => ring.Complete();
+
         /// <summary>Answers from before this call are dropped when they come.</summary>
         public void Invalidate() => ring.Invalidate();
 

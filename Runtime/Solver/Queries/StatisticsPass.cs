@@ -81,6 +81,9 @@ namespace Rill
         /// <summary>Asks for what was recorded, after its command buffer was executed. Nothing while a result is pending.</summary>
         public void Request() => readback.Request();
 
+        /// <summary>Waits for the result that is pending, and for nothing else.</summary>
+        public void Complete() => readback.Complete();
+
         /// <summary>Results from before this call are dropped when they come.</summary>
         public void Invalidate() => readback.Invalidate();
 

@@ -150,6 +150,9 @@ namespace Rill
         /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are pending.</summary>
         public void Request() => readback.Request();
 
+        /// <summary>Waits for the numbers that are pending, and for nothing else.</summary>
+        public void Complete() => readback.Complete();
+
         /// <summary>Particles that a drain has removed, as far as it has come back since the last <see cref="Clear"/>.</summary>
         public int Drained(int number) => readback.HasResult ? (int)readback.Latest[number * Words + (int)DrainWord.Drained] : 0;
 

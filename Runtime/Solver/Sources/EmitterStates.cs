@@ -61,6 +61,9 @@ namespace Rill
         /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are pending.</summary>
         public void Request() => readback.Request();
 
+        /// <summary>Waits for the numbers that are pending, and for nothing else.</summary>
+        public void Complete() => readback.Complete();
+
         /// <summary>The newest number that has come back since the last <see cref="Clear"/>; 0 before the first.</summary>
         public int Latest(int emitter, Word word) => readback.HasResult ? (int)readback.Latest[emitter * Words + (int)word] : 0;
 

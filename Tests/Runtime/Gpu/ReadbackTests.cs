@@ -1,4 +1,6 @@
+using System;
 using System.Collections;
+using System.Collections.Generic;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -73,6 +75,77 @@ namespace Rill.Tests
             Assert.That(request.done, Is.False);
             request.WaitForCompletion();
             others.Release();
+        }
+
+        [Test]
+        public void A_result_that_is_waited_for_is_there_at_once_and_no_other_is_waited_for()
+        {
+            GraphicsBuffer others = GpuTest.Upload("Others", new uint[4]);
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(others);
+            using (var readback = new Readback(GpuTest.Upload("Buffer", new uint[] { 7, 8 })))
+            {
+                int arrived = 0;
+                readback.Arrived = () => arrived++;
+                readback.Complete();        // nothing is pending
+                readback.Request();
+                readback.Complete();
+                Assert.That((arrived, readback.IsPending, readback.HasResult), Is.EqualTo((1, false, true)));
+                Assert.That(readback.Latest.ToArray(), Is.EqualTo(new uint[] { 7, 8 }));
+                Assert.That(request.done, Is.False, "somebody else's");
+            }
+            request.WaitForCompletion();
+            others.Release();
+        }
+
+        [Test]
+        public void Answers_that_are_waited_for_come_in_the_order_of_their_requests()
+        {
+            var order = new List<int>();
+            using (var ring = new ReadbackRing("Ring", 3, 1, order.Add))
+            {
+                for (int slot = 0; slot < 3; slot++)
+                    BufferClear.Now(ring.Buffer(slot));
+                foreach (int slot in new[] { 1, 2, 0 })
+                    ring.Request(slot);
+                ring.Complete();
+                Assert.That(order, Is.EqualTo(new[] { 1, 2, 0 }));
+                Assert.That(ring.Free(), Is.EqualTo(0), "all are free again");
+                ring.Request(2);
+                ring.Request(1);
+                ring.Complete();
+                Assert.That(order, Is.EqualTo(new[] { 1, 2, 0, 2, 1 }));
+            }
+        }
+
+        static readonly Action<FluidSimulation>[] Waits =
+        {
+            fluid => fluid.MeasureNow(),
+            fluid => fluid.FindBlockedEmitters(),
+            fluid => fluid.FlushQueries(),
+        };
+
+        [Test]
+        public void What_tests_ask_of_a_fluid_waits_for_no_readback_of_the_game([Values(0, 1, 2)] int wait)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 2000).Fill(0.2f))
+            using (var batch = new FluidQueryBatch(scene.Fluid, 1))
+            {
+                FluidProbe probe = scene.Probe(Vector3.zero);
+                scene.Add<FluidEmitter>(new Vector3(0f, 0.3f, 0f), Vector3.down);
+                batch.SetPoints(new[] { Vector3.zero }, 0, 1);
+                scene.Step();
+                GraphicsBuffer others = GpuTest.Upload("Others", new uint[4]);
+                AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(others);
+                Waits[wait](scene.Fluid);
+                Assert.That(request.done, Is.False);
+                Assert.That(probe.TryGetSample(out _), Is.EqualTo(wait == 2));
+                Assert.That(batch.HasResult, Is.EqualTo(wait == 2));
+                batch.Flush();
+                Assert.That(batch.HasResult);
+                Assert.That(request.done, Is.False);
+                request.WaitForCompletion();
+                others.Release();
+            }
         }
 
         [UnityTest]

@@ -24,7 +24,7 @@ namespace UnityEngine.Rendering
 
         /// <summary>Takes what the device has finished, without waiting and without a frame; it is then done.</summary>
         public void Update() => Request?.Update();
-        public void WaitForCompletion() => Request?.Complete();
+        public void WaitForCompletion() => Request?.Complete(ReadbackQueue.CallsBackLate);
 
         public NativeArray<T> GetData<T>(int layer = 0) where T : struct
         {

@@ -22,6 +22,9 @@ namespace UnityEngine.Headless
         /// device was lost. Null for none.</summary>
         public static Func<string, bool> Fails { get; set; }
 
+        /// <summary>For tests: whether the callback of a request that is waited for comes with the next frame. Unity does not say when it comes.</summary>
+        public static bool CallsBackLate { get; set; }
+
         /// <summary>Whether a request for a buffer is pending.</summary>
         public static bool IsPending(BufferStorage buffer)
         {
@@ -39,6 +42,17 @@ namespace UnityEngine.Headless
             for (int i = 0; i < count; i++)
             {
                 ReadbackRequest request = requests[i];
+                if (request.CallbackIsDue && request.DoneFrame < Frame)
+                {
+                    try
+                    {
+                        request.CallBack();
+                    }
+                    catch (Exception e)
+                    {
+                        (failures ??= new List<Exception>()).Add(e);
+                    }
+                }
                 if (request.IsDone && request.DoneFrame < Frame)
                 {
                     if (request.Output == null)
@@ -78,6 +92,7 @@ namespace UnityEngine.Headless
                 request.Expire();
             requests.Clear();
             Fails = null;
+            CallsBackLate = false;
         }
 
         /// <param name="size">Bytes; -1 for all behind the offset.</param>

@@ -119,17 +119,34 @@ namespace UnityEngine.Headless
             Complete();
         }
 
-        /// <summary>Waits for the device if need be; the callback comes now.</summary>
-        public void Complete()
+        /// <summary>Whether the data have come and the callback has not.</summary>
+        public bool CallbackIsDue { get; private set; }
+
+        /// <summary>Waits for the device if need be.</summary>
+        /// <param name="callsBackLate">The callback comes with the next frame, not now.</param>
+        public void Complete(bool callsBackLate = false)
         {
             if (IsDone)
                 return;
+            Fetch();
+            CallbackIsDue = true;
+            if (!callsBackLate)
+                CallBack();
+        }
+
+        public void CallBack()
+        {
+            CallbackIsDue = false;
+            Callback?.Invoke(new AsyncGPUReadbackRequest(this));
+        }
+
+        void Fetch()
+        {
             DoneFrame = ReadbackQueue.Frame;
             if (ReadbackQueue.Fails?.Invoke(Source.ToString()) == true)
             {
                 failed = true;
                 DropCopies();
-                Callback?.Invoke(new AsyncGPUReadbackRequest(this));
                 return;
             }
             byte[][] converted = Convert?.Invoke(Copies);
@@ -149,7 +166,6 @@ namespace UnityEngine.Headless
                 layers.Add((IntPtr)memory);
             }
             DropCopies();
-            Callback?.Invoke(new AsyncGPUReadbackRequest(this));
         }
 
         public NativeArray<T> View<T>(int layer) where T : struct

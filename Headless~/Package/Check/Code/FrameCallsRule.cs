@@ -19,7 +19,9 @@ namespace Host.Check
             ("ComputeBuffer", "GetData", "waits for the GPU; use AsyncGPUReadback"),
             ("GraphicsBuffer", "GetData", "waits for the GPU; use AsyncGPUReadback"),
             ("AsyncGPUReadbackRequest", "WaitForCompletion", "waits for the GPU"),
-            ("AsyncGPUReadback", "WaitAllRequests", "waits for the GPU"),
+            ("AsyncGPUReadback", "WaitAllRequests", "waits for the GPU, and for every readback of the game"),
+            ("Readback", "Complete", "waits for the GPU"),
+            ("ReadbackRing", "Complete", "waits for the GPU"),
             ("CommandBuffer", "WaitAllAsyncReadbackRequests", "waits for the GPU"),
             ("Texture2D", "ReadPixels", "waits for the GPU; use AsyncGPUReadback"),
             ("GL", "Flush", "waits for the driver"),
@@ -43,14 +45,18 @@ namespace Host.Check
         {
             ("MeshSdfBaker.Complete", "WaitForCompletion", "a bake that is waited for is a tool; Step does not wait"),
             ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is canceled"),
-            ("FluidSimulation.MeasureNow", "WaitAllRequests", "for the assertions of Rill.Testing, which nothing of a game calls"),
-            ("FluidSimulation.FindParticles", "GetData", "the same"),
-            ("FluidSimulation.FindBlockedEmitters", "WaitAllRequests", "the same"),
-            ("FluidSimulation.FlushQueries", "WaitAllRequests", "for tests and tools of a user, as its documentation says; nothing of " +
-                "the package calls it but the Flush of probes and detectors"),
+            ("FluidSimulation.FindParticles", "GetData", "for the assertions of Rill.Testing, which nothing of a game calls"),
+            ("StatisticsPass.Complete", "Complete", "the same: FluidSimulation.MeasureNow"),
+            ("EmitterStates.Complete", "Complete", "the same: FluidSimulation.FindBlockedEmitters"),
+            ("Drains.Complete", "Complete", "the same"),
+            ("Queries.Complete", "Complete", "for tests and tools of a user, as FlushQueries and Flush say; nothing else of the package calls it"),
+            ("QueryBatch.Complete", "Complete", "the same"),
+            ("ReadbackRing.Complete", "Complete", "the same"),
+            ("PendingReadbacks.Add", "Complete", "as play ends or scripts are loaded again, after which nothing comes back"),
+            ("PendingReadbacks.End", "Complete", "the same"),
+            ("Readback.Complete", "WaitForCompletion", "its callers are in this list"),
             ("FluidRecorder.OnDisable", "WaitForCompletion",
                 "ends the file of a recorder that is disabled or destroyed while it records, as its documentation says; Stop does not wait"),
-            ("Readback.Complete", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
             ("SnapshotCapture.End", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
         };
 
@@ -89,11 +95,16 @@ namespace Host.Check
             return findings;
         }
 
-        // Own methods and those of generic instances are in no list.
+        // Methods of generic instances are in no list.
         static (string type, string member) NameOf(MetadataReader reader, EntityHandle called)
         {
             if (called.Kind == HandleKind.MethodSpecification)
                 called = reader.GetMethodSpecification((MethodSpecificationHandle)called).Method;
+            if (called.Kind == HandleKind.MethodDefinition)
+            {
+                MethodDefinition own = reader.GetMethodDefinition((MethodDefinitionHandle)called);
+                return (reader.GetString(reader.GetTypeDefinition(own.GetDeclaringType()).Name), reader.GetString(own.Name));
+            }
             if (called.Kind != HandleKind.MemberReference)
                 return ("", "");
             MemberReference member = reader.GetMemberReference((MemberReferenceHandle)called);
