@@ -19,12 +19,14 @@ namespace Rill.Editor
         [Tooltip("What is done with the field: nothing, Fluid Colliders on the selected objects take it, or objects without one get a collider.")]
         [SerializeField] BakeAssign assign = BakeAssign.ToColliders;
 
+        // Survives a reload of scripts.
+        [SerializeField, HideInInspector] List<Object> chosen = new List<Object>();
+
         readonly MeshAnalyses analyses = new MeshAnalyses();
-        List<Object> chosen = new List<Object>();
         BakePlan plan;
-        FieldReceiver receiver;     // null where the window's own choice holds
+        FieldReceiver receiver;     // null where the window's own choice holds, and after a reload
         SerializedObject self;
-        Vector2 scroll;
+        [System.NonSerialized] Vector2 scroll;
 
         [MenuItem("Window/Rill/" + Title)]
         static void OpenOnSelection() => Open(Selection.objects);
@@ -71,7 +73,7 @@ namespace Rill.Editor
             self = new SerializedObject(this);
             EditorApplication.update += Analyze;
             analyses.Resume();
-            Choose(Selection.objects);
+            Choose(chosen.Count > 0 ? chosen : (IEnumerable<Object>)Selection.objects);
         }
 
         // Also before scripts are reloaded, which a thread should not outlive.

@@ -1,3 +1,4 @@
+using System;
 using UnityEditor;
 using UnityEngine;
 
@@ -12,18 +13,18 @@ namespace Rill.Editor
 
         static readonly string[] Axes = { "x", "y", "z" };
 
-        [SerializeField] MeshSdfSettings settings;
+        // With what is typed here they survive a reload of scripts.
+        [SerializeField] MeshSdfSettings settings, baked;       // baked: with these, as far as is known here
         [SerializeField] int axis = 2;
         [SerializeField] Vector2 turn = new Vector2(30f, 20f);
 
         SerializedObject self;
-        MeshSdfSettings baked;      // with these, as far as is known here
         readonly int[] layers = new int[3];
         readonly FieldPicture slice = new FieldPicture("Slice"), surface = new FieldPicture("Surface");
         SdfVolume volume;
-        Mesh mesh;
-        string problem, staleness, outcome;
-        bool isTurning;
+        [NonSerialized] Mesh mesh;
+        [NonSerialized] string problem, staleness, outcome;
+        [NonSerialized] bool isTurning;
 
         SignedDistanceField Field => (SignedDistanceField)target;
 
@@ -31,7 +32,7 @@ namespace Rill.Editor
         {
             self = new SerializedObject(this);
             Undo.undoRedoPerformed += Follow;
-            settings = baked = Field.Settings;
+            Adopt();
             Look();
             for (int i = 0; i < layers.Length; i++)
                 layers[i] = volume != null ? volume.Resolution[i] / 2 : 0;
@@ -50,9 +51,15 @@ namespace Rill.Editor
         {
             if (target == null)
                 return;
+            Adopt();
+            Look();
+        }
+
+        // The settings of a bake that is not known here.
+        void Adopt()
+        {
             if (!baked.Equals(Field.Settings))
                 settings = baked = Field.Settings;
-            Look();
         }
 
         // What a bake, this one's or the window's, changes.

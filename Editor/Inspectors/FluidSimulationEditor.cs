@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
@@ -73,7 +74,7 @@ namespace Rill.Editor
         StageTimes times;
         FluidSnapshotRequest saving;
         readonly List<MemoryRows.Row> memory = new List<MemoryRows.Row>();
-        int memoryAt = -MemoryInterval;
+        [NonSerialized] int memoryAt = -MemoryInterval;
 
         internal override InspectorSection[] Sections => AllSections;
 

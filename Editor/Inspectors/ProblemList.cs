@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace Rill.Editor
@@ -15,7 +16,7 @@ namespace Rill.Editor
             {
                 problems.Clear();
                 (one as IHasProblems)?.ListProblems(problems);
-                foreach (string problem in problems)
+                foreach (string problem in problems.Where(problem => !string.IsNullOrEmpty(problem)))
                     texts.Add(inspected.Count > 1 ? $"'{one.name}': {problem}" : char.ToUpperInvariant(problem[0]) + problem.Substring(1));
             }
             return texts;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -45,10 +46,10 @@ namespace Rill
         readonly FloatingBody floating = new FloatingBody();
         readonly List<FluidCollider> colliders = new List<FluidCollider>();     // of the body
         readonly List<Part> parts = new List<Part>();
-        Rigidbody body;
-        float waited;
-        bool problemIsKnown;
-        string clamped;         // what the newest validation changed
+        [NonSerialized] Rigidbody body;
+        [NonSerialized] float waited;
+        [NonSerialized] bool problemIsKnown;
+        [NonSerialized] string clamped;         // what the newest validation changed
 
         /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it
         /// displaces, 0.25 to 16.</summary>

@@ -51,11 +51,11 @@ namespace Rill
         readonly List<GatheredCollider> leavers = new List<GatheredCollider>();     // whose listeners are to be told
         readonly Dictionary<Rigidbody, GatheredBody> carried = new Dictionary<Rigidbody, GatheredBody>();
         readonly List<GatheredBody> bodies = new List<GatheredBody>();      // all of carried, in the order in which they came
-        Collider[] found;       // null until a query was made
-        int round;
-        bool tooManyIsKnown, listens;
-        FluidSimulation fluid;
-        string clamped;         // what the newest validation changed
+        [NonSerialized] Collider[] found;       // null until a query was made
+        [NonSerialized] int round;
+        [NonSerialized] bool tooManyIsKnown, listens;
+        [NonSerialized] FluidSimulation fluid;
+        [NonSerialized] string clamped;         // what the newest validation changed
 
         /// <summary>Layers whose colliders hold the water.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
@@ -229,7 +229,7 @@ namespace Rill
             int count;
             while ((count = physics.OverlapBox(center, half, found, rotation, colliderLayers,
                 QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)
-                Array.Resize(ref found, 2 * count);
+                Array.Resize(ref found, Math.Max(2 * count, FirstFound));
             bool tooMany = count == MaxFound;
             if (tooMany && !tooManyIsKnown)
                 Debug.LogError($"Rill: FluidPhysicsColliders '{name}': {TooManyProblem}", this);

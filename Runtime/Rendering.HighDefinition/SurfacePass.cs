@@ -11,13 +11,13 @@ namespace Rill.HighDefinition
     sealed class SurfacePass : CustomPass
     {
         FluidViews views;
-        bool isReady;
+        [NonSerialized] bool isReady;
 
         /// <summary>Towards the brightest directional light that the camera saw last, world, unit; zero before it was first drawn.</summary>
-        public Vector3 ToLight { get; private set; }
+        [field: NonSerialized] public Vector3 ToLight { get; private set; }
 
         /// <summary>Of that light, linear, lux.</summary>
-        public Color LightColor { get; private set; }
+        [field: NonSerialized] public Color LightColor { get; private set; }
 
         public SurfacePass()
         {

@@ -17,9 +17,9 @@ namespace Rill
         [Tooltip("Whether the shadow of the main light falls on it.")]
         [SerializeField] bool receiveShadows = true;
 
-        Material shaderMaterial;
-        Matrix4x4 domainToWorld;
-        int drawnFrame = -2;
+        [NonSerialized] Material shaderMaterial;
+        [NonSerialized] Matrix4x4 domainToWorld;
+        [NonSerialized] int drawnFrame = -2;
 
         /// <param name="castShadows">What a new component of this kind has.</param>
         private protected FluidRenderer(ShadowCastingMode castShadows) => this.castShadows = castShadows;
@@ -42,10 +42,10 @@ namespace Rill
         /// <summary>The shader's file, without its extension.</summary>
         private protected abstract string ShaderFile { get; }
 
-        private protected FluidSimulation Simulation { get; private set; }
+        [field: NonSerialized] private protected FluidSimulation Simulation { get; private set; }
 
         /// <summary>At the frame before; where nothing was drawn then, at this one.</summary>
-        private protected Matrix4x4 LastDomainToWorld { get; private set; }
+        [field: NonSerialized] private protected Matrix4x4 LastDomainToWorld { get; private set; }
 
         /// <summary>Draws one frame; the simulation is running.</summary>
         private protected abstract void Draw();

@@ -63,8 +63,8 @@ namespace Rill
         readonly List<FluidForce> forces = new List<FluidForce>();
         readonly List<ContactWatch> watches = new List<ContactWatch>();        // one beside each of forces
         ColliderPlace place = ColliderPlace.Origin;
-        bool problemIsKnown;
-        string clamped;     // what the newest validation changed
+        [NonSerialized] bool problemIsKnown;
+        [NonSerialized] string clamped;     // what the newest validation changed
 
         /// <summary>Shape of the collider.</summary>
         public ColliderShape Shape { get => shape; set => shape = value; }
@@ -88,7 +88,7 @@ namespace Rill
         public HeightField Heights { get => heights; set => heights = value; }
 
         /// <summary>Makes a mesh deform, instead of the field; null where it keeps its shape.</summary>
-        internal FluidDeformingMesh Deforming { get; set; }
+        [field: NonSerialized] internal FluidDeformingMesh Deforming { get; set; }
 
         /// <summary>Whether the water is inside.</summary>
         public bool InsideOut { get => insideOut; set => insideOut = value; }
@@ -144,7 +144,7 @@ namespace Rill
         }
 
         /// <summary>Whether a component lets the fluid carry the collider's body, and needs its force.</summary>
-        internal bool IsCarried { get; set; }
+        [field: NonSerialized] internal bool IsCarried { get; set; }
 
         /// <summary>The newest of each simulation; some may have ended since.</summary>
         internal List<FluidForce> Forces => forces;
@@ -180,7 +180,7 @@ namespace Rill
         }
 
         /// <summary>Grows with each <see cref="Teleport"/>.</summary>
-        internal int Teleports { get; private set; }
+        [field: NonSerialized] internal int Teleports { get; private set; }
 
         /// <summary>All that are enabled, in the order in which they came.</summary>
         internal static List<FluidCollider> Enabled => enabledColliders;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -26,9 +27,9 @@ namespace Rill
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         readonly FluidConnectionState state = new FluidConnectionState();
-        FluidSimulation attachedFirst, attachedSecond;
-        ConnectionFault said;
-        bool saidWaiting;
+        [NonSerialized] FluidSimulation attachedFirst, attachedSecond;
+        [NonSerialized] ConnectionFault said;
+        [NonSerialized] bool saidWaiting;
 
         /// <summary>One of the fluids.</summary>
         public FluidSimulation First { get => first; set { first = value; Attach(); } }

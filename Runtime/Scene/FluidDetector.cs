@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
@@ -64,7 +65,7 @@ namespace Rill
         const float LeaveFraction = 0.5f, CalmFraction = 0.8f;
 
         FluidDetectorSample latest;
-        bool isNew, isEntered, isFilled, isImpact;
+        [NonSerialized] bool isNew, isEntered, isFilled, isImpact;
 
         /// <summary>A box, a sphere, a capsule or a mesh.</summary>
         public DetectorShape Shape { get => shape; set => shape = value; }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
@@ -41,7 +42,7 @@ namespace Rill
 
         const int NoSize = FirstOwnProblem, NoTarget = FirstOwnProblem + 1;
 
-        double budget;      // m³ that may still go
+        [NonSerialized] double budget;      // m³ that may still go
 
         /// <summary>A box or a sphere.</summary>
         public DrainShape Shape { get => shape; set => shape = value; }

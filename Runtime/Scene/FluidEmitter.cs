@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
@@ -100,10 +101,11 @@ namespace Rill
         EmissionClock clock;
         EmitterPositions positions;
         PositionsKey positionsKey;
-        string positionsProblem;
-        bool isOn;
-        bool saysLast;              // one step after the last tells the GPU that nothing waits any more
-        int searchSteps;            // until every place was tried
+        [NonSerialized] string positionsProblem;
+        [NonSerialized] bool isOn;
+        [NonSerialized] bool saysLast;              // one step after the last tells the GPU that nothing waits any more
+        [NonSerialized] int searchSteps;            // until every place was tried
+        [NonSerialized]
         float3 takenAlong;          // velocity of its own that the fluid took along in the last step, d/s, in the domain's frame
 
         /// <summary>Where the fluid comes from.</summary>

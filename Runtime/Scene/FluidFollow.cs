@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -43,9 +44,9 @@ namespace Rill
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
-        FluidSimulation fluid;
-        string clamped;
-        bool said;
+        [NonSerialized] FluidSimulation fluid;
+        [NonSerialized] string clamped;
+        [NonSerialized] bool said;
 
         /// <summary>What the middle of the box follows; not an object below the fluid.</summary>
         public Transform Target { get => target; set { target = value; said = false; } }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections;
 using System.Collections.Generic;
 using UnityEngine;
@@ -13,11 +14,11 @@ namespace Rill
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
-        FluidSimulation attached;
+        [NonSerialized] FluidSimulation attached;
         RigidPose lastPose;         // at the end of the last steps, in the domain's frame
-        bool follows;               // whether it came from there
-        int said;           // bit p: problem p was logged and is still there
-        string clamped;     // what the newest validation changed
+        [NonSerialized] bool follows;               // whether it came from there
+        [NonSerialized] int said;           // bit p: problem p was logged and is still there
+        [NonSerialized] string clamped;     // what the newest validation changed
 
         /// <summary>The fluid that this acts on; null while there is none or this is disabled. Setting null means the nearest above it.</summary>
         public FluidSimulation Simulation
@@ -34,7 +35,7 @@ namespace Rill
         public void Teleport() => follows = false;
 
         /// <summary>Number among its kind in the simulation, -1 where it has none.</summary>
-        internal int Number { get; set; } = -1;
+        [field: NonSerialized] internal int Number { get; set; } = -1;
 
         /// <summary>Problems of every part; those of a kind of its own come from <see cref="FirstOwnProblem"/> on.</summary>
         const int NoPlace = 0, NoSimulation = 1, TooMany = 2;

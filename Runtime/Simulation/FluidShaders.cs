@@ -17,7 +17,7 @@ namespace Rill
         [Tooltip("Stages that a player with this asset contains. Those of the package lie in its folder Runtime/Stages.")]
         [SerializeField] StageShader[] stages = Array.Empty<StageShader>();
 
-        StageShader[] held;
+        [NonSerialized] StageShader[] held;
 
         /// <summary>Stages that a player with this asset contains; set where a script makes the asset.</summary>
         public StageShader[] Stages

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -10,8 +11,8 @@ namespace Rill
 
         BudgetedSolver budgeted;
         FrameGpuTime frameTime;
-        SolverSettings effective;
-        bool saidTooSmall, saidBounds;
+        [NonSerialized] SolverSettings effective;
+        [NonSerialized] bool saidTooSmall, saidBounds;
 
         /// <summary>GPU time that the steps may take. Out-of-range values are clamped with a warning.</summary>
         public SolverBudget Budget

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -12,7 +13,7 @@ namespace Rill
         [SerializeField] LayerMask fluidColliderLayers = Everything;
 
         readonly ColliderRegistry colliders = new ColliderRegistry();
-        bool tooManyIsKnown;
+        [NonSerialized] bool tooManyIsKnown;
 
         /// <summary>Layers whose Fluid Colliders act on this fluid; all by default. Acts from the next step on: a collider that another mask,
         /// or another layer of its object, takes out has left the fluid. Without effect on what a <c>FluidPhysicsColliders</c> takes.</summary>

@@ -8,7 +8,7 @@ namespace Rill
     {
         readonly FluidConnection[] connections = new FluidConnection[ParticleTransfer.MaxTransfers];    // by their transfers' numbers
         StepConnections neighbors;
-        int connectionCount, steppedInFrame = -1;
+        [NonSerialized] int connectionCount, steppedInFrame = -1;
 
         /// <summary>Adds an end of a connection.</summary>
         /// <returns>False where there are too many.</returns>

@@ -11,7 +11,7 @@ namespace Rill
     {
         Action onRefusals;
         NativeArray<float4> batchPositions, batchVelocities;       // of the last small batch, used again
-        bool saidRefused, saidOutside;
+        [NonSerialized] bool saidRefused, saidOutside;
 
         /// <summary>
         /// Adds particles at once, wherever they are: keep them a spacing apart and out of water that is there. Those beyond the capacity

@@ -20,7 +20,7 @@ namespace Rill
         const float MinCulledRate = 0.01f, DefaultCulledRate = 0.25f;
         const float CullingMargin = 2f;     // d: how far what is drawn may reach beyond the box
 
-        Camera[] cameras;
+        [NonSerialized] Camera[] cameras;
         Plane[] planes;
 
         /// <summary>What the fluid does while no camera sees its box; it goes on by default.</summary>
@@ -41,7 +41,7 @@ namespace Rill
 
         /// <summary>Whether no camera saw the box in the last frame, so that the fluid was slowed or paused. False with
         /// <see cref="FluidCullingMode.AlwaysSimulate"/>.</summary>
-        public bool IsCulled { get; private set; }
+        [field: NonSerialized] public bool IsCulled { get; private set; }
 
         void ValidateCulling(ref string problem)
         {

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -9,8 +10,8 @@ namespace Rill
 
         DeviceGate gate;
         DeviceLimits limits;
-        DeviceFeature wanted;       // of the steps of this frame
-        DeviceFeature loggedRefusals;
+        [NonSerialized] DeviceFeature wanted;       // of the steps of this frame
+        [NonSerialized] DeviceFeature loggedRefusals;
 
         /// <summary>Set before it is enabled by tests: limits instead of the device's own, within them.</summary>
         internal DeviceLimits? PretendedLimits { get; set; }

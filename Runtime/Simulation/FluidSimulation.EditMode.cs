@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -9,7 +10,7 @@ namespace Rill
 
         /// <summary>Whether the Editor simulates this fluid without Play. Set before it is enabled there, and taken back when it is
         /// disabled.</summary>
-        internal bool IsInEditMode { get; set; }
+        [field: NonSerialized] internal bool IsInEditMode { get; set; }
 
         /// <summary>Gives it the time of the next frame, s; 0 stands for a pause.</summary>
         internal void GiveTime(float seconds) => editorTime = seconds;

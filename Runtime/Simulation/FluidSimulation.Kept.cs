@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -11,7 +12,7 @@ namespace Rill
             "then: 80 bytes each, and 8 more with phases or lifetimes.")]
         [SerializeField] int keptCapacity = DefaultKeptCapacity;
 
-        bool saidKeptFull, saidKeptSnapshot;
+        [NonSerialized] bool saidKeptFull, saidKeptSnapshot;
 
         /// <summary>Most particles that <see cref="Recenter"/> keeps outside the box where it is told to, 1 to 16,777,216. Acts when it first
         /// keeps some, and after a <see cref="Restart"/>. Out-of-range values are clamped with a warning.</summary>

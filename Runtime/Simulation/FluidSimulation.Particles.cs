@@ -8,7 +8,7 @@ namespace Rill
     public sealed partial class FluidSimulation
     {
         Action<CommandBuffer, FluidParticles>[] passes = Array.Empty<Action<CommandBuffer, FluidParticles>>();
-        bool isRecordingPasses;
+        [NonSerialized] bool isRecordingPasses;
 
         /// <summary>
         /// Called at the start of each fixed step, which may be none or several times a frame, to record compute passes that read the
@@ -47,7 +47,7 @@ namespace Rill
         /// Whether particles have phases even where no emitter gives any, so that a pass can set them. From the passes of the next step on; once
         /// there they stay until a restart. 8 bytes for each particle of the capacity, and one dispatch a substep.
         /// </summary>
-        public bool TrackPhases { get; set; }
+        [field: NonSerialized] public bool TrackPhases { get; set; }
 
         /// <summary>
         /// The particles as the last step left them; false while the fluid is not running. In LateUpdate of an order above

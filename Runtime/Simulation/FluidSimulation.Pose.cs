@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -5,9 +6,9 @@ namespace Rill
     // Where the box is: at this object, or where it last was while the transform is no place.
     public sealed partial class FluidSimulation
     {
-        Vector3 lastPlace;
-        Quaternion lastTurn = Quaternion.identity;
-        bool poseIsLost;
+        [NonSerialized] Vector3 lastPlace;
+        [NonSerialized] Quaternion lastTurn = Quaternion.identity;
+        [NonSerialized] bool poseIsLost;
 
         /// <summary>Position and rotation of this object; the last finite ones while a component of them is not finite.</summary>
         internal void GetPose(out Vector3 position, out Quaternion rotation)

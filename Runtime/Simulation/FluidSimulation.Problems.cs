@@ -7,8 +7,8 @@ namespace Rill
     // What is wrong, in the words in which it is logged.
     public sealed partial class FluidSimulation
     {
-        string clamped;     // what the newest validation changed
-        string failure;     // what stopped it
+        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] string failure;     // what stopped it
 
         void IHasProblems.ListProblems(List<string> problems)
         {

@@ -1,3 +1,4 @@
+using System;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -22,7 +23,7 @@ namespace Rill
         readonly FluidDetector[] detectors = new FluidDetector[Queries.MaxDetectors];
         AskedQueries[] asked;
         QueryInput queryInput;
-        int queryPartCount;
+        [NonSerialized] int queryPartCount;
 
         /// <summary>
         /// Waits for the GPU and hands all results that are pending to probes, detectors and batches of this fluid; other readbacks of the game

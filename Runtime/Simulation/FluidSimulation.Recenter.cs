@@ -7,8 +7,8 @@ namespace Rill
     // A box that is put elsewhere and leaves the water where it is: some leaves the box, and another fluid may take it.
     public sealed partial class FluidSimulation
     {
-        FluidSimulation handedOverTo;       // the last one, for what is logged of it
-        bool saidHandOverFull;
+        [NonSerialized] FluidSimulation handedOverTo;       // the last one, for what is logged of it
+        [NonSerialized] bool saidHandOverFull;
 
         /// <summary>
         /// Moves the box, and leaves the water where it is in the world: for a box that follows a target. What then lies outside goes to

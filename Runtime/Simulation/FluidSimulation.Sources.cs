@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -10,10 +11,10 @@ namespace Rill
         readonly FluidEmitter[] emitters = new FluidEmitter[StepSources.MaxEmitters];
         readonly FluidDrain[] drains = new FluidDrain[StepSources.MaxDrains];
         readonly FluidForceField[] fields = new FluidForceField[StepSources.MaxFields];
-        int partCount;
-        uint goneEmitters, goneDrains;      // since the last step, a bit for each number
+        [NonSerialized] int partCount;
+        [NonSerialized] uint goneEmitters, goneDrains;      // since the last step, a bit for each number
         StepSources sources;
-        int stepsSinceReadback;
+        [NonSerialized] int stepsSinceReadback;
 
         /// <summary>Gives a part its number, or none where there are too many of its kind.</summary>
         internal void Attach(FluidPart part)

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill
@@ -11,9 +12,9 @@ namespace Rill
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
-        StageSet found, missing, missingSaid;
-        int stagesSeen = -1;
-        string missingProblem;
+        [NonSerialized] StageSet found, missing, missingSaid;
+        [NonSerialized] int stagesSeen = -1;
+        [NonSerialized] string missingProblem;
 
         /// <summary>Shaders that a build with this fluid contains. Of use in the Editor alone: a player has those that it was built with.</summary>
         public ShadersInBuild ShadersInBuild { get => shadersInBuild; set { shadersInBuild = value; OnValidate(); } }

@@ -8,14 +8,14 @@ namespace Rill
     {
         const int FramesToKeepSurface = 30;     // that nothing asks for: a camera may look away for a moment
 
-        int framesWithoutSurface;
+        [NonSerialized] int framesWithoutSurface;
         PbfSolver tooLarge;         // whose surface this device cannot hold
 
         /// <summary>Before the steps of a frame: what draws the surface sets <see cref="NeedsSurface"/> where it does in this frame.</summary>
         internal event Action AskForSurface;
 
         /// <summary>Whether this frame ends with the surface of its state: <see cref="PbfSolver.Surface"/>. False again after the frame.</summary>
-        internal bool NeedsSurface { get; set; }
+        [field: NonSerialized] internal bool NeedsSurface { get; set; }
 
         /// <summary>Records the surface where it is asked for and not that of the current state.</summary>
         /// <returns>Whether anything was recorded.</returns>

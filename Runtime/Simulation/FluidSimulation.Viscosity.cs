@@ -6,7 +6,7 @@ namespace Rill
     // A dynamic viscosity beyond what its passes reach.
     public sealed partial class FluidSimulation
     {
-        bool isTooViscous, saidTooViscous;
+        [NonSerialized] bool isTooViscous, saidTooViscous;
 
         // Of the input as it is recorded: with the substeps that are taken.
         void CheckViscosity()

@@ -69,17 +69,17 @@ namespace Rill
         CommandBuffer commands;
         FixedStepClock clock;
         StepInput input;
-        int stepsSinceStatistics;
-        double lastFrameTime;       // FrameTime of the frame before, s
-        float3 lastPosition, lastVelocity;
-        float lastDuration;         // in which it had that velocity, s; 0 where it stood still
-        bool layoutChanged;
+        [NonSerialized] int stepsSinceStatistics;
+        [NonSerialized] double lastFrameTime;       // FrameTime of the frame before, s
+        [NonSerialized] float3 lastPosition, lastVelocity;
+        [NonSerialized] float lastDuration;         // in which it had that velocity, s; 0 where it stood still
+        [NonSerialized] bool layoutChanged;
 
         /// <summary>Fixed steps taken since the last restart.</summary>
-        public int StepCount { get; private set; }
+        [field: NonSerialized] public int StepCount { get; private set; }
 
         /// <summary>Fluid time since the last restart, s.</summary>
-        public double FluidTime { get; private set; }
+        [field: NonSerialized] public double FluidTime { get; private set; }
 
         /// <summary>Fluid time of the current frame since the last restart, s: at which the fluid is drawn. Up to a fixed step more than
         /// <see cref="FluidTime"/>.</summary>
@@ -135,7 +135,7 @@ namespace Rill
         }
 
         /// <summary>Set every frame by what draws the density, which then is summed with the velocities of the next steps.</summary>
-        internal bool NeedsDensity { get; set; }
+        [field: NonSerialized] internal bool NeedsDensity { get; set; }
 
         /// <summary>Set every frame by what draws foam, which then is made in the next steps; none where it was not set.</summary>
         internal FoamSettings? NeedsFoam { get; set; }

@@ -10,10 +10,10 @@ namespace Rill
 
     static class Problems
     {
-        /// <summary>Null is no problem.</summary>
+        /// <summary>Null and "" are no problem.</summary>
         public static void AddIfAny(this List<string> problems, string problem)
         {
-            if (problem != null)
+            if (!string.IsNullOrEmpty(problem))
                 problems.Add(problem);
         }
     }

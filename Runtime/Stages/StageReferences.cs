@@ -9,8 +9,8 @@ namespace Rill
     {
         [SerializeField] StageShader[] stages = Array.Empty<StageShader>();
 
-        StageShader[] held;
-        StageSet followed;
+        [NonSerialized] StageShader[] held;
+        [NonSerialized] StageSet followed;
 
         /// <summary>What is stored; an element is null where its asset is gone.</summary>
         public StageShader[] Stages => stages;

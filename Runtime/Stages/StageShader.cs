@@ -19,8 +19,8 @@ namespace Rill
         [KeptBetweenPlays] static Func<string, StageShader> editorFind;
         [KeptBetweenPlays] static int changes;
 
-        string stage;       // its name, which Unity would copy at each call
-        int holders;
+        [NonSerialized] string stage;       // its name, which Unity would copy at each call
+        [NonSerialized] int holders;
 
         /// <summary>The stage's kernels; null for a stage that only draws.</summary>
         public ComputeShader Compute => compute;

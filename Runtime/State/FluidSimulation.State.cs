@@ -13,7 +13,7 @@ namespace Rill
         [Tooltip("Snapshot that the fluid starts with instead of its volumes. None: the volumes are filled.")]
         [SerializeField] FluidSnapshotAsset startState;
 
-        string startProblem;        // of the newest restart
+        [NonSerialized] string startProblem;        // of the newest restart
 
         /// <summary>Snapshot that a restart begins with instead of the volumes; null for the volumes.</summary>
         public FluidSnapshotAsset StartState { get => startState; set => startState = value; }

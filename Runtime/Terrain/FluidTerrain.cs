@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -19,12 +20,12 @@ namespace Rill
             "large terrains and costs less memory.")]
         [SerializeField] Rect part = new Rect(0f, 0f, 1f, 1f);
 
-        FluidCollider fluidCollider;
+        [NonSerialized] FluidCollider fluidCollider;
         TerrainHeights heights;
-        string clamped;     // what the newest validation changed
-        string refusal;     // why the newest heights were not taken
-        ColliderShape shapeBefore;
-        bool holesAreKnown;
+        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] string refusal;     // why the newest heights were not taken
+        [NonSerialized] ColliderShape shapeBefore;
+        [NonSerialized] bool holesAreKnown;
 
         /// <summary>Part of the terrain that the fluid can reach, as fractions of its sides along x and z, 0 to 1. After a change call
         /// <see cref="Refresh"/>.</summary>

@@ -24,7 +24,7 @@ namespace Rill
         public override double duration => RecordingDuration > begin ? RecordingDuration - begin : base.duration;
 
         /// <summary>Of what is bound to the track, s; 0 while it is not known.</summary>
-        internal double RecordingDuration { get; set; }
+        [field: NonSerialized] internal double RecordingDuration { get; set; }
 
         /// <summary>Makes a playable that stands for the clip. The track does the rest.</summary>
         public override Playable CreatePlayable(PlayableGraph graph, GameObject owner) => Playable.Create(graph);

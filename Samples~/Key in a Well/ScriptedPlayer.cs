@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill.Samples
@@ -18,7 +19,7 @@ namespace Rill.Samples
         [Min(0f)]
         [SerializeField] float restartsAfter = 6f;
 
-        float over;
+        [NonSerialized] float over;
 
         /// <summary>Where it pours, m from the middle of the well.</summary>
         public float Aim { get => aim; set => aim = value; }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections;
 using UnityEngine;
 using UnityEngine.Events;
@@ -68,13 +69,13 @@ namespace Rill.Samples
         [SerializeField] UnityEvent lost = new UnityEvent();
 
         FluidSnapshot start;
-        FluidBuoyancy buoyancy;
-        Vector3 tapStart, keyStart;
-        float direction, held, waited;
-        bool isPouring, isPutBack;
+        [NonSerialized] FluidBuoyancy buoyancy;
+        [NonSerialized] Vector3 tapStart, keyStart;
+        [NonSerialized] float direction, held, waited;
+        [NonSerialized] bool isPouring, isPutBack;
 
         /// <summary>How the game stands.</summary>
-        public WellState State { get; private set; }
+        [field: NonSerialized] public WellState State { get; private set; }
 
         /// <summary>Called when a game begins.</summary>
         public UnityEvent Started => started;

@@ -1,3 +1,4 @@
+using System;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
@@ -47,10 +48,10 @@ namespace Rill.Samples
         [SerializeField] float pause = 2f;
 
         ParticleReadback readback;
-        Vector3 home;
-        int kernel, total, held;
-        int countsFrom;         // readbacks of earlier steps do not know of the water that fell
-        float restsUntil;
+        [NonSerialized] Vector3 home;
+        [NonSerialized] int kernel, total, held;
+        [NonSerialized] int countsFrom;         // readbacks of earlier steps do not know of the water that fell
+        [NonSerialized] float restsUntil;
 
         /// <summary>Particles in the ball, as far as it is known.</summary>
         public int Held => held;

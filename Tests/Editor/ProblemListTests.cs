@@ -93,6 +93,23 @@ namespace Rill.Editor.Tests
             Assert.That(problems.Select(problem => problem.Substring(0, 5)), Is.EqualTo(new[] { "'A': ", "'B': " }));
         }
 
+        [Test]
+        public void An_empty_text_is_no_problem()
+        {
+            var empty = ScriptableObject.CreateInstance<Empty>();
+            Assert.That(ProblemList.Of(new Object[] { empty }), Is.Empty);
+            Object.DestroyImmediate(empty);
+            var problems = new List<string>();
+            problems.AddIfAny("");
+            problems.AddIfAny(null);
+            Assert.That(problems, Is.Empty);
+        }
+
+        sealed class Empty : ScriptableObject, IHasProblems
+        {
+            void IHasProblems.ListProblems(List<string> problems) => problems.Add("");
+        }
+
         T Below<T>(FluidSimulation fluid) where T : Component
         {
             var made = scene.Add<T>();

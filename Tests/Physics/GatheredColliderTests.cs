@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Reflection;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -149,6 +150,14 @@ namespace Rill.Tests
             for (int i = 0; i < 150; i++)
                 Add<SphereCollider>(Vector3.zero).radius = 0.01f;
             Assert.That(Gather().Count, Is.EqualTo(150));
+        }
+
+        [Test]
+        public void A_query_without_room_for_results_makes_room()
+        {
+            Add<BoxCollider>(Vector3.zero);
+            typeof(FluidPhysicsColliders).GetField("found", BindingFlags.Instance | BindingFlags.NonPublic).SetValue(colliders, new Collider[0]);
+            Assert.That(Gather().Count, Is.EqualTo(1));
         }
 
         [Test]

@@ -26,6 +26,7 @@ namespace Host.Check
             new SceneReferencesRule(),
             new FrameCallsRule(),
             new StaticsRule(),
+            new ReloadFieldsRule(),
             new LineLengthRule(),
             new ModulesRule(),
             new UnityMembersRule(),

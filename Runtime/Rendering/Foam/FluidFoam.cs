@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -37,7 +38,7 @@ namespace Rill
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
 
         MaterialPropertyBlock properties;
-        string clamped;         // what the newest validation changed
+        [NonSerialized] string clamped;         // what the newest validation changed
 
         /// <summary>How much foam there is and how long it lasts. Out-of-range values are clamped with a warning. Another budget takes away
         /// what is there.</summary>

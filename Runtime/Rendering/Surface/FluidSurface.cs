@@ -62,7 +62,7 @@ namespace Rill
         readonly SurfaceWatch watch = new SurfaceWatch();
         readonly Vector4[] phaseAbsorption = new Vector4[PhaseFrame.MaxPhases], phaseScattering = new Vector4[PhaseFrame.MaxPhases];
         SurfaceFrame frame;
-        bool hasFrame;
+        [NonSerialized] bool hasFrame;
 
         /// <summary>All that are enabled and run, for the adapters of the render pipelines.</summary>
         internal static IReadOnlyList<FluidSurface> Active => active;

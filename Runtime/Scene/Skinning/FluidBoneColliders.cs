@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
@@ -33,8 +34,8 @@ namespace Rill
 
         [SerializeField, HideInInspector] List<FluidCollider> capsules = new List<FluidCollider>();
 
-        string clamped;     // what the newest validation changed
-        string refusal;     // why the newest fit made nothing
+        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] string refusal;     // why the newest fit made nothing
 
         /// <summary>From which weight on a vertex belongs to a bone, 0.05 to 1. Counts at the next <see cref="Fit"/>, as all settings
         /// here.</summary>

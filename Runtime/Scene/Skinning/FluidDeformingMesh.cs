@@ -47,18 +47,18 @@ namespace Rill
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
-        FluidCollider fluidCollider;
+        [NonSerialized] FluidCollider fluidCollider;
         DeformedMesh mesh;
         DeformingField field;
         SdfGrid grid;
-        Bounds box, limits;     // that the grid holds, and may hold, in the mesh's frame, m
-        string clamped;         // what the newest validation changed
-        string refusal;         // why there is no mesh
-        ColliderShape shapeBefore;
-        int lastFrame = -1, framesOfBake, framesOfLast, framesSince;
-        float begun, poseTime;  // s
+        [NonSerialized] Bounds box, limits;     // that the grid holds, and may hold, in the mesh's frame, m
+        [NonSerialized] string clamped;         // what the newest validation changed
+        [NonSerialized] string refusal;         // why there is no mesh
+        [NonSerialized] ColliderShape shapeBefore;
+        [NonSerialized] int lastFrame = -1, framesOfBake, framesOfLast, framesSince;
+        [NonSerialized] float begun, poseTime;  // s
         (int, float, MeshSdfSign, float) taken;      // settings of the field: with others it is made again
-        bool isStale, isTooWide;
+        [NonSerialized] bool isStale, isTooWide;
 
         /// <summary>Voxels along the longest side of the box around the mesh, 16 to 64. With another the field is made again.</summary>
         public int Resolution { get => resolution; set { resolution = value; OnValidate(); } }
@@ -86,7 +86,7 @@ namespace Rill
 
         /// <summary>How long ago the mesh had the pose of the newest field, s. Does not grow while the mesh keeps that pose. 0 before the
         /// first.</summary>
-        public float FieldAge { get; private set; }
+        [field: NonSerialized] public float FieldAge { get; private set; }
 
         /// <summary>Triangles that are baked; 0 while there is no mesh.</summary>
         internal int TriangleCount => mesh != null ? mesh.TriangleCount : 0;

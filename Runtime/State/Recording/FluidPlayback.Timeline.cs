@@ -10,7 +10,7 @@ namespace Rill
 
         /// <summary>Whether a track of a Timeline says which time is shown. Time does not pass by itself meanwhile, also while it
         /// plays.</summary>
-        public bool IsDriven { get; private set; }
+        [field: NonSerialized] public bool IsDriven { get; private set; }
 
         /// <summary>Shows a time, and lets none pass by itself until <see cref="LetGo"/>. Short steps in a row count as playing, others as
         /// jumps. Does nothing where no recording is open.</summary>

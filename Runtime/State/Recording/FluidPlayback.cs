@@ -41,15 +41,15 @@ namespace Rill
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
-        FluidSimulation simulation;
+        [NonSerialized] FluidSimulation simulation;
         RecordingReader reader;
         FrameReadAhead frames;
-        string opened, problem, clamped;
-        double time;
-        bool hasJumped, goesBack;
+        [NonSerialized] string opened, problem, clamped;
+        [NonSerialized] double time;
+        [NonSerialized] bool hasJumped, goesBack;
         PbfSolver shownSolver;      // which the shown frame is in
-        int shownGeneration;
-        string refused;             // why it does not fit, of the solver that was looked at
+        [NonSerialized] int shownGeneration;
+        [NonSerialized] string refused;             // why it does not fit, of the solver that was looked at
         PbfSolver checkedSolver;
 
         /// <summary>Path of the recording that is opened when this is enabled; a relative one begins in the StreamingAssets folder. Empty
@@ -63,7 +63,7 @@ namespace Rill
         public bool IsOpen => reader != null;
 
         /// <summary>Whether time passes in the recording.</summary>
-        public bool IsPlaying { get; private set; }
+        [field: NonSerialized] public bool IsPlaying { get; private set; }
 
         /// <summary>Time that is shown since the first frame, s, 0 to <see cref="Duration"/>. Set it to go anywhere, also while paused; it
         /// is brought into that range.</summary>
@@ -100,11 +100,11 @@ namespace Rill
         }
 
         /// <summary>Number of the frame that the fluid shows, from 0; -1 before the first has been read.</summary>
-        public int ShownFrame { get; private set; } = -1;
+        [field: NonSerialized] public int ShownFrame { get; private set; } = -1;
 
         /// <summary>Times that a frame was not read when it should have been shown, since the recording was opened: the frame before
         /// stayed.</summary>
-        public int MissedFrames { get; private set; }
+        [field: NonSerialized] public int MissedFrames { get; private set; }
 
         /// <summary>Whether the recording has no index that can be read, as of a player that was ended while it recorded: it then ends with
         /// the last whole frame.</summary>
@@ -129,7 +129,7 @@ namespace Rill
         internal FrameLayout Layout => reader.Header.Layout;
 
         /// <summary>Time of the shown picture since the shown frame, s.</summary>
-        internal double Lag { get; private set; }
+        [field: NonSerialized] internal double Lag { get; private set; }
 
         /// <summary>Replaces the file: for tests.</summary>
         internal Func<string, Stream> OpenFile { get; set; } = File.OpenRead;

@@ -52,14 +52,14 @@ namespace Rill
 
         readonly Stack<Transfer> idle = new Stack<Transfer>();
         readonly List<Transfer> recorded = new List<Transfer>(), coming = new List<Transfer>();      // before and after their commands are executed
-        FluidSimulation simulation;
+        [NonSerialized] FluidSimulation simulation;
         RecordingWriter writer;
         RecordingHeader header;
         PbfSolver solver;
-        string path, problem, clamped;
-        double startTime;
-        long lastFrame;
-        int lastStep, buffers;
+        [NonSerialized] string path, problem, clamped;
+        [NonSerialized] double startTime;
+        [NonSerialized] long lastFrame;
+        [NonSerialized] int lastStep, buffers;
 
         /// <summary>What is kept of each particle besides its position; of the next recording.</summary>
         public RecordingFields Fields { get => fields; set => fields = value & RecordingFields.All; }
@@ -72,7 +72,7 @@ namespace Rill
         public int BufferedFrames { get => bufferedFrames; set { bufferedFrames = value; OnValidate(); } }
 
         /// <summary>Whether frames are being recorded.</summary>
-        public bool IsRecording { get; private set; }
+        [field: NonSerialized] public bool IsRecording { get; private set; }
 
         /// <summary>Whether the file is still being written, which goes on for some frames after <see cref="Stop"/>.</summary>
         public bool IsWriting => writer != null && !writer.IsDone;

@@ -8,7 +8,7 @@ namespace Rill
     // Recordings: what is recorded after a step, and what is shown instead of steps.
     public sealed partial class FluidSimulation
     {
-        FluidPlayback playback;
+        [NonSerialized] FluidPlayback playback;
 
         /// <summary>Whether the frames of a <see cref="FluidPlayback"/> replace the fluid's steps.</summary>
         public bool IsPlayedBack => playback != null;

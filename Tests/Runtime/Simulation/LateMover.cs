@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill.Tests
@@ -5,9 +6,9 @@ namespace Rill.Tests
     /// <summary>A script of the default order that moves its object after all animation.</summary>
     sealed class LateMover : MonoBehaviour
     {
-        public int Frames { get; private set; }
+        [field: NonSerialized] public int Frames { get; private set; }
 
-        public Vector3 Position { get; private set; }
+        [field: NonSerialized] public Vector3 Position { get; private set; }
 
         void LateUpdate()
         {

@@ -8,10 +8,17 @@ namespace UnityEngine.Headless
     internal static class SerializedFields
     {
         const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
-        static readonly Dictionary<Type, FieldInfo[]> cache = new Dictionary<Type, FieldInfo[]>();
+        static readonly Dictionary<Type, FieldInfo[]> stored = new Dictionary<Type, FieldInfo[]>();
+        static readonly Dictionary<Type, FieldInfo[]> backedUp = new Dictionary<Type, FieldInfo[]>();
 
         /// <summary>Base classes' fields first. For the engine's own components: values and object references not marked NonSerialized.</summary>
-        public static FieldInfo[] Of(Type type)
+        public static FieldInfo[] Of(Type type) => All(type, stored, IsStored);
+
+        /// <summary>What a reload of scripts carries over: private fields too, whether they have an attribute or not, unless it is
+        /// NonSerialized (manual, "Script serialization", Hot reloading).</summary>
+        public static FieldInfo[] BackedUp(Type type) => All(type, backedUp, IsBackedUp);
+
+        static FieldInfo[] All(Type type, Dictionary<Type, FieldInfo[]> cache, Func<FieldInfo, bool> belongs)
         {
             if (cache.TryGetValue(type, out FieldInfo[] fields))
                 return fields;
@@ -20,24 +27,31 @@ namespace UnityEngine.Headless
             {
                 int at = 0;
                 foreach (FieldInfo field in t.GetFields(Own))
-                    if (IsSerialized(field))
+                    if (belongs(field))
                         found.Insert(at++, field);
             }
             cache.Add(type, fields = found.ToArray());
             return fields;
         }
 
-        static bool IsSerialized(FieldInfo field)
+        static bool IsStored(FieldInfo field) => IsBackedUp(field) && (field.IsPublic || IsMarked(field) || IsEngines(field));
+
+        static bool IsBackedUp(FieldInfo field)
         {
             if (field.IsStatic || field.IsInitOnly || field.IsNotSerialized)
                 return false;
             if (field.IsDefined(typeof(SerializeReference)))
                 return true;
             // The engine keeps its state in private fields without attributes.
-            if (field.DeclaringType.Assembly == typeof(SerializedFields).Assembly)
-                return IsState(field.FieldType) || field.IsDefined(typeof(SerializeField)) && CanStore(field.FieldType);
-            return (field.IsPublic || field.IsDefined(typeof(SerializeField))) && CanStore(field.FieldType);
+            if (IsEngines(field))
+                return IsState(field.FieldType) || IsMarked(field) && CanStore(field.FieldType);
+            return CanStore(field.FieldType);
         }
+
+        /// <summary>Whether an attribute has a field stored that is not public.</summary>
+        public static bool IsMarked(FieldInfo field) => field.IsDefined(typeof(SerializeField)) || field.IsDefined(typeof(SerializeReference));
+
+        static bool IsEngines(FieldInfo field) => field.DeclaringType.Assembly == typeof(SerializedFields).Assembly;
 
         // Values and references to objects; what else an engine's component holds (lists of commands, caches) is its own.
         static bool IsState(Type type)
@@ -59,7 +73,8 @@ namespace UnityEngine.Headless
             if (type.IsArray || type.IsAbstract || type.IsInterface || typeof(Delegate).IsAssignableFrom(type) || type == typeof(decimal)
                 || type.IsPointer)
                 return false;
-            return engineTypes.Contains(type) || type.IsSerializable && !IsFramework(type.Assembly);
+            return engineTypes.Contains(type) || type.IsSerializable && !IsFramework(type.Assembly)
+                && !type.IsDefined(typeof(System.Runtime.CompilerServices.CompilerGeneratedAttribute));
         }
 
         // The engine's types that are stored without being marked [Serializable]: buffers, property blocks and the like are not.
@@ -67,7 +82,7 @@ namespace UnityEngine.Headless
         {
             typeof(Vector2), typeof(Vector3), typeof(Vector4), typeof(Vector2Int), typeof(Vector3Int), typeof(Quaternion), typeof(Matrix4x4),
             typeof(Color), typeof(Color32), typeof(Rect), typeof(Bounds), typeof(LayerMask), typeof(AnimationCurve), typeof(Gradient),
-                typeof(GUIStyle),
+            typeof(GUIStyle), typeof(GUIContent), typeof(RectOffset), typeof(BoneWeight), typeof(SceneManagement.Scene),
         };
 
         // List is the one collection that Unity stores, whatever else is marked [Serializable] there.

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Reflection;
 using Host.Assets;
+using Host.Check.Api;
 using Host.Pipelines;
 using UnityEngine;
 using UnityEngine.Headless;
@@ -71,21 +72,20 @@ namespace Host.Check
     {
         const string Samples = "Rill.Samples";
 
-        /// <summary>Those of the definitions that are no tests, and that of the samples' scripts; one that was not built is a fault.</summary>
-        public static List<Assembly> Load(PackageTree package, Findings findings)
+        /// <summary>Those of the definitions, and that of the samples' scripts; one that was not built is a fault.</summary>
+        public static List<Assembly> Load(PackageTree package, Findings findings, bool withTests = false)
         {
             var loaded = new List<Assembly>();
-            List<AssemblyDefinition> definitions = AssemblyDefinition.All(package, findings).Where(a => !a.IsTest).ToList();
+            List<AssemblyDefinition> definitions = AssemblyDefinition.All(package, findings).Where(a => withTests || !a.IsTest).ToList();
             IEnumerable<string> names = definitions.Where(a => !a.IsAdapter).Select(a => a.Name);
             if (package.WithExtension(".cs").Any(f => f.StartsWith("Samples~/", StringComparison.Ordinal)))
                 names = names.Append(Samples);
             foreach (string name in names)
             {
-                string file = Path.Combine(package.Assemblies, name + ".dll");
-                if (File.Exists(file))
+                if (PackageAssemblies.Find(package.Assemblies, name) is string file)
                     loaded.Add(Assembly.LoadFrom(file));
                 else
-                    findings.Fault($"{file} is not there: build it first (Headless~/rill does)");
+                    findings.Fault($"{Path.Combine(package.Assemblies, name)}.dll is not there: build it first (Headless~/rill does)");
             }
             foreach (AssemblyDefinition adapter in definitions.Where(a => a.IsAdapter))
                 try
