@@ -1,5 +1,7 @@
 using System.Runtime.CompilerServices;
+using UnityEngine.Scripting;
 
+[assembly: AlwaysLinkAssembly]
 [assembly: InternalsVisibleTo("Rill.Physics")]
 [assembly: InternalsVisibleTo("Rill.Physics.Tests")]
 [assembly: InternalsVisibleTo("Rill.Testing")]

@@ -24,6 +24,7 @@ namespace Host.Check
             new GeneratedFilesRule(),
             new ResourcesRule(),
             new SceneReferencesRule(),
+            new StrippingRule(),
             new FrameCallsRule(),
             new StaticsRule(),
             new ReloadFieldsRule(),

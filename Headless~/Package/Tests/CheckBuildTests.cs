@@ -50,6 +50,28 @@ namespace Host.Tests
             copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, "    vorticity: 0\n", "    vorticity: 1\n"),
             "FluidSimulation 'Fluid'", "VorticityConfinement");
 
+        [TestCase("Rendering.Universal", "Rill.Universal has UniversalSurfaces.Listen")]
+        [TestCase("Rendering.HighDefinition", "Rill.HighDefinition has HighDefinitionSurfaces.Listen")]
+        public void A_pipeline_s_hook_in_an_assembly_that_a_build_may_drop_is_named(string folder, string what) =>
+            copy.Catches(new StrippingRule(), () => copy.Replace($"Runtime/{folder}/AssemblyInfo.cs", "[assembly: AlwaysLinkAssembly]", ""),
+            what, "AlwaysLinkAssembly", $"Runtime/{folder}/AssemblyInfo.cs");
+
+        [TestCase("", "[UnityEngine.RuntimeInitializeOnLoadMethod]", 1)]
+        [TestCase("", "[UnityEngine.Scripting.Preserve]", 1)]
+        [TestCase("", "", 0)]
+        [TestCase("[assembly: UnityEngine.Scripting.AlwaysLinkAssembly]", "[UnityEngine.RuntimeInitializeOnLoadMethod]", 0)]
+        public void A_hook_in_an_assembly_that_a_build_may_drop_is_named(string ofAssembly, string ofMethod, int faults)
+        {
+            using (var planted = new PlantedAssemblies())
+            {
+                planted.Bring("UnityEngine");
+                planted.Compile("Planted", $"{ofAssembly} static class Hook {{ {ofMethod} static void Install() {{ }} }}");
+                planted.Write("Runtime/Planted.asmdef", "{ \"name\": \"Planted\" }");
+                Assert.That(planted.Examine(new StrippingRule()).Faults, faults == 0 ? (NUnit.Framework.Constraints.IResolveConstraint)Is.Empty
+                    : Has.Count.EqualTo(1).And.Some.Contains("Planted has Hook.Install"));
+            }
+        }
+
         [Test]
         public void The_command_stores_what_is_missing_and_nothing_else()
         {

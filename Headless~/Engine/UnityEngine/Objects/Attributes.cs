@@ -187,6 +187,8 @@ namespace UnityEngine
 
 namespace UnityEngine.Scripting
 {
+    [AttributeUsage(AttributeTargets.Assembly)] public class AlwaysLinkAssemblyAttribute : Attribute { }
+
     [AttributeUsage(AttributeTargets.All, Inherited = false)]
     public class PreserveAttribute : Attribute { }
 }

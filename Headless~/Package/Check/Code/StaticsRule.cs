@@ -40,8 +40,7 @@ namespace Host.Check
                                 continue;
                             fields++;
                             bool constant = (field.Attributes & FieldAttributes.InitOnly) != 0 && HoldsNoState(reader, field);
-                            bool isKept = field.GetCustomAttributes()
-                                .Any(a => AttributeName(reader, reader.GetCustomAttribute(a)) == KeptBetweenPlays);
+                            bool isKept = AttributeNames.Has(reader, field.GetCustomAttributes(), KeptBetweenPlays);
                             if (!constant && !isKept && !reset.Contains(MetadataTokens.GetToken(handle)))
                                 findings.Fault(
                                     $"{reader.GetString(type.Namespace)}.{reader.GetString(type.Name)}.{reader.GetString(field.Name)} " +
@@ -77,24 +76,10 @@ namespace Host.Check
 
         static bool IsAtStart(MetadataReader reader, CustomAttribute attribute)
         {
-            if (AttributeName(reader, attribute) != "RuntimeInitializeOnLoadMethodAttribute")
+            if (AttributeNames.Of(reader, attribute) != "RuntimeInitializeOnLoadMethodAttribute")
                 return false;
             BlobReader value = reader.GetBlobReader(attribute.Value);
             return value.Length >= 8 && value.ReadUInt16() == 1 && value.ReadInt32() == SubsystemRegistration;
-        }
-
-        // Of an attribute from this assembly or another.
-        static string AttributeName(MetadataReader reader, CustomAttribute attribute)
-        {
-            EntityHandle type = attribute.Constructor.Kind == HandleKind.MemberReference
-                ? reader.GetMemberReference((MemberReferenceHandle)attribute.Constructor).Parent
-                : reader.GetMethodDefinition((MethodDefinitionHandle)attribute.Constructor).GetDeclaringType();
-            return type.Kind switch
-            {
-                HandleKind.TypeReference => reader.GetString(reader.GetTypeReference((TypeReferenceHandle)type).Name),
-                HandleKind.TypeDefinition => reader.GetString(reader.GetTypeDefinition((TypeDefinitionHandle)type).Name),
-                _ => "",
-            };
         }
 
         /// <summary>"value Name" for value types, else the simple name.</summary>
