@@ -143,7 +143,7 @@ namespace Rill
 
         /// <summary>Opens a recording at its first frame. It plays where Play On Enable is on, else call <see cref="Play"/> or set
         /// <see cref="Time"/>. One that was open is closed.</summary>
-        /// <param name="file">Its path; a relative one begins in the StreamingAssets folder.</param>
+        /// <param name="file">Its path; a relative one begins in the StreamingAssets folder, which holds no files on Android.</param>
         /// <exception cref="ArgumentNullException">No path.</exception>
         /// <exception cref="InvalidOperationException">This is disabled, or the platform is WebGL.</exception>
         /// <exception cref="InvalidDataException">The file is no recording, is damaged, holds no frame or is of a newer version.</exception>
@@ -269,7 +269,13 @@ namespace Rill
             shaders.Follow(StageSet.Recording);
         }
 
-        static string PathOf(string file) => Path.Combine(Application.streamingAssetsPath, file);
+        string PathOf(string file)
+        {
+            if ((Platform ?? Application.platform) == RuntimePlatform.Android && !Path.IsPathRooted(file))
+                throw new IOException($"on Android the StreamingAssets folder is packed into the app, where '{file}' is not a file. Copy it " +
+                    "to Application.persistentDataPath by a UnityWebRequest, and call Open with the path of the copy.");
+            return Path.Combine(Application.streamingAssetsPath, file);
+        }
 
         // What opening a file and reading its index throws.
         static bool IsOfFile(Exception refusal) => refusal is IOException || refusal is InvalidDataException

@@ -310,6 +310,10 @@ namespace Rill.Tests
                 Assert.That(Assert.Throws<InvalidDataException>(() => playback.Open("short")).Message, Does.Contain("'short' holds no whole frame"));
                 playback.Platform = RuntimePlatform.WebGLPlayer;
                 Assert.That(Assert.Throws<InvalidOperationException>(() => playback.Open("memory")).Message, Does.Contain("WebGL has no threads"));
+                playback.Platform = RuntimePlatform.Android;
+                Assert.That(Assert.Throws<IOException>(() => playback.Open("films/well.rill")).Message,
+                    Does.Contain("'films/well.rill'").And.Contain("Copy it to Application.persistentDataPath"));
+                Assert.Throws<InvalidDataException>(() => playback.Open("/data/files/well.rill"), "a copy is opened");
                 playback.Platform = null;
                 Assert.Throws<ArgumentException>(() => playback.Time = double.NaN);
                 Assert.That(Assert.Throws<ArgumentOutOfRangeException>(() => playback.TimeOf(0)).Message, Does.Contain("has 0 frames"));
