@@ -106,6 +106,11 @@ namespace Host.Tests
             () => copy.Replace("Tests/Runtime/Rill.Tests.asmdef", "UNITY_INCLUDE_TESTS", "OTHER"), "Rill.Tests.asmdef",
             "UNITY_INCLUDE_TESTS");
 
+        [TestCase("UNITY_INCLUDE_TESTS || RILL_TESTING", "OTHER", "every player contains it")]
+        [TestCase("UNITY_INCLUDE_TESTS || RILL_TESTING", "UNITY_INCLUDE_TESTS", "testables")]
+        public void Assertions_that_players_contain_or_projects_lack_are_named(string what, string with, string why) =>
+            copy.Catches(new AssemblyDefinitionsRule(), () => copy.Replace("Testing/Rill.Testing.asmdef", what, with), "Rill.Testing.asmdef", why);
+
         [Test]
         public void Editor_code_that_players_would_compile_is_named() =>
             copy.Catches(new AssemblyDefinitionsRule(), () => copy.Replace("Editor/Rill.Editor.asmdef", "\"Editor\"\n", "\n"),

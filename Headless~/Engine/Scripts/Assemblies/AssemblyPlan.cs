@@ -45,6 +45,8 @@ namespace Host.Scripts.Assemblies
             this.packages = packages;
             provided = hosted.ToHashSet();
             common = Defines.Of(project, tests);
+            if (tests)
+                common.Add(Defines.IncludeTests);
             Plugins.AddRange(index.Entries.Where(IsPlugin));
             var folders = ReadDefinitions();
             Distribute(folders);
@@ -181,7 +183,7 @@ namespace Host.Scripts.Assemblies
             {
                 Name = definition.Name, Definition = definition.Entry.Path, AllowUnsafe = definition.AllowUnsafe,
                     NoEngineReferences = definition.NoEngineReferences,
-                HoldsTests = definition.IsTest || definition.DefineConstraints.Contains(Defines.IncludeTests),
+                HoldsTests = HoldsTests(definition),
                     IsEditorOnly = definition.IncludePlatforms.SequenceEqual(new[] { Defines.EditorPlatform }),
             };
             assembly.Defines.AddRange(defines);
@@ -189,17 +191,19 @@ namespace Host.Scripts.Assemblies
             return assembly;
         }
 
-        List<string> DefinesOf(AssemblyDefinition definition)
-        {
-            var all = common.Concat(VersionDefines(definition));
-            return (tests && packages.HasTests(definition.Entry.Path) ? all.Append(Defines.IncludeTests) : all).Distinct().ToList();
-        }
+        // As Unity has it: by the constraint alone, not by one with alternatives.
+        static bool HoldsTests(AssemblyDefinition definition)
+            => definition.IsTest || definition.DefineConstraints.Contains(Defines.IncludeTests);
+
+        List<string> DefinesOf(AssemblyDefinition definition) => common.Concat(VersionDefines(definition)).Distinct().ToList();
 
         string WhyNot(AssemblyDefinition definition, List<string> defines)
         {
             var platform = tests ? Defines.EditorPlatform : Defines.Platform;
             if (provided.Contains(definition.Name)) return "is one that the host has itself";
             if (definition.IsTest && !defines.Contains(Defines.IncludeTests)) return "holds tests";
+            if (tests && HoldsTests(definition) && !packages.HasTests(definition.Entry.Path))
+                return "holds tests of a package that \"testables\" does not list";
             if (definition.IncludePlatforms.Count > 0 && !definition.IncludePlatforms.Contains(platform))
                 return $"is for {string.Join(", ", definition.IncludePlatforms)} only";
             if (definition.ExcludePlatforms.Contains(platform)) return $"is not for {platform}";

@@ -14,13 +14,20 @@ namespace Host.Check
         /// <summary>Symbols that a package or module defines by being there.</summary>
         public readonly (string Package, string Symbol)[] VersionDefines;
 
+        /// <summary>Whether Unity takes it for one with tests: it compiles those of a package only where "testables" lists it.</summary>
         public bool IsTest => DefineConstraints.Contains("UNITY_INCLUDE_TESTS");
 
+        /// <summary>Whether players contain it only where they are built with tests, or by a symbol of the project.</summary>
+        public bool IsForTests => DefineConstraints.Any(constraint => constraint.StartsWith("UNITY_INCLUDE_TESTS || ", StringComparison.Ordinal));
+
         /// <summary>Those that Unity sees; one that cannot be read is a fault.</summary>
-        public static List<AssemblyDefinition> All(PackageTree package, Findings findings)
+        public static List<AssemblyDefinition> All(PackageTree package, Findings findings) => Read(package, package.Visible, findings);
+
+        /// <summary>Those among files.</summary>
+        public static List<AssemblyDefinition> Read(PackageTree package, IEnumerable<string> files, Findings findings)
         {
             var all = new List<AssemblyDefinition>();
-            foreach (string file in package.Visible.Where(f => f.EndsWith(".asmdef", StringComparison.Ordinal)))
+            foreach (string file in files.Where(f => f.EndsWith(".asmdef", StringComparison.Ordinal)))
                 try
                 {
                     using JsonDocument json = JsonDocument.Parse(package.Read(file));

@@ -51,6 +51,9 @@ namespace Host.Check
             Must(tests == definition.IsTest, tests
                 ? "a test assembly needs \"defineConstraints\": [\"UNITY_INCLUDE_TESTS\"], or players contain it"
                 : "UNITY_INCLUDE_TESTS would keep it out of players");
+            Must(!definition.Folder.StartsWith("Testing/", StringComparison.Ordinal) || definition.IsForTests,
+                "what users' tests call needs a constraint of the form \"UNITY_INCLUDE_TESTS || SYMBOL\", or every player contains it. " +
+                "UNITY_INCLUDE_TESTS alone would hide it from projects whose \"testables\" do not list the package");
             if (tests)
             {
                 Must(definition.OverrideReferences && definition.PrecompiledReferences.Contains("nunit.framework.dll"),
