@@ -1,9 +1,9 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
-using System.Globalization;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Testing
 {
@@ -43,14 +43,14 @@ namespace Rill.Testing
             FluidStatistics now = Measure(fluid);
             string why = "";
             if (now.refused > 0)
-                why += Format($" {now.refused} were refused, since the capacity is {fluid.Capacity}: raise it or add less.");
+                why += Invariant($" {now.refused} were refused, since the capacity is {fluid.Capacity}: raise it or add less.");
             if (now.blocked > 0)
-                why += Format($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the water flow off.") + NameBlocked(fluid);
+                why += Invariant($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the water flow off.") + NameBlocked(fluid);
             if (now.nonFinite > 0)
-                why += Format($" {now.nonFinite} were removed, since their position was not finite: look for NaN in what adds or pushes them.");
+                why += Invariant($" {now.nonFinite} were removed, since their position was not finite: look for NaN in what adds or pushes them.");
             int missing = now.added + now.emitted + now.handedIn - now.drained - now.handedOut - now.nonFinite - now.particles;
             if (missing != 0)
-                why += Format($" {missing} are not accounted for: {now.added} added and {now.emitted} emitted, {now.handedIn} handed in and {now.handedOut} out, {now.drained} drained, {now.nonFinite} not finite, {now.particles} alive.");
+                why += Invariant($" {missing} are not accounted for: {now.added} added and {now.emitted} emitted, {now.handedIn} handed in and {now.handedOut} out, {now.drained} drained, {now.nonFinite} not finite, {now.particles} alive.");
             if (why.Length > 0)
                 Fail(fluid, now, "particles were lost." + why);
         }
@@ -62,7 +62,7 @@ namespace Rill.Testing
         {
             FluidStatistics now = Measure(fluid);
             if (now.escaped > 0)
-                Fail(fluid, now, Format($"{now.escaped} of {now.particles} particles are outside the box or inside a collider.")
+                Fail(fluid, now, Invariant($"{now.escaped} of {now.particles} particles are outside the box or inside a collider.")
                     + NameFurthest(fluid, now.escaped));
         }
 
@@ -82,11 +82,11 @@ namespace Rill.Testing
             if (fluid == null)
                 throw new ArgumentNullException(nameof(fluid));
             if (!(within > 0f))
-                throw new ArgumentOutOfRangeException(nameof(within), within, "The fluid time to settle in has to be above 0 s.");
+                throw Limit.OutOfRange(nameof(within), within, "The fluid time to settle in has to be above 0 s.");
             if (!(volume >= 0f))
-                throw new ArgumentOutOfRangeException(nameof(volume), volume, "The volume's tolerance has to be at least 0.");
+                throw Limit.OutOfRange(nameof(volume), volume, "The volume's tolerance has to be at least 0.");
             if (!(noise > 0f))
-                throw new ArgumentOutOfRangeException(nameof(noise), noise, "The jitter of calm water has to be above 0 m/s.");
+                throw Limit.OutOfRange(nameof(noise), noise, "The jitter of calm water has to be above 0 m/s.");
             return Settle(fluid, within, volume, noise);
         }
 
@@ -103,9 +103,9 @@ namespace Rill.Testing
             if (detector == null)
                 throw new ArgumentNullException(nameof(detector));
             if (!(min >= 0f))
-                throw new ArgumentOutOfRangeException(nameof(min), min, "The least volume has to be at least 0 m³.");
+                throw Limit.OutOfRange(nameof(min), min, "The least volume has to be at least 0 m³.");
             if (!(max >= min))
-                throw new ArgumentOutOfRangeException(nameof(max), max, "The largest volume has to be at least the least.");
+                throw Limit.OutOfRange(nameof(max), max, "The largest volume has to be at least the least.");
             detector.Flush();
             if (!detector.TryGetSample(out FluidDetectorSample sample))
                 throw new InvalidOperationException($"FluidDetector '{detector.name}' measures nothing. Put it below its fluid, enable both, give it " +
@@ -116,9 +116,9 @@ namespace Rill.Testing
 
         static string VolumeProblem(FluidDetector detector, in FluidDetectorSample sample, float min, float max)
         {
-            string wanted = float.IsInfinity(max) ? Format($"at least {min:0.#####}") : Format($"{min:0.#####} to {max:0.#####}");
-            return Format($"detector '{detector.name}' has {sample.volume:0.#####} m³ of water in its shape of ")
-                + Format($"{detector.ShapeVolume:0.#####} m³, {100f * sample.fill:0.#} % full; {wanted} m³ asked for.");
+            string wanted = float.IsInfinity(max) ? Invariant($"at least {min:0.#####}") : Invariant($"{min:0.#####} to {max:0.#####}");
+            return Invariant($"detector '{detector.name}' has {sample.volume:0.#####} m³ of water in its shape of ")
+                + Invariant($"{detector.ShapeVolume:0.#####} m³, {100f * sample.fill:0.#} % full; {wanted} m³ asked for.");
         }
 
         /// <summary>Fails where the fluid's steps take more GPU time than that, as its budget measures it. A modeled time does not count.</summary>
@@ -132,14 +132,14 @@ namespace Rill.Testing
             if (fluid == null)
                 throw new ArgumentNullException(nameof(fluid));
             if (!(milliseconds > 0f))
-                throw new ArgumentOutOfRangeException(nameof(milliseconds), milliseconds, "The time has to be above 0 ms.");
+                throw Limit.OutOfRange(nameof(milliseconds), milliseconds, "The time has to be above 0 ms.");
             BudgetState state = fluid.BudgetState;
             if (state.source != GpuTimeKind.Measured || !(state.milliseconds > 0f))
-                throw new InvalidOperationException($"The GPU time of FluidSimulation '{fluid.name}' was not measured ({state}). " +
-                    $"Switch its budget on, let some frames pass, and run this in the Editor or a development player on a device with " +
-                    $"SystemInfo.supportsGpuRecorder.");
+                throw new InvalidOperationException($"The GPU time of FluidSimulation '{fluid.name}' was not measured " +
+                    Invariant($"({state}). Switch its budget on, let some frames pass, and run this in the Editor or a development ") +
+                    "player on a device with SystemInfo.supportsGpuRecorder.");
             if (state.milliseconds > milliseconds)
-                throw new FluidAssertionException(Format($"FluidSimulation '{fluid.name}': its steps take {state.milliseconds:0.000} ms a frame, more than {milliseconds:0.000} ms ({state.substeps} substeps x {state.iterations} iterations)."));
+                throw new FluidAssertionException(Invariant($"FluidSimulation '{fluid.name}': its steps take {state.milliseconds:0.000} ms a frame, more than {milliseconds:0.000} ms ({state.substeps} substeps x {state.iterations} iterations)."));
         }
 
         static IEnumerator Settle(FluidSimulation fluid, float within, float volume, float noise)
@@ -157,37 +157,37 @@ namespace Rill.Testing
                 now = Measure(fluid);
                 if (framesWithoutStep > 0)
                     Fail(fluid, now, "it cannot settle, since time stands still: " + (fluid.Paused ? "it is paused."
-                        : Format($"{framesWithoutStep} frames without a step. Look at Time.timeScale.")));
+                        : Invariant($"{framesWithoutStep} frames without a step. Look at Time.timeScale.")));
                 if (now.jitter <= noise && Math.Abs(now.volumeRatio - 1f) <= volume)
                     yield break;
             }
             string size = float.IsInfinity(volume) ? ""
-                : Format($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
-            Fail(fluid, now, Format($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + "."
+                : Invariant($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
+            Fail(fluid, now, Invariant($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + "."
                 + NameFastest(fluid));
         }
 
         static string NameFurthest(FluidSimulation fluid, int count)
             => Name(" ", fluid.FindParticles(Math.Min(count, MaxNamed), particle => particle.outside > 0f ? -particle.outside : float.NaN),
-                particle => Format($"{particle.outside:0.000} m too far"));
+                particle => Invariant($"{particle.outside:0.000} m too far"));
 
         static string NameFastest(FluidSimulation fluid)
-            => Name(" The fastest: ", fluid.FindParticles(MaxNamed, particle => -math.length(particle.velocity)), particle => Format(
+            => Name(" The fastest: ", fluid.FindParticles(MaxNamed, particle => -math.length(particle.velocity)), particle => Invariant(
                 $"{-particle.measure:0.000} m/s by {particle.velocity.x:0.00}, {particle.velocity.y:0.00}, {particle.velocity.z:0.00}"));
 
         static string NameAtBoundary(FluidDetector detector)
             => Name(" Nearest to its boundary: ",
                 detector.Simulation.FindParticles(MaxNamed, particle => math.abs(detector.DistanceTo(particle.world))),
-                particle => Format($"{particle.measure:0.000} m {(detector.DistanceTo(particle.world) < 0f ? "inside" : "outside")}"));
+                particle => Invariant($"{particle.measure:0.000} m {(detector.DistanceTo(particle.world) < 0f ? "inside" : "outside")}"));
 
         // What is in the way of emitters that found no room.
         static string NameBlocked(FluidSimulation fluid)
         {
             var named = "";
             foreach (FluidEmitter emitter in fluid.FindBlockedEmitters())
-                named += Format($" Emitter '{emitter.name}' gave up {emitter.Blocked};") + Name(" nearest to it: ",
+                named += Invariant($" Emitter '{emitter.name}' gave up {emitter.Blocked};") + Name(" nearest to it: ",
                     fluid.FindParticles(MaxNamed, particle => math.distance(particle.world, emitter.transform.position)),
-                    particle => Format($"{particle.measure:0.000} m away"));
+                    particle => Invariant($"{particle.measure:0.000} m away"));
             return named;
         }
 
@@ -197,14 +197,12 @@ namespace Rill.Testing
                 return "";
             var named = new List<string>();
             foreach (FluidSimulation.FoundParticle particle in particles)
-                named.Add(Format($"Particle {particle.id} is at {particle.position.x:0.000}, {particle.position.y:0.000}, {particle.position.z:0.000} m in the box's frame, ")
+                named.Add(Invariant($"Particle {particle.id} is at {particle.position.x:0.000}, {particle.position.y:0.000}, {particle.position.z:0.000} m in the box's frame, ")
                     + what(particle));
             return heading + string.Join("; ", named) + ".";
         }
 
         static void Fail(FluidSimulation fluid, in FluidStatistics now, string problem) =>
-            throw new FluidAssertionException(Format($"FluidSimulation '{fluid.name}', step {now.step} at {now.time:0.000} s: {problem}"));
-
-        static string Format(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+            throw new FluidAssertionException(Invariant($"FluidSimulation '{fluid.name}', step {now.step} at {now.time:0.000} s: {problem}"));
     }
 }

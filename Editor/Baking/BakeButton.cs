@@ -4,6 +4,7 @@ using System.Linq;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -35,7 +36,7 @@ namespace Rill.Editor
 
         static FieldReceiver ReceiverFor<T>(List<T> empty, Func<T, bool> needsField) where T : Component
         {
-            string label = empty.Count == 1 ? $"Field of '{empty[0].name}'" : $"Field of {empty.Count} objects";
+            string label = empty.Count == 1 ? $"Field of '{empty[0].name}'" : Invariant($"Field of {empty.Count} objects");
             return new FieldReceiver(label, (mesh, field) =>
             {
                 List<T> takers = empty.FindAll(one => one != null && needsField(one) && MeshOf(one) == mesh);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -96,7 +97,7 @@ namespace Rill.Editor
                     return false;
                 }
                 Write(bake);
-                Outcome = $"{BakeTexts.Of(bake)}; {EditorApplication.timeSinceStartup - start:0.00} s.";
+                Outcome = Invariant($"{BakeTexts.Of(bake)}; {EditorApplication.timeSinceStartup - start:0.00} s.");
                 Failed = false;
             }
             catch (Exception e) when (e is ArgumentException || e is InvalidOperationException || e is UnityException)

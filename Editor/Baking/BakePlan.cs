@@ -4,6 +4,7 @@ using System.Linq;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -104,7 +105,7 @@ namespace Rill.Editor
                 BakeItem item = Items[i];
                 int before = i;
                 if (!item.Bake(settings, (fraction, stage) => progress((before + fraction) / Items.Count,
-                    $"{item.Mesh.name} ({before + 1} of {Items.Count}): {stage}")))
+                    Invariant($"{item.Mesh.name} ({before + 1} of {Items.Count}): {stage}"))))
                     return false;
                 if (item.Failed)
                     continue;

@@ -1,17 +1,17 @@
 using System.Collections.Generic;
-using System.Globalization;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
     /// <summary>What the window and the inspector say of meshes, bakes and fields.</summary>
     static class BakeTexts
     {
-        public static string Of(Vector3Int resolution) => $"{resolution.x} x {resolution.y} x {resolution.z}";
+        public static string Of(Vector3Int resolution) => Invariant($"{resolution.x} x {resolution.y} x {resolution.z}");
 
         public static string MebiBytes(long bytes)
-            => (bytes / 1048576.0).ToString(bytes < 10485760 ? "0.0" : "N0", CultureInfo.InvariantCulture) + " MiB";
+            => bytes < 10485760 ? Invariant($"{bytes / 1048576.0:0.0} MiB") : Invariant($"{bytes / 1048576.0:N0} MiB");
 
         public static string Of(in MeshSdfEstimate estimate) =>
             $"{Of(estimate.Resolution)} voxels of {Meters(estimate.VoxelSize)}: {MebiBytes(estimate.TotalBytes)} while it bakes, the " +
@@ -19,7 +19,8 @@ namespace Rill.Editor
 
         public static string Of(SdfBake bake) =>
             $"{Of(bake.Resolution)} voxels of {Meters(bake.VoxelSize)}, {Of(bake.Sign, bake.ShellThickness)}, " +
-            $"{(bake.Format == SdfFormat.Half ? 16 : 32)} bits a voxel, storage error at most {Voxels(bake.StorageError, bake.VoxelSize)}";
+            Invariant($"{(bake.Format == SdfFormat.Half ? 16 : 32)} bits a voxel, storage error at most ") +
+            $"{Voxels(bake.StorageError, bake.VoxelSize)}";
 
         /// <summary>The head of a report: how large, whether closed, and the counts that are not 0.</summary>
         public static string Of(MeshReport report)
@@ -46,17 +47,17 @@ namespace Rill.Editor
         {
             Vector3Int n = field.Resolution;
             long voxels = (long)n.x * n.y * n.z, each = field.Texture != null && field.Texture.format == TextureFormat.RHalf ? 2 : 4;
-            yield return ("Resolution", $"{Of(n)} = {voxels.ToString("N0", CultureInfo.InvariantCulture)} voxels");
+            yield return ("Resolution", Invariant($"{Of(n)} = {voxels:N0} voxels"));
             yield return ("Voxel Size", Meters(field.VoxelSize));
             yield return ("Bounds", $"{Of(field.Bounds.min)} to {Of(field.Bounds.max)} m");
             yield return ("Sign", Of(field.Sign, field.ShellThickness));
-            yield return ("Format", $"{8 * each} bits a voxel, error " +
+            yield return ("Format", Invariant($"{8 * each} bits a voxel, error ") +
                 $"{(float.IsNaN(field.StorageError) ? "unknown" : "at most " + Voxels(field.StorageError, field.VoxelSize))}");
             yield return ("Memory", $"{MebiBytes(voxels * each)} on the GPU and as much again off it");
-            yield return ("Volume Inside", $"{field.Volume.ToString("G4", CultureInfo.InvariantCulture)} m³");
+            yield return ("Volume Inside", Invariant($"{field.Volume:G4} m³"));
             yield return ("Source Mesh", SourceOf(field));
             yield return ("Baked With", Of(field.Settings));
-            yield return ("Version", $"{field.Version} of {SignedDistanceField.CurrentVersion}");
+            yield return ("Version", Invariant($"{field.Version} of {SignedDistanceField.CurrentVersion}"));
         }
 
         static string SourceOf(SignedDistanceField field)
@@ -67,18 +68,19 @@ namespace Rill.Editor
         }
 
         static string Of(in MeshSdfSettings settings) =>
-            (settings.voxelSize > 0f ? $"voxels of {Meters(settings.voxelSize)}" : $"{settings.resolution} voxels along the longest axis")
-            + $", {settings.padding} of padding, sign " +
+            (settings.voxelSize > 0f ? $"voxels of {Meters(settings.voxelSize)}"
+                : Invariant($"{settings.resolution} voxels along the longest axis")) +
+            Invariant($", {settings.padding} of padding, sign ") +
             $"{(settings.sign == MeshSdfSign.Automatic ? "automatic" : settings.sign == MeshSdfSign.OpenShell ? "open shell" : "winding number")}";
 
         static string Of(MeshSdfSign sign, float shell) => sign == MeshSdfSign.OpenShell ? $"open shell, {Meters(shell)} thick" : "winding number";
 
-        static string Of(Vector3 v) => string.Format(CultureInfo.InvariantCulture, "({0:G4}, {1:G4}, {2:G4})", v.x, v.y, v.z);
+        static string Of(Vector3 v) => Invariant($"({v.x:G4}, {v.y:G4}, {v.z:G4})");
 
-        static string Meters(float length) => length.ToString("G4", CultureInfo.InvariantCulture) + " m";
+        static string Meters(float length) => Invariant($"{length:G4} m");
 
-        static string Voxels(float error, float voxel) => $"{(error / voxel).ToString("G2", CultureInfo.InvariantCulture)} voxel";
+        static string Voxels(float error, float voxel) => Invariant($"{error / voxel:G2} voxel");
 
-        static string Number(int value) => value.ToString("N0", CultureInfo.InvariantCulture);
+        static string Number(int value) => Invariant($"{value:N0}");
     }
 }

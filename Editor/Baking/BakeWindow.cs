@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -139,7 +140,7 @@ namespace Rill.Editor
             EditorGUILayout.EndScrollView();
 
             using (new EditorGUI.DisabledScope(!canBake))
-                if (GUILayout.Button(plan.Items.Count == 1 ? "Bake" : $"Bake {plan.Items.Count} Meshes"))
+                if (GUILayout.Button(plan.Items.Count == 1 ? "Bake" : Invariant($"Bake {plan.Items.Count} Meshes")))
                 {
                     Bake();
                     GUIUtility.ExitGUI();       // the progress bar has ended this event's layout
@@ -151,7 +152,7 @@ namespace Rill.Editor
             int open = plan.Items.Count(item => !item.Analysis.IsDone);
             if (open > 0 && !analyses.IsPaused)
             {
-                if (GUILayout.Button($"Cancel Analysis ({open} to go)"))
+                if (GUILayout.Button(Invariant($"Cancel Analysis ({open} to go)")))
                     analyses.Pause();
             }
             else if (GUILayout.Button(open > 0 ? "Analyze" : "Analyze Again"))

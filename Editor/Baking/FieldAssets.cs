@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -36,7 +37,8 @@ namespace Rill.Editor
                 return meshes[0];
             problem = meshes.Count == 0
                 ? $"The mesh of '{field.name}' is gone (GUID {field.SourceMesh}): choose one to bake it again."
-                : $"'{path}' has {meshes.Count} meshes, and none is the one that '{field.name}' was baked from: choose one to bake it again.";
+                : Invariant($"'{path}' has {meshes.Count} meshes, and none is the one that '{field.name}' was baked from: choose one to ") +
+                "bake it again.";
             return null;
         }
 
@@ -48,7 +50,7 @@ namespace Rill.Editor
             (string guid, long id) source = SourceOf(mesh);
             for (int i = 1; ; i++)
             {
-                string path = $"{folder}/{FileName(mesh.name)} Distances{(i > 1 ? " " + i : "")}{Extension}";
+                string path = $"{folder}/{FileName(mesh.name)} Distances{(i > 1 ? Invariant($" {i}") : "")}{Extension}";
                 existing = null;
                 if (taken.Contains(path))
                     continue;

@@ -1,6 +1,7 @@
 using System;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -52,7 +53,7 @@ namespace Rill.Editor
         public void Paint(SdfVolume volume, int layer, float range, Vector2Int size, Color32[] pixels)
         {
             if (pixels.Length != size.x * size.y)
-                throw new ArgumentException($"{pixels.Length} pixels are not {size.x} x {size.y}.", nameof(pixels));
+                throw new ArgumentException(Invariant($"{pixels.Length} pixels are not {size.x} x {size.y}."), nameof(pixels));
             Vector3 at = default, low = volume.Bounds.min, extent = volume.Bounds.size;
             at[Normal] = PositionOf(volume, layer);
             float pixel = math.max(extent[Right] / size.x, extent[Up] / size.y);

@@ -1,6 +1,7 @@
 using System;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -28,7 +29,7 @@ namespace Rill.Editor
         public static void Paint(SdfVolume volume, float yaw, float pitch, Vector2Int size, Color32[] pixels)
         {
             if (pixels.Length != size.x * size.y)
-                throw new ArgumentException($"{pixels.Length} pixels are not {size.x} x {size.y}.", nameof(pixels));
+                throw new ArgumentException(Invariant($"{pixels.Length} pixels are not {size.x} x {size.y}."), nameof(pixels));
             quaternion look = math.mul(quaternion.RotateY(math.radians(yaw)), quaternion.RotateX(math.radians(pitch)));
             float3 right = math.mul(look, new float3(1f, 0f, 0f)), up = math.mul(look, new float3(0f, 1f, 0f)),
                 along = math.mul(look, new float3(0f, 0f, 1f));

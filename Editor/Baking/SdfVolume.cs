@@ -1,6 +1,7 @@
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -33,7 +34,7 @@ namespace Rill.Editor
             if (!field.Texture.isReadable)
                 problem = $"The texture of '{field.name}' cannot be read by scripts: bake it again.";
             else if ((long)n.x * n.y * n.z > MaxVoxels)
-                problem = $"{n.x} x {n.y} x {n.z} voxels are too many for a preview.";
+                problem = Invariant($"{n.x} x {n.y} x {n.z} voxels are too many for a preview.");
             if (problem != null)
                 return null;
 

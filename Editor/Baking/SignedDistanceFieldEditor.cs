@@ -1,6 +1,7 @@
 using System;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -98,7 +99,8 @@ namespace Rill.Editor
             int layer = layers[axis];
             float range = Mathf.Max(view.MaxDistance(volume, layer), volume.VoxelSize);
             InspectorRows.Text(" ",
-                $"{Axes[axis]} = {view.PositionOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
+                Invariant($"{Axes[axis]} = {view.PositionOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to ") +
+                Invariant($"{range:G3} m"));
             Vector2Int size = view.SizeOf(volume, SlicePixels);
             Texture2D picture = slice.Of((axis, layer), size, pixels => view.Paint(volume, layer, range, size, pixels));
             EditorGUI.DrawPreviewTexture(GUILayoutUtility.GetAspectRect((float)size.x / size.y, GUILayout.MaxWidth(2 * SlicePixels)), picture);

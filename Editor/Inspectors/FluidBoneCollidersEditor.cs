@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -37,6 +38,6 @@ namespace Rill.Editor
         }
 
         internal override void ListLive(List<(string label, string text)> live)
-            => live.Add(("Capsules", ((FluidBoneColliders)target).Capsules.Count.ToString()));
+            => live.Add(("Capsules", Invariant($"{((FluidBoneColliders)target).Capsules.Count}")));
     }
 }

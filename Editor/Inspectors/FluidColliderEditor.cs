@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -47,9 +48,9 @@ namespace Rill.Editor
             bool known = collider.TryGetForce(out Vector3 force, out Vector3 torque);
             if (!known && !collider.MeasuresForce)
                 return;
-            live.Add(("Force", known ? $"{force.x:0.##}, {force.y:0.##}, {force.z:0.##} N" : "not known yet"));
+            live.Add(("Force", known ? Invariant($"{force.x:0.##}, {force.y:0.##}, {force.z:0.##} N") : "not known yet"));
             if (known)
-                live.Add(("Torque", $"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its middle"));
+                live.Add(("Torque", Invariant($"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its middle")));
         }
 
         static bool NeedsField(FluidCollider collider)

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -19,8 +20,8 @@ namespace Rill.Editor
         internal override void ListLive(List<(string label, string text)> live)
         {
             var connection = (FluidConnection)target;
-            live.Add(("To Second", $"{connection.HandedToSecond:N0} particles, {connection.WaitingForSecond:N0} wait"));
-            live.Add(("To First", $"{connection.HandedToFirst:N0} particles, {connection.WaitingForFirst:N0} wait"));
+            live.Add(("To Second", Invariant($"{connection.HandedToSecond:N0} particles, {connection.WaitingForSecond:N0} wait")));
+            live.Add(("To First", Invariant($"{connection.HandedToFirst:N0} particles, {connection.WaitingForFirst:N0} wait")));
         }
     }
 }

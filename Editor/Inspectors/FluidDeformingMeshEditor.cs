@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -23,12 +24,12 @@ namespace Rill.Editor
         internal override void ListLive(List<(string label, string text)> live)
         {
             var mesh = (FluidDeformingMesh)target;
-            live.Add(("Voxel", $"{mesh.VoxelSize:0.####} m"));
-            live.Add(("Triangles", mesh.TriangleCount.ToString("N0")));
+            live.Add(("Voxel", Invariant($"{mesh.VoxelSize:0.####} m")));
+            live.Add(("Triangles", Invariant($"{mesh.TriangleCount:N0}")));
             bool bakes = mesh.BakedFields > 0;
-            live.Add(("Baked fields", bakes ? $"{mesh.BakedFields:N0}" : "none: no fluid is near"));
+            live.Add(("Baked fields", bakes ? Invariant($"{mesh.BakedFields:N0}") : "none: no fluid is near"));
             if (bakes)
-                live.Add(("Newest field", $"{1000f * mesh.FieldAge:0} ms old, baked in {mesh.FramesPerBake} frames"));
+                live.Add(("Newest field", Invariant($"{1000f * mesh.FieldAge:0} ms old, baked in {mesh.FramesPerBake} frames")));
         }
     }
 }

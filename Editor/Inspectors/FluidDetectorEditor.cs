@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -46,9 +47,10 @@ namespace Rill.Editor
                 live.Add(("Sample", "none: before the first result"));
                 return;
             }
-            live.Add(("Sample", $"step {sample.step:N0}, {1000f * sample.age:0} ms old"));
-            live.Add(("Volume", $"{1000f * sample.volume:0.000} liters, fill {100f * sample.fill:0.0} %"));
-            live.Add(("Velocity", sample.hasVelocity ? $"{sample.velocity.x:0.00}, {sample.velocity.y:0.00}, {sample.velocity.z:0.00} m/s"
+            live.Add(("Sample", Invariant($"step {sample.step:N0}, {1000f * sample.age:0} ms old")));
+            live.Add(("Volume", Invariant($"{1000f * sample.volume:0.000} liters, fill {100f * sample.fill:0.0} %")));
+            live.Add(("Velocity", sample.hasVelocity ? Invariant($"{sample.velocity.x:0.00}, {sample.velocity.y:0.00}, ") +
+                Invariant($"{sample.velocity.z:0.00} m/s")
                 : "no water inside"));
         }
 

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -22,7 +23,7 @@ namespace Rill.Editor
         internal override InspectorSection[] Sections => AllSections;
 
         internal override void ListLive(List<(string label, string text)> live)
-            => live.Add(("Drained", $"{((FluidDrain)target).Drained:N0} particles"));
+            => live.Add(("Drained", Invariant($"{((FluidDrain)target).Drained:N0} particles")));
 
         void OnSceneGUI()
         {

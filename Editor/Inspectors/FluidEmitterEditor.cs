@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -37,10 +38,12 @@ namespace Rill.Editor
         {
             var emitter = (FluidEmitter)target;
             live.Add(("State", emitter.IsEmitting ? "lets fluid in" : "off"));
-            live.Add(("Leaves at", $"{emitter.LeavingVelocity.magnitude:0.##} m/s, its own velocity included"));
+            live.Add(("Leaves at", Invariant($"{emitter.LeavingVelocity.magnitude:0.##} m/s, its own velocity included")));
             live.Add(("Emitted",
-                $"{emitter.Emitted:N0} particles, {emitter.EmittedVolume:0.####} m³ of {emitter.DueVolume:0.####} m³ due since its start"));
-            live.Add(("Waiting for room", $"{emitter.Waiting:N0}, given up {emitter.Blocked:N0}, refused by the capacity {emitter.Refused:N0}"));
+                Invariant($"{emitter.Emitted:N0} particles, {emitter.EmittedVolume:0.####} m³ of {emitter.DueVolume:0.####} m³ due ") +
+                "since its start"));
+            live.Add(("Waiting for room", Invariant($"{emitter.Waiting:N0}, given up {emitter.Blocked:N0}, refused by the capacity ") +
+                Invariant($"{emitter.Refused:N0}")));
         }
 
         private protected override void DrawLive()

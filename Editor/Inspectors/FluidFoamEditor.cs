@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -32,12 +33,13 @@ namespace Rill.Editor
         {
             if (!((FluidFoam)target).TryGetStatistics(out FoamStatistics statistics))
                 return;
-            live.Add(("Spray", $"{statistics.spray:N0} particles"));
-            live.Add(("Foam", $"{statistics.foam:N0} particles"));
-            live.Add(("Bubbles", $"{statistics.bubbles:N0} particles"));
+            live.Add(("Spray", Invariant($"{statistics.spray:N0} particles")));
+            live.Add(("Foam", Invariant($"{statistics.foam:N0} particles")));
+            live.Add(("Bubbles", Invariant($"{statistics.bubbles:N0} particles")));
             if (statistics.refused > 0)
                 live.Add(("Refused",
-                    $"{statistics.refused:N0} of {statistics.spawned + statistics.refused:N0}: raise the budget or lower the amount"));
+                    Invariant($"{statistics.refused:N0} of {statistics.spawned + statistics.refused:N0}: raise the budget or lower the ") +
+                    "amount"));
         }
     }
 }

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -29,10 +30,12 @@ namespace Rill.Editor
                 live.Add(("Recording", "none is open"));
                 return;
             }
-            live.Add(("Recording", $"{Playback.FrameCount:N0} frames, {Playback.Duration:0.00} s{(Playback.WasCutShort ? ", cut short" : "")}"));
-            live.Add(("Shown", Playback.ShownFrame >= 0 ? $"frame {Playback.ShownFrame:N0} at {Playback.Time:0.00} s" : "nothing yet"));
+            live.Add(("Recording", Invariant($"{Playback.FrameCount:N0} frames, {Playback.Duration:0.00} ") +
+                $"s{(Playback.WasCutShort ? ", cut short" : "")}"));
+            live.Add(("Shown", Playback.ShownFrame >= 0 ? Invariant($"frame {Playback.ShownFrame:N0} at {Playback.Time:0.00} ") +
+                "s" : "nothing yet"));
             if (Playback.MissedFrames > 0)
-                live.Add(("Missed", $"{Playback.MissedFrames:N0} frames were not read in time"));
+                live.Add(("Missed", Invariant($"{Playback.MissedFrames:N0} frames were not read in time")));
         }
 
         private protected override void DrawLive()

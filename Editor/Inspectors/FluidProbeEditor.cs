@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -24,15 +25,15 @@ namespace Rill.Editor
                 live.Add(("Sample", "none: before the first result, or outside the fluid's box"));
                 return;
             }
-            live.Add(("Sample", $"step {sample.step:N0}, {1000f * sample.age:0} ms old"));
-            live.Add(("Density", $"{sample.density:0.00} of rest"));
-            live.Add(("Velocity", sample.hasVelocity ? $"{Text(sample.velocity)} m/s, phase {sample.phase}" : "no water here"));
-            live.Add(("Surface", sample.hasSurface ? $"height {sample.height:0.000} m, normal {Text(sample.normal)}"
+            live.Add(("Sample", Invariant($"step {sample.step:N0}, {1000f * sample.age:0} ms old")));
+            live.Add(("Density", Invariant($"{sample.density:0.00} of rest")));
+            live.Add(("Velocity", sample.hasVelocity ? Invariant($"{Text(sample.velocity)} m/s, phase {sample.phase}") : "no water here"));
+            live.Add(("Surface", sample.hasSurface ? Invariant($"height {sample.height:0.000} m, normal {Text(sample.normal)}")
                 : "none on the line along gravity"));
-            live.Add(("Submerged", $"{100f * sample.submerged:0} %"));
+            live.Add(("Submerged", Invariant($"{100f * sample.submerged:0} %")));
         }
 
-        static string Text(Vector3 v) => $"{v.x:0.00}, {v.y:0.00}, {v.z:0.00}";
+        static string Text(Vector3 v) => Invariant($"{v.x:0.00}, {v.y:0.00}, {v.z:0.00}");
 
         void OnSceneGUI() => ShapeHandles.Sphere((FluidProbe)target, "radius", false, GizmoColors.Query);
     }

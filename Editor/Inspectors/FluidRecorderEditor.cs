@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -26,7 +27,7 @@ namespace Rill.Editor
         {
             live.Add(("State", Recorder.IsRecording ? "records" : Recorder.IsWriting ? "writes what is pending" : "off"));
             if (Recorder.FrameCount > 0)
-                live.Add(("File", $"{Recorder.FrameCount:N0} frames, {EditorUtility.FormatBytes(Recorder.FileSize)}"));
+                live.Add(("File", Invariant($"{Recorder.FrameCount:N0} frames, {EditorUtility.FormatBytes(Recorder.FileSize)}")));
         }
 
         private protected override void DrawLive()
@@ -45,7 +46,8 @@ namespace Rill.Editor
 
         void Record()
         {
-            string file = Path.Combine(Application.persistentDataPath, $"{Recorder.name} {DateTime.Now:yyyy-MM-dd HH-mm-ss}.rillrec");
+            string file = Path.Combine(Application.persistentDataPath, $"{Recorder.name} " +
+                Invariant($"{DateTime.Now:yyyy-MM-dd HH-mm-ss}.rillrec"));
             Recorder.Record(file);
             Debug.Log($"Rill: FluidRecorder '{Recorder.name}' records into '{file}'.", Recorder);
         }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -117,7 +118,7 @@ namespace Rill.Editor
 
         void DrawEstimates()
         {
-            InspectorRows.Text("Volumes hold", $"about {FillEstimate.Particles(Simulation):N0} particles");
+            InspectorRows.Text("Volumes hold", Invariant($"about {FillEstimate.Particles(Simulation):N0} particles"));
             long bytes = Simulation.EstimatedBytes;
             if (bytes > 0)
                 InspectorRows.Text("GPU memory", MemoryRows.Text(bytes, Simulation.Capacity) + ", without optional stages");
@@ -192,9 +193,9 @@ namespace Rill.Editor
             if (times.Rows.Count == 0)
                 EditorGUILayout.HelpBox(StageTimes.WhyNone(SystemInfo.supportsGpuRecorder), MessageType.None);
             foreach (StageTimes.Row row in times.Rows)
-                InspectorRows.BarOf(row.Label, row.Fraction, $"{row.Milliseconds:0.000} ms");
+                InspectorRows.BarOf(row.Label, row.Fraction, Invariant($"{row.Milliseconds:0.000} ms"));
             if (times.Rows.Count > 0)
-                InspectorRows.Text("All stages", $"{times.Total:0.000} ms a frame, of all simulations together");
+                InspectorRows.Text("All stages", Invariant($"{times.Total:0.000} ms a frame, of all simulations together"));
         }
 
         void StopTimes()

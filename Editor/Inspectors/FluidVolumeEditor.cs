@@ -1,4 +1,5 @@
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -26,7 +27,7 @@ namespace Rill.Editor
             var volume = (FluidVolume)target;
             FluidSimulation fluid = volume.GetComponentInParent<FluidSimulation>(true);
             if (fluid != null)
-                InspectorRows.Text("Holds", $"about {FillEstimate.Particles(volume, fluid.ParticleSpacing):N0} particles");
+                InspectorRows.Text("Holds", Invariant($"about {FillEstimate.Particles(volume, fluid.ParticleSpacing):N0} particles"));
             if (VolumePreview.NoteOn(volume) is string note)
                 EditorGUILayout.HelpBox(note, MessageType.None);
         }

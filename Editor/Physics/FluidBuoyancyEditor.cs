@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -18,6 +19,6 @@ namespace Rill.Editor
         internal override InspectorSection[] Sections => AllSections;
 
         internal override void ListLive(List<(string label, string text)> live)
-            => live.Add(("Under water", $"{((FluidBuoyancy)target).SubmergedFraction:P0}"));
+            => live.Add(("Under water", Invariant($"{((FluidBuoyancy)target).SubmergedFraction:P0}")));
     }
 }

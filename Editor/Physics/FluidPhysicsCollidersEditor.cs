@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -35,6 +36,6 @@ namespace Rill.Editor
         }
 
         internal override void ListLive(List<(string label, string text)> live)
-            => live.Add(("Colliders near the box", ((FluidPhysicsColliders)target).Taken.Count.ToString()));
+            => live.Add(("Colliders near the box", Invariant($"{((FluidPhysicsColliders)target).Taken.Count}")));
     }
 }

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -41,7 +42,8 @@ namespace Rill.Editor
 
         static FieldReceiver ReceiverFor(List<(FluidPhysicsColliders of, List<Mesh> meshes)> missing)
         {
-            string label = missing.Count == 1 ? $"Mesh Fields of '{missing[0].of.name}'" : $"Mesh Fields of {missing.Count} objects";
+            string label = missing.Count == 1 ? $"Mesh Fields of '{missing[0].of.name}'" : Invariant($"Mesh Fields of {missing.Count} ") +
+                "objects";
             if (Application.isPlaying)
                 label += ", until play mode ends";
             return new FieldReceiver(label, (mesh, field) =>

@@ -1,4 +1,5 @@
 using System;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -69,12 +70,12 @@ namespace Rill.Editor
         /// <summary>Figures, and what a spacing, m, leaves of them.</summary>
         public string Describe(float spacing)
         {
-            string text = $"{Name}: {Density:0.#} kg/m³, {Viscosity:G4} Pa s{ElasticText(Material, spacing)} ({Conditions}).";
+            string text = Invariant($"{Name}: {Density:0.#} kg/m³, {Viscosity:G4} Pa s{ElasticText(Material, spacing)} ({Conditions}).");
             double numerical = NumericalViscosity * Density * spacing * spacing / UsualStep;
             if (Viscosity >= numerical)
                 return text;
-            return $"{text} At this spacing and 60 steps a second the solver itself damps eddies as {numerical:G2} Pa s would, or " +
-                $"more. Lower the spacing to see less than that.";
+            return Invariant($"{text} At this spacing and 60 steps a second the solver itself damps eddies as {numerical:G2} Pa s ") +
+                "would, or more. Lower the spacing to see less than that.";
         }
 
         string ElasticText(in FluidMaterial material, float spacing)
@@ -82,8 +83,8 @@ namespace Rill.Editor
             if (ShearModulus <= 0f)
                 return "";
             int substeps = (int)Math.Ceiling(Math.Sqrt(DrawnOut * ShearModulus / material.MaxShearModulus(spacing, UsualStep)));
-            return $", shear modulus {ShearModulus:G4} Pa, forgotten in {RelaxationTime:G4} s; at this spacing and 60 steps a second " +
-                $"{substeps} substeps keep it up to twice the length";
+            return Invariant($", shear modulus {ShearModulus:G4} Pa, forgotten in {RelaxationTime:G4} s; at this spacing and 60 steps a ") +
+                Invariant($"second {substeps} substeps keep it up to twice the length");
         }
     }
 }

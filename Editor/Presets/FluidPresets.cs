@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using UnityEditor;
 using Object = UnityEngine.Object;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -61,12 +62,13 @@ namespace Rill.Editor
         }
 
         public static string SmoothingText(in FluidMaterial material, float spacing)
-            => $"{material.SmoothingViscosity(spacing):G3} Pa s at this spacing";
+            => Invariant($"{material.SmoothingViscosity(spacing):G3} Pa s at this spacing");
 
         /// <param name="substep">s.</param>
         public static string ElasticityText(in FluidMaterial material, float spacing, float substep)
         {
-            return $"up to {material.MaxShearModulus(spacing, substep):G3} Pa at this spacing, step rate and substeps; less where it is drawn out";
+            return Invariant($"up to {material.MaxShearModulus(spacing, substep):G3} Pa at this spacing, step rate and substeps; less ") +
+                "where it is drawn out";
         }
 
         static bool Same(in FluidMaterial a, in FluidMaterial b)

@@ -1,5 +1,6 @@
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -40,8 +41,8 @@ namespace Rill.Editor
         }
 
         internal static string StateOf(SceneSimulation simulation)
-            => $"{(simulation.IsPaused ? "Paused" : "Simulated without Play")}: {simulation.Fluid.FluidTime:0.00} s, step " +
-            $"{simulation.Fluid.StepCount:N0}. Scripts and bodies do not move.";
+            => Invariant($"{(simulation.IsPaused ? "Paused" : "Simulated without Play")}: {simulation.Fluid.FluidTime:0.00} s, step ") +
+            Invariant($"{simulation.Fluid.StepCount:N0}. Scripts and bodies do not move.");
 
         static void DrawRunning(SceneSimulation current)
         {

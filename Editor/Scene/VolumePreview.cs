@@ -4,6 +4,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -46,10 +47,10 @@ namespace Rill.Editor
                 return null;
             double particles = FillEstimate.Particles(volume, fluid.ParticleSpacing);
             if (particles > MaxSought)
-                return $"The scene view does not show its particles: more than {MaxSought:N0}.";
+                return Invariant($"The scene view does not show its particles: more than {MaxSought:N0}.");
             int step = StepOf((int)particles);
             return step == 1 ? null
-                : $"The scene view shows every {step}{Ordinal(step)} of its particles, since it draws at most {MaxDrawn:N0}.";
+                : Invariant($"The scene view shows every {step}{Ordinal(step)} of its particles, since it draws at most {MaxDrawn:N0}.");
         }
 
         /// <summary>The fluid whose start a volume fills; null where it fills none, or something else is seen of it.</summary>

@@ -1,6 +1,6 @@
-using System.Globalization;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -18,13 +18,11 @@ namespace Rill.Editor
             }
             FluidSnapshot snapshot = asset.Snapshot;
             Vector3 box = snapshot.DomainSize;
-            EditorGUILayout.LabelField("Particles", Text("{0:N0}", snapshot.ParticleCount));
-            EditorGUILayout.LabelField("Particle Spacing", Text("{0} m", snapshot.ParticleSpacing));
-            EditorGUILayout.LabelField("Domain Size", Text("{0} x {1} x {2} m", box.x, box.y, box.z));
-            EditorGUILayout.LabelField("Taken At", Text("step {0}, {1:0.###} s", snapshot.StepCount, snapshot.FluidTime));
+            EditorGUILayout.LabelField("Particles", Invariant($"{snapshot.ParticleCount:N0}"));
+            EditorGUILayout.LabelField("Particle Spacing", Invariant($"{snapshot.ParticleSpacing} m"));
+            EditorGUILayout.LabelField("Domain Size", Invariant($"{box.x} x {box.y} x {box.z} m"));
+            EditorGUILayout.LabelField("Taken At", Invariant($"step {snapshot.StepCount}, {snapshot.FluidTime:0.###} s"));
             EditorGUILayout.LabelField("Size", EditorUtility.FormatBytes(asset.Size));
         }
-
-        static string Text(string format, params object[] values) => string.Format(CultureInfo.InvariantCulture, format, values);
     }
 }

@@ -1,5 +1,6 @@
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -58,7 +59,7 @@ namespace Rill.Editor
                 stored.FindProperty("startState").objectReferenceValue = asset;
                 stored.ApplyModifiedProperties();
             }
-            Debug.Log($"Rill: '{simulation.name}' starts with '{path}': {snapshot.ParticleCount:N0} particles.", simulation);
+            Debug.Log(Invariant($"Rill: '{simulation.name}' starts with '{path}': {snapshot.ParticleCount:N0} particles."), simulation);
         }
 
         static string AskForPath(FluidSimulation simulation) => EditorUtility.SaveFilePanelInProject("Save as Start State",
@@ -76,7 +77,7 @@ namespace Rill.Editor
                 return;
             if (request.Snapshot != null)
                 Debug.Log($"Rill: the state of '{simulation.name}' is in '{Save(simulation, request.Snapshot)}': " +
-                    $"{request.Snapshot.ParticleCount:N0} particles. After play, assign it to Start State.", simulation);
+                    Invariant($"{request.Snapshot.ParticleCount:N0} particles. After play, assign it to Start State."), simulation);
             else
                 LogProblem(simulation, request);
             request = null;

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -13,14 +14,15 @@ namespace Rill.Editor
         {
             if (state.reason == BudgetReason.Off)
                 yield break;
-            yield return ("Budget chose", $"{state.substeps} substeps x {state.iterations} iterations, relaxation {state.relaxation}");
+            yield return ("Budget chose", Invariant($"{state.substeps} substeps x {state.iterations} iterations, relaxation ") +
+                Invariant($"{state.relaxation}"));
             yield return ("because", state.Why());
-            string spent = state.milliseconds > 0f ? $"{state.milliseconds:0.###} of {state.targetMilliseconds:0.###} ms"
-                : $"{state.targetMilliseconds:0.###} ms to spend";
+            string spent = state.milliseconds > 0f ? Invariant($"{state.milliseconds:0.###} of {state.targetMilliseconds:0.###} ms")
+                : Invariant($"{state.targetMilliseconds:0.###} ms to spend");
             yield return ("GPU time", $"{spent}, {Of(state.source)}");
-            yield return ("Error it costs", float.IsNaN(state.densityError) ? "not measured" : $"mean {state.densityError:P2}");
+            yield return ("Error it costs", float.IsNaN(state.densityError) ? "not measured" : Invariant($"mean {state.densityError:P2}"));
             if (state.deviceFactor > 0f)
-                yield return ("Device factor", $"{state.deviceFactor:0.##} x the cost model");
+                yield return ("Device factor", Invariant($"{state.deviceFactor:0.##} x the cost model"));
         }
 
         public static IEnumerable<(MessageType type, string text)> Messages(SolverBudget budget, BudgetState state, int statisticsInterval)

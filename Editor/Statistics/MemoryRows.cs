@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEditor;
+using static System.FormattableString;
 
 namespace Rill.Editor
 {
@@ -38,7 +39,7 @@ namespace Rill.Editor
 
         /// <param name="capacity">Most particles.</param>
         public static string Text(long bytes, int capacity)
-            => $"{EditorUtility.FormatBytes(bytes)}, {bytes / (double)capacity:0} bytes a particle of capacity";
+            => Invariant($"{EditorUtility.FormatBytes(bytes)}, {bytes / (double)capacity:0} bytes a particle of capacity");
 
         public static long Total(List<Row> rows)
         {

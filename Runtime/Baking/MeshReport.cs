@@ -1,6 +1,6 @@
 using System.Collections.Generic;
-using System.Globalization;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -177,7 +177,7 @@ namespace Rill
             return texts;
         }
 
-        static string Number(int value) => value.ToString("N0", CultureInfo.InvariantCulture);
-        static string Percent(double fraction) => (100 * fraction).ToString("0.#", CultureInfo.InvariantCulture) + " %";
+        static string Number(int value) => Invariant($"{value:N0}");
+        static string Percent(double fraction) => Invariant($"{100 * fraction:0.#} %");
     }
 }

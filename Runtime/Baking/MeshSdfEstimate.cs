@@ -1,4 +1,5 @@
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -22,20 +23,20 @@ namespace Rill
             int largest = Mathf.Max(Resolution.x, Mathf.Max(Resolution.y, Resolution.z));
             int most = Mathf.Min(MeshSdfSettings.MaxResolution, SystemInfo.maxTexture3DSize);
             long bytes = TotalBytes, cap = settings.memoryCap * 1024L * 1024L;
-            string size = $"{Resolution.x} x {Resolution.y} x {Resolution.z} voxels of {VoxelSize} m";
+            string size = Invariant($"{Resolution.x} x {Resolution.y} x {Resolution.z} voxels of {VoxelSize} m");
             if (!(VoxelSize > 0f))
                 Problem = "The mesh has no size: its triangles lie in one point.";
             else if (largest > most)
-                Problem = $"{size} are more than {most} a side: use larger voxels or a lower resolution.";
+                Problem = Invariant($"{size} are more than {most} a side: use larger voxels or a lower resolution.");
             else if (bytes > cap)
-                Problem = $"{size} take {Mega(bytes)} MiB, more than the memory cap of {settings.memoryCap} MiB: use larger voxels or " +
-                    $"a lower resolution, or raise the cap.";
+                Problem = Invariant($"{size} take {Mega(bytes)} MiB, more than the memory cap of {settings.memoryCap} MiB: use larger ") +
+                    "voxels or a lower resolution, or raise the cap.";
             else if (grid.VoxelCount * sizeof(uint) > GpuBuffer.MaxBinding)
                 Problem = $"{size} need a buffer of {Mega(grid.VoxelCount * sizeof(uint))} MiB, but this device binds " +
                     $"{Mega(GpuBuffer.MaxBinding)} MiB: use larger voxels or a lower resolution.";
             else if ((long)triangles * MeshSdfPasses.BytesOfTriangle > GpuBuffer.MaxBinding)
-                Problem = $"{triangles:N0} triangles need a buffer of {Mega((long)triangles * MeshSdfPasses.BytesOfTriangle)} MiB, but " +
-                    $"this device binds {Mega(GpuBuffer.MaxBinding)} MiB: bake a mesh of fewer triangles.";
+                Problem = Invariant($"{triangles:N0} triangles need a buffer of {Mega((long)triangles * MeshSdfPasses.BytesOfTriangle)} ") +
+                    $"MiB, but this device binds {Mega(GpuBuffer.MaxBinding)} MiB: bake a mesh of fewer triangles.";
         }
 
         /// <summary>Voxels along each axis.</summary>
@@ -59,6 +60,6 @@ namespace Rill
         /// <summary>Why it cannot be baked, with the limit and the remedy; null if it can.</summary>
         public string Problem { get; }
 
-        static string Mega(long bytes) => (bytes / (1024.0 * 1024.0)).ToString("N1", System.Globalization.CultureInfo.InvariantCulture);
+        static string Mega(long bytes) => Invariant($"{bytes / (1024.0 * 1024.0):N1}");
     }
 }

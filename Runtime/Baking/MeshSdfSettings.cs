@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -57,15 +58,16 @@ namespace Rill
         {
             problem = null;
             if (!IsFinite(voxelSize) || voxelSize < 0f)
-                Limit.Append(ref problem, $"Voxel size {voxelSize} m must be above 0, or 0 to take it from the resolution.");
+                Limit.Append(ref problem, Invariant($"Voxel size {voxelSize} m must be above 0, or 0 to take it from the resolution."));
             if (resolution < MinResolution || resolution > MaxResolution)
-                Limit.Append(ref problem, $"Resolution {resolution} is outside {MinResolution} to {MaxResolution}: set it within.");
+                Limit.Append(ref problem, Invariant($"Resolution {resolution} is outside {MinResolution} to {MaxResolution}: set it ") +
+                    "within.");
             if (padding < 1 || padding > MaxPadding)
-                Limit.Append(ref problem, $"Padding {padding} is outside 1 to {MaxPadding} voxels: set it within.");
+                Limit.Append(ref problem, Invariant($"Padding {padding} is outside 1 to {MaxPadding} voxels: set it within."));
             if (memoryCap < 1)
-                Limit.Append(ref problem, $"Memory cap {memoryCap} MiB must be at least 1.");
+                Limit.Append(ref problem, Invariant($"Memory cap {memoryCap} MiB must be at least 1."));
             if (!IsFinite(shellThickness) || shellThickness < 0f)
-                Limit.Append(ref problem, $"Shell thickness {shellThickness} m must be above 0, or 0 for two voxels.");
+                Limit.Append(ref problem, Invariant($"Shell thickness {shellThickness} m must be above 0, or 0 for two voxels."));
             return problem == null;
         }
 

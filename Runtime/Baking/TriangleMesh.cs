@@ -4,6 +4,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -24,11 +25,13 @@ namespace Rill
             Triangles = triangles ?? throw new ArgumentNullException(nameof(triangles));
             if (triangles.Length % 3 != 0)
                 throw new ArgumentException(
-                    $"'{Name}': {triangles.Length:N0} indices are no whole number of triangles; give three for each.", nameof(triangles));
+                    Invariant($"'{Name}': {triangles.Length:N0} indices are no whole number of triangles; give three for ") +
+                    "each.", nameof(triangles));
             for (int i = 0; i < triangles.Length; i++)
                 if ((uint)triangles[i] >= (uint)vertices.Length)
                     throw new ArgumentException(
-                        $"'{Name}': triangle {i / 3:N0} refers to vertex {triangles[i]:N0} of {vertices.Length:N0}.", nameof(triangles));
+                        Invariant($"'{Name}': triangle {i / 3:N0} refers to vertex {triangles[i]:N0} of ") +
+                        Invariant($"{vertices.Length:N0}."), nameof(triangles));
         }
 
         /// <summary>Name by which messages call the mesh.</summary>

@@ -1,6 +1,7 @@
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -56,8 +57,8 @@ namespace Rill
                 case 16: property = Ids.Blocks; return clearBlocks;
                 case 24: property = Ids.Triples; return clearTriples;
                 default:
-                    throw new ArgumentException($"A buffer with elements of {stride} bytes has no kernel that clears it. Add one " +
-                    $"to Clear.compute; there are those of 4, 16 and 24 bytes.");
+                    throw new ArgumentException(Invariant($"A buffer with elements of {stride} bytes has no kernel that clears it. Add ") +
+                    "one to Clear.compute; there are those of 4, 16 and 24 bytes.");
             }
         }
 

@@ -1,6 +1,7 @@
 using System;
 using Unity.Collections.LowLevel.Unsafe;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -27,8 +28,8 @@ namespace Rill
         {
             int stride = UnsafeUtility.SizeOf<T>();
             if (count < 1 || count * stride > MaxBinding)
-                throw new ArgumentOutOfRangeException(nameof(count), count,
-                    $"{name}: {count:N0} elements of {stride} bytes; this device binds 1 to {MaxBinding / stride:N0}.");
+                throw Limit.OutOfRange(nameof(count), count,
+                    Invariant($"{name}: {count:N0} elements of {stride} bytes; this device binds 1 to {MaxBinding / stride:N0}."));
             return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.Structured, (int)count, stride));
         }
 

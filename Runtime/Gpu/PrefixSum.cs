@@ -1,6 +1,7 @@
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -31,7 +32,8 @@ namespace Rill
         public PrefixSum(ComputeShader shader, int capacity)
         {
             if (capacity < 1 || capacity > MaxCapacity)
-                throw new ArgumentOutOfRangeException(nameof(capacity), capacity, $"A prefix sum takes 1 to {MaxCapacity:N0} elements.");
+                throw Limit.OutOfRange(nameof(capacity), capacity, Invariant($"A prefix sum takes 1 to {MaxCapacity:N0} ") +
+                    "elements.");
 
             this.shader = shader;
             Capacity = capacity;
@@ -51,7 +53,8 @@ namespace Rill
         public void Record(CommandBuffer cmd, GraphicsBuffer counts, GraphicsBuffer sums, int count)
         {
             if (count < 0 || count > Capacity)
-                throw new ArgumentOutOfRangeException(nameof(count), count, $"This prefix sum was created for up to {Capacity:N0} elements.");
+                throw Limit.OutOfRange(nameof(count), count, "This prefix sum was created for up to " +
+                    Invariant($"{Capacity:N0} elements."));
             if (count == 0)
                 return;
 

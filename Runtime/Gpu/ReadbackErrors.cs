@@ -85,7 +85,7 @@ namespace Rill
                     "Those of before stay until the next come.");
                 case ReadbackKinds.Refusals: return ("the number of particles of scripts that it refused", "It is asked for again.");
                 case ReadbackKinds.Particles: return ("the particles for a ParticleReadback", "Its Outcome is Failed: request them again.");
-                default: throw new ArgumentOutOfRangeException(nameof(kind), kind, "One kind has a text.");
+                default: throw Limit.OutOfRange(nameof(kind), kind, "One kind has a text.");
             }
         }
     }

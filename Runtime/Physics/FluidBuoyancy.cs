@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -201,9 +202,9 @@ namespace Rill
             if (waited < PatienceTime || DeviceGate.HasNoGraphics)
                 return;
             waited = float.NegativeInfinity;
-            Debug.LogWarning($"Rill: FluidBuoyancy '{name}' has met no FluidSimulation in {PatienceTime} s: none that runs has it in " +
-                $"its box and the layer of its FluidCollider in Fluid Collider Layers. Place it there, add the layer, or enable the " +
-                $"simulation.", this);
+            Debug.LogWarning(Invariant($"Rill: FluidBuoyancy '{name}' has met no FluidSimulation in {PatienceTime} s: none that runs ") +
+                "has it in its box and the layer of its FluidCollider in Fluid Collider Layers. Place it there, add the layer, or enable " +
+                "the simulation.", this);
         }
 
         void Say(string problem, FluidCollider leftOut)

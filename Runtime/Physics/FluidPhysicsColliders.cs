@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -177,7 +178,8 @@ namespace Rill
         StageReferences IUsesStages.StageReferences => shaders;
 
         static string TooManyProblem
-            => $"more than {MaxFound} colliders of its layers are near its box, and the rest is left out. Take objects out of Collider Layers.";
+            => Invariant($"more than {MaxFound} colliders of its layers are near its box, and the rest is left out. Take objects out of ") +
+            "Collider Layers.";
 
         void OnEnable()
         {

@@ -1,5 +1,6 @@
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -26,7 +27,8 @@ namespace Rill
             Vector3 place = transform.position, lossyScale = transform.lossyScale;
             Quaternion turn = transform.rotation;
             if (!Limit.IsPose(place, turn) || !math.all(math.isfinite((float3)lossyScale)))
-                return $"its transform is not finite (position {place}, rotation {turn}, scale {lossyScale}). Set them to numbers.";
+                return Invariant($"its transform is not finite (position {place}, rotation {turn}, scale {lossyScale}). Set them to ") +
+                    "numbers.";
             position = place;
             rotation = turn;
             scale = math.abs((float3)lossyScale);
@@ -53,8 +55,8 @@ namespace Rill
             motion.voxel = even * field.VoxelSize;
             motion.fieldUnit = even;
             motion.field = field.Texture;
-            return even > 1.001f * math.cmin(scale) ? $"its scale {(Vector3)scale} is not the same along all axes, and distances " +
-                $"cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
+            return even > 1.001f * math.cmin(scale) ? Invariant($"its scale {(Vector3)scale} is not the same along all axes, and ") +
+                "distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
         }
 
         /// <summary>Makes a motion that of ground. As Unity's Terrain it follows the object's position alone.</summary>

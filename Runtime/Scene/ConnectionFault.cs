@@ -1,4 +1,5 @@
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -44,12 +45,13 @@ namespace Rill
                 case ConnectionFault.SameFluid:
                     return $"both ends are '{a.name}'. Set First and Second to two fluids.";
                 case ConnectionFault.Spacings:
-                    return $"'{a.name}' has a particle spacing of {a.ParticleSpacing} m and '{b.name}' one of {b.ParticleSpacing} m. " +
-                        $"Make them equal.";
+                    return Invariant($"'{a.name}' has a particle spacing of {a.ParticleSpacing} m and '{b.name}' one of ") +
+                        Invariant($"{b.ParticleSpacing} m. Make them equal.");
                 case ConnectionFault.Materials:
                     return $"'{a.name}' and '{b.name}' have different materials. Make them equal.";
                 case ConnectionFault.StepRates:
-                    return $"'{a.name}' takes {a.StepRate} steps a second and '{b.name}' {b.StepRate}. Make their Step Rates equal.";
+                    return Invariant($"'{a.name}' takes {a.StepRate} steps a second and '{b.name}' {b.StepRate}. Make their Step Rates ") +
+                        "equal.";
                 case ConnectionFault.Rotations:
                     return $"'{a.name}' and '{b.name}' are turned differently. Give both the same rotation.";
                 default:

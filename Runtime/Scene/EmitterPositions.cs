@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 using Random = Unity.Mathematics.Random;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -65,7 +66,8 @@ namespace Rill
                 : (double)across.x * across.y;
             if (positions > MaxPositions || extent > SolverLayout.MaxSpacingsAcross)
             {
-                problem = $"its shape has room for more than {MaxPositions:N0} particles at once. Shrink it or raise the particle spacing.";
+                problem = Invariant($"its shape has room for more than {MaxPositions:N0} particles at once. Shrink it or raise the ") +
+                    "particle spacing.";
                 return null;
             }
             if (mode == EmitterMode.Fill)
@@ -82,9 +84,10 @@ namespace Rill
             if (shape == EmitterShape.Box)
             {
                 float3 needed = mode == EmitterMode.Fill ? size : new float3(size.xy, 1f);
-                return math.cmin(needed) > 0f ? null : $"its box of {size.x} x {size.y} x {size.z} m has no size. Set its sides above 0.";
+                return math.cmin(needed) > 0f ? null : Invariant($"its box of {size.x} x {size.y} x {size.z} m has no size. Set its ") +
+                    "sides above 0.";
             }
-            return radius > 0f ? null : $"its {shape} has the radius {radius} m. Set it above 0.";
+            return radius > 0f ? null : Invariant($"its {shape} has the radius {radius} m. Set it above 0.");
         }
 
         static string ProblemOf(Mesh mesh, float3 scale)
@@ -95,7 +98,7 @@ namespace Rill
                 return $"its mesh '{mesh.name}' cannot be read. Turn on Read/Write in the mesh's import settings.";
             if (mesh.triangles.Length == 0)
                 return $"its mesh '{mesh.name}' has no triangles. Choose another.";
-            return math.all(math.isfinite(scale)) ? null : $"its scale {scale} is not finite. Set it to numbers.";
+            return math.all(math.isfinite(scale)) ? null : Invariant($"its scale {scale} is not finite. Set it to numbers.");
         }
 
         // A spiral of even density, from the middle on (Vogel 1979): a low rate uses the inner ones.
@@ -168,8 +171,8 @@ namespace Rill
                 total += area;
                 if (total > MaxPositions / DartsPerPlace)
                 {
-                    problem = $"the surface of its mesh '{mesh.name}' has room for more than {MaxPositions / DartsPerPlace:N0} " +
-                        $"particles at once. Scale it down or raise the particle spacing.";
+                    problem = $"the surface of its mesh '{mesh.name}' has room for more than " +
+                        Invariant($"{MaxPositions / DartsPerPlace:N0} particles at once. Scale it down or raise the particle spacing.");
                     return null;
                 }
                 float wanted = area * DartsPerPlace;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -347,7 +348,8 @@ namespace Rill
             return null;
         }
 
-        static string Positive(string what, float value) => value > 0f && !float.IsInfinity(value) ? null : $"its {what} is {value}. Set it above 0.";
+        static string Positive(string what, float value) => value > 0f && !float.IsInfinity(value) ? null : $"its {what} is " +
+            Invariant($"{value}. Set it above 0.");
 
         void Say(string problem)
         {

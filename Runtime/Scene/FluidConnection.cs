@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -161,11 +162,11 @@ namespace Rill
         int Count(FluidSimulation taker, TransferWord word) => taker != null ? taker.Transferred(this, word) : 0;
 
         static string TooManyProblem(FluidSimulation fluid)
-            => $"FluidSimulation '{fluid.name}' has {ParticleTransfer.MaxTransfers} connections, the most it takes, and leaves this one out. " +
-            $"Disable another and enable this again.";
+            => Invariant($"FluidSimulation '{fluid.name}' has {ParticleTransfer.MaxTransfers} connections, the most it takes, and ") +
+            "leaves this one out. Disable another and enable this again.";
 
         static string FullProblem(FluidSimulation fluid, int waiting) => waiting == 0 ? null
-            : $"{waiting:N0} particles wait to flow into '{fluid.name}', whose capacity of {fluid.Capacity:N0} is full. Raise its " +
-            $"capacity, or let its water flow off.";
+            : Invariant($"{waiting:N0} particles wait to flow into '{fluid.name}', whose capacity of {fluid.Capacity:N0} is full. Raise ") +
+            "its capacity, or let its water flow off.";
     }
 }

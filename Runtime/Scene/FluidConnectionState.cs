@@ -1,5 +1,6 @@
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -71,9 +72,10 @@ namespace Rill
             float d = a.ParticleSpacing;
             if (axis < 0)
                 return $"the boxes of '{a.name}' and '{b.name}' have no end in each other. Put them one behind the other, and let them " +
-                    $"overlap by {8f * d:0.###} m.";
-            return $"the boxes of '{a.name}' and '{b.name}' overlap by {math.max(overlap, 0f) * d:0.###} m along {"xyz"[axis]}, less than " +
-                $"{FluidConnection.MinOverlap:0} spacings of {d} m. Let them overlap by {8f * d:0.###} m.";
+                    Invariant($"overlap by {8f * d:0.###} m.");
+            return Invariant($"the boxes of '{a.name}' and '{b.name}' overlap by {math.max(overlap, 0f) * d:0.###} m along ") +
+                Invariant($"{"xyz"[axis]}, less than {FluidConnection.MinOverlap:0} spacings of {d} m. Let them overlap by ") +
+                Invariant($"{8f * d:0.###} m.");
         }
 
         static ConnectionFault FaultBetween(FluidSimulation a, FluidSimulation b, out TransferRegion toA, out TransferRegion toB)

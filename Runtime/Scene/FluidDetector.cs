@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Events;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -300,8 +301,8 @@ namespace Rill
                 float3 scale = math.abs((float3)transform.lossyScale);
                 if (math.cmin(scale) > 0f && math.cmax(scale) <= 1.001f * math.cmin(scale))
                     return null;
-                return $"its scale {(Vector3)scale} is not the same along all axes, so it measures nothing: distances cannot be stretched. " +
-                    "Scale it evenly, or bake the mesh as it shall be.";
+                return Invariant($"its scale {(Vector3)scale} is not the same along all axes, so it measures nothing: distances cannot ") +
+                    "be stretched. Scale it evenly, or bake the mesh as it shall be.";
             }
         }
 
@@ -314,8 +315,8 @@ namespace Rill
             {
                 if (shape == DetectorShape.Mesh)
                     return MeshProblem;
-                string what = shape == DetectorShape.Box ? $"box of {size.x} x {size.y} x {size.z} m"
-                    : $"{(shape == DetectorShape.Sphere ? "sphere" : "capsule")} of radius {radius} m";
+                string what = shape == DetectorShape.Box ? Invariant($"box of {size.x} x {size.y} x {size.z} m")
+                    : Invariant($"{(shape == DetectorShape.Sphere ? "sphere" : "capsule")} of radius {radius} m");
                 return $"its {what} has no size, so it measures nothing. Set its size above 0.";
             }
         }

@@ -1,4 +1,5 @@
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -57,8 +58,8 @@ namespace Rill
                     case 6: return v6;
                     case 7: return v7;
                     default:
-                        throw new System.ArgumentOutOfRangeException(nameof(phase), phase,
-                        $"Phase {phase}: phases are 0 to {Queries.Phases - 1}.");
+                        throw Limit.OutOfRange(nameof(phase), phase,
+                        Invariant($"Phase {phase}: phases are 0 to {Queries.Phases - 1}."));
                 }
             }
             set

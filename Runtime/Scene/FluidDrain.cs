@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -124,8 +125,14 @@ namespace Rill
         bool IsEmpty => !(math.cmin(Half) > 0f);
 
         string SizeProblem
-            => $"its {(shape == DrainShape.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has " +
-            $"no size, so it takes out nothing. Set its size above 0.";
+        {
+            get
+            {
+                string what = shape == DrainShape.Sphere ? Invariant($"sphere of radius {radius} m")
+                    : Invariant($"box of {size.x} x {size.y} x {size.z} m");
+                return $"its {what} has no size, so it takes out nothing. Set its size above 0.";
+            }
+        }
 
         bool TargetTakes => recycleTo.isActiveAndEnabled && recycleTo.Simulation == Simulation && recycleTo.Number >= 0;
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -312,9 +313,9 @@ namespace Rill
 
         string ShapeProblem => positionsProblem + " It lets nothing in.";
 
-        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at " +
-            $"most {MaxRateOf(spacing, step):0.######} m³/s do{(positions.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise " +
-            $"its speed or lower the rate.";
+        string RateProblem(float spacing, float step) => Invariant($"its rate of {rate} m³/s is more than leaves its shape at rest ") +
+            Invariant($"density: at most {MaxRateOf(spacing, step):0.######} m³/s ") +
+            $"do{(positions.FillsVolume ? "" : Invariant($" at {speed} m/s"))}. Enlarge it, raise its speed or lower the rate.";
 
         // Whether each step lets in a ring of its own: the one before is ahead by what it fell, in a fluid so thick that a step evens out the flow
         // within a ring (ν Δt > d²).
@@ -328,11 +329,12 @@ namespace Rill
         string TornProblem(FluidSimulation fluid)
         {
             float perStep = MaxTravel * fluid.ParticleSpacing, rateNeeded = math.ceil(LeavingSpeed / perStep);
-            string remedy = rateNeeded > FluidSimulation.MaxStepRate ? $"Lower its speed to {perStep * FluidSimulation.MaxStepRate:G3} m/s and set " +
-                $"the Step Rate of FluidSimulation '{fluid.name}' to {FluidSimulation.MaxStepRate}"
-                : $"Set the Step Rate of FluidSimulation '{fluid.name}' to {rateNeeded} or more, or lower its speed";
-            return $"its jet of thick fluid moves by {LeavingSpeed * fluid.FixedStep / fluid.ParticleSpacing:0.##} particle spacings in a step, so " +
-                $"that each step lets in a ring of its own. {remedy}. Substeps do not help.";
+            string remedy = rateNeeded > FluidSimulation.MaxStepRate ? "Lower its speed to " +
+                Invariant($"{perStep * FluidSimulation.MaxStepRate:G3} m/s and set the Step Rate of FluidSimulation '{fluid.name}' to ") +
+                Invariant($"{FluidSimulation.MaxStepRate}")
+                : Invariant($"Set the Step Rate of FluidSimulation '{fluid.name}' to {rateNeeded} or more, or lower its speed");
+            return Invariant($"its jet of thick fluid moves by {LeavingSpeed * fluid.FixedStep / fluid.ParticleSpacing:0.##} particle ") +
+                $"spacings in a step, so that each step lets in a ring of its own. {remedy}. Substeps do not help.";
         }
 
         // For so long that what waited first is given up, and every place was tried.
@@ -342,9 +344,9 @@ namespace Rill
         string CoveredProblem => "a collider covers all of its outlet, so that nothing comes out; what is due is given up and counted " +
             "as blocked. Move it or the collider apart.";
 
-        string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} " +
-            $"particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give " +
-            $"particles a lifetime.";
+        string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': " +
+            Invariant($"{Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the ") +
+            "capacity, drain the fluid or give particles a lifetime.";
 
         bool TryGetPositions(float spacing)
         {

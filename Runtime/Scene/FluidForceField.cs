@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -143,7 +144,8 @@ namespace Rill
         {
             get
             {
-                string what = bounds == ForceFieldBounds.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m";
+                string what = bounds == ForceFieldBounds.Sphere ? Invariant($"sphere of radius {radius} m")
+                    : Invariant($"box of {size.x} x {size.y} x {size.z} m");
                 return $"its {what} has no size, so it acts on nothing. Set its size above 0 or its bounds to none.";
             }
         }

@@ -2,6 +2,7 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -182,14 +183,14 @@ namespace Rill
         }
 
         string PoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null
-            : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing until " +
-            $"position, rotation and scale of this object and its parents are numbers.";
+            : Invariant($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing ") +
+            "until position, rotation and scale of this object and its parents are numbers.";
 
         string NoSimulationProblem
             => "there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.";
 
-        string TooManyProblem => $"FluidSimulation '{attached.name}' has {attached.MaxLike(this)} of its kind, the most it takes, and " +
-            $"leaves this one out. Disable another and enable this again.";
+        string TooManyProblem => Invariant($"FluidSimulation '{attached.name}' has {attached.MaxLike(this)} of its kind, the most it ") +
+            "takes, and leaves this one out. Disable another and enable this again.";
 
         FluidSimulation Wanted => simulation != null ? simulation : GetComponentInParent<FluidSimulation>(true);
 

@@ -43,7 +43,7 @@ namespace Rill
             set
             {
                 if (!(value > 0f) || float.IsInfinity(value))
-                    throw new ArgumentOutOfRangeException(nameof(value), value, "The radius of a submerged ball is above 0 m.");
+                    throw Limit.OutOfRange(nameof(value), value, "The radius of a submerged ball is above 0 m.");
                 radius = value;
             }
         }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -178,7 +179,7 @@ namespace Rill
         void Check(in FluidRay cast, int index, string name)
         {
             if (fluid != null && cast.Problem(fluid.ParticleSpacing) is string problem)
-                throw new ArgumentException($"Ray {index} {problem}.", name);
+                throw new ArgumentException(Invariant($"Ray {index} {problem}."), name);
         }
 
         void SetRayCount(int count)

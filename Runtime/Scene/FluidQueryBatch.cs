@@ -2,6 +2,7 @@ using System;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -63,10 +64,11 @@ namespace Rill
             if (fluid == null)
                 throw new ArgumentNullException(nameof(fluid));
             if (points < 0 || points > MaxPoints || points + rays == 0)
-                throw new ArgumentOutOfRangeException(nameof(points), points,
-                    $"A batch asks at 0 to {MaxPoints:N0} points, or casts at least one ray: make several for more.");
+                throw Limit.OutOfRange(nameof(points), points,
+                    Invariant($"A batch asks at 0 to {MaxPoints:N0} points, or casts at least one ray: make several for more."));
             if (rays < 0 || rays > MaxRays)
-                throw new ArgumentOutOfRangeException(nameof(rays), rays, $"A batch casts 0 to {MaxRays:N0} rays: make several for more.");
+                throw Limit.OutOfRange(nameof(rays), rays, Invariant($"A batch casts 0 to {MaxRays:N0} rays: make ") +
+                    "several for more.");
             this.fluid = fluid;
             (PointCapacity, RayCapacity) = (points, rays);
             this.points = new NativeArray<float3>(points, Allocator.Persistent);
@@ -187,29 +189,30 @@ namespace Rill
         {
             NeedAlive();
             if (count < 0 || count > capacity)
-                throw new ArgumentOutOfRangeException(name, count,
-                    $"{count:N0} {what} are more than this batch was made for, {capacity:N0}: make it larger, or several.");
+                throw Limit.OutOfRange(name, count,
+                    Invariant($"{count:N0} {what} are more than this batch was made for, {capacity:N0}: make it larger, or several."));
         }
 
         static void CheckPart(int length, int start, int count, string what)
         {
             if (start < 0 || count < 0 || start > length - count)
-                throw new ArgumentOutOfRangeException(nameof(count), count,
-                    $"{count} {what} from {start} on are not in an array of {length}.");
+                throw Limit.OutOfRange(nameof(count), count,
+                    Invariant($"{count} {what} from {start} on are not in an array of {length}."));
         }
 
         static void CheckIndex(int index, int count, string what, string limit)
         {
             if (index < 0 || index >= count)
-                throw new ArgumentOutOfRangeException(nameof(index), index,
-                    $"There is no index {index} among {count:N0} {what}: give 0 to below {limit}.");
+                throw Limit.OutOfRange(nameof(index), index,
+                    Invariant($"There is no index {index} among {count:N0} {what}: give 0 to below {limit}."));
         }
 
         static void CheckRoom(int length, int count, int capacity, string limit, string name)
         {
             if (length < count)
                 throw new ArgumentException(
-                    $"'{name}' holds {length:N0} elements, and {count:N0} results came back: make it as long as {limit}, {capacity:N0} here.", name);
+                    Invariant($"'{name}' holds {length:N0} elements, and {count:N0} results came back: make it as long as {limit}, ") +
+                    Invariant($"{capacity:N0} here."), name);
         }
 
         void NeedAlive()

@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -59,18 +60,18 @@ namespace Rill
         internal string Problem(float spacing)
         {
             if (!Limit.IsPose(origin, Quaternion.identity))
-                return $"starts at {origin}, which is no place: give finite numbers";
+                return Invariant($"starts at {origin}, which is no place: give finite numbers");
             float length = direction.magnitude;
             if (!(length > 0f) || float.IsInfinity(length))
-                return $"has the direction {direction}, which points nowhere: give a finite one that is not 0";
+                return Invariant($"has the direction {direction}, which points nowhere: give a finite one that is not 0");
             if (!(maxDistance > 0f))
-                return $"goes {maxDistance} m far: give a distance above 0, or infinity";
+                return Invariant($"goes {maxDistance} m far: give a distance above 0, or infinity");
             if (!(radius >= 0f) || radius > MaxRadius * spacing)
-                return $"has a radius of {radius} m: give 0 to {MaxRadius * spacing} m, which is {MaxRadius} particle spacings";
+                return Invariant($"has a radius of {radius} m: give 0 to {MaxRadius * spacing} m, which is {MaxRadius} particle spacings");
             if ((crossing & FluidCrossing.Any) == 0)
-                return $"has the crossing {crossing}, and hits nothing: give Enter, Leave or Any";
+                return Invariant($"has the crossing {crossing}, and hits nothing: give Enter, Leave or Any");
             return radius > 0f && crossing != FluidCrossing.Enter
-                ? $"is a ball with the crossing {crossing}: a ball only enters, cast a ray for the way out" : null;
+                ? Invariant($"is a ball with the crossing {crossing}: a ball only enters, cast a ray for the way out") : null;
         }
     }
 

@@ -1,6 +1,7 @@
 using System;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -27,7 +28,8 @@ namespace Rill
         {
             if (!Limit.IsPose(center, rotation) || !math.all(math.isfinite((float3)size)) || math.cmin((float3)size) < 0f)
                 throw new ArgumentException(
-                    $"A box around {center} of {size} m, turned by {rotation}, is none: give finite numbers, and sides of 0 or more.");
+                    Invariant($"A box around {center} of {size} m, turned by {rotation}, is none: give finite numbers, and sides of 0 ") +
+                    "or more.");
             return new FluidShape(new RoundedBox { center = center, half = (float3)size * 0.5f, rotation = rotation });
         }
 
@@ -45,8 +47,8 @@ namespace Rill
         public static FluidShape Capsule(Vector3 start, Vector3 end, float radius)
         {
             if (!math.all(math.isfinite((float3)start)) || !math.all(math.isfinite((float3)end)) || !math.isfinite(radius) || radius < 0f)
-                throw new ArgumentException($"A sphere or capsule from {start} to {end} with radius {radius} m is none: give finite " +
-                    $"numbers, and a radius of 0 or more.");
+                throw new ArgumentException(Invariant($"A sphere or capsule from {start} to {end} with radius {radius} m is none: give ") +
+                    "finite numbers, and a radius of 0 or more.");
             Vector3 axis = end - start;
             return new FluidShape(new RoundedBox
             {

@@ -4,6 +4,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using Random = Unity.Mathematics.Random;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -113,7 +114,7 @@ namespace Rill
 
         float3 SignedScale => Scale * math.select(new float3(1f, 1f, 1f), new float3(-1f, -1f, -1f), (float3)transform.lossyScale < 0f);
 
-        string SizeText => shape == VolumeShape.Sphere ? $"radius {radius}" : $"size {(Vector3)Extent}";
+        string SizeText => shape == VolumeShape.Sphere ? Invariant($"radius {radius}") : Invariant($"size {(Vector3)Extent}");
 
         void IHasProblems.ListProblems(List<string> problems)
         {
@@ -130,11 +131,11 @@ namespace Rill
                 return problem;
             if (!math.all(math.isfinite(Extent)) || !math.all(math.isfinite((float3)velocity))
                 || !math.all(math.isfinite((float3)transform.position)))
-                return $"{SizeText}, velocity {velocity} or position {transform.position} is not finite. Set them to numbers.";
+                return Invariant($"{SizeText}, velocity {velocity} or position {transform.position} is not finite. Set them to numbers.");
             float3 across = math.max(Extent / spacing, 0f);
             if (across.x * across.y * across.z > SolverLayout.MaxCapacity)
-                return $"{SizeText} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {spacing} m, the most of one " +
-                    $"simulation. Shrink it or raise the spacing.";
+                return Invariant($"{SizeText} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {spacing} m, the ") +
+                    "most of one simulation. Shrink it or raise the spacing.";
             return null;
         }
 
@@ -152,8 +153,8 @@ namespace Rill
                     return $"its field '{field.name}' has a texture that cannot be read. Bake it again.";
                 float3 scale = math.abs((float3)transform.lossyScale);
                 if (!(math.cmin(scale) > 0f) || math.cmax(scale) - math.cmin(scale) > 1e-3f * math.cmax(scale))
-                    return $"its scale {transform.lossyScale} is not the same along all axes, or 0, which distances do not survive. " +
-                        $"Scale it uniformly.";
+                    return Invariant($"its scale {transform.lossyScale} is not the same along all axes, or 0, which distances do not ") +
+                        "survive. Scale it uniformly.";
                 return null;
             }
         }

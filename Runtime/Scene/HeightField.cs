@@ -2,6 +2,7 @@ using System;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -28,12 +29,12 @@ namespace Rill
                 throw new ArgumentNullException(nameof(heights));
             int2 counts = new int2(heights.GetLength(1), heights.GetLength(0));
             if (math.any(counts < 2) || math.any(counts > MaxHeights))
-                throw new ArgumentException($"A height field has 2 to {MaxHeights} heights along a side, not {counts.x} x {counts.y}. " +
-                    $"Take every second, or a part of the ground.", nameof(heights));
+                throw new ArgumentException(Invariant($"A height field has 2 to {MaxHeights} heights along a side, not {counts.x} x ") +
+                    Invariant($"{counts.y}. Take every second, or a part of the ground."), nameof(heights));
             CheckSide(width, nameof(width));
             CheckSide(length, nameof(length));
             if (!math.all(math.isfinite((float3)origin)))
-                throw new ArgumentException($"A height field's origin is {origin}. Set it to numbers.", nameof(origin));
+                throw new ArgumentException(Invariant($"A height field's origin is {origin}. Set it to numbers."), nameof(origin));
             FindSpan(heights, out float lowest, out float highest);
             float middle = 0.5f * (lowest + highest);
             float2 spacing = new float2(width, length) / (counts - 1);
@@ -75,7 +76,7 @@ namespace Rill
         static void CheckSide(float side, string name)
         {
             if (!(side > 0f) || float.IsInfinity(side))
-                throw new ArgumentException($"A height field's {name} is {side} m. Give one above 0.", name);
+                throw new ArgumentException(Invariant($"A height field's {name} is {side} m. Give one above 0."), name);
         }
 
         static void FindSpan(float[,] heights, out float lowest, out float highest)
@@ -87,7 +88,8 @@ namespace Rill
                 {
                     float height = heights[z, x];
                     if (float.IsNaN(height) || float.IsInfinity(height))
-                        throw new ArgumentException($"The height at [{z}, {x}] is {height}. Set it to a number.", nameof(heights));
+                        throw new ArgumentException(Invariant($"The height at [{z}, {x}] is {height}. Set it to a ") +
+                            "number.", nameof(heights));
                     lowest = math.min(lowest, height);
                     highest = math.max(highest, height);
                 }

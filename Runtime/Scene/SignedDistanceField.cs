@@ -1,6 +1,7 @@
 using System;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -189,13 +190,15 @@ namespace Rill
         {
             problem = null;
             if (version > CurrentVersion)
-                problem = $"'{name}' has version {version}, but this package reads up to {CurrentVersion}: update the package, or bake it again.";
+                problem = Invariant($"'{name}' has version {version}, but this package reads up to {CurrentVersion}: update the ") +
+                    "package, or bake it again.";
             else if (texture == null)
                 problem = $"'{name}' has no distances: bake a mesh into it.";
             else if (texture.format != TextureFormat.RHalf && texture.format != TextureFormat.RFloat)
-                problem = $"'{name}' has a texture of {texture.format}, not of one float a voxel: bake it again.";
+                problem = Invariant($"'{name}' has a texture of {texture.format}, not of one float a voxel: bake it again.");
             else if (!(voxelSize > 0f) || float.IsInfinity(voxelSize) || !Fits())
-                problem = $"'{name}' has bounds of {bounds.size} m, which its {Resolution} voxels of {voxelSize} m do not fill: bake it again.";
+                problem = Invariant($"'{name}' has bounds of {bounds.size} m, which its {Resolution} voxels of {voxelSize} m do not ") +
+                    "fill: bake it again.";
             return problem == null;
         }
 

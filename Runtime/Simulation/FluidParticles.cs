@@ -1,6 +1,7 @@
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -125,8 +126,9 @@ namespace Rill
             Bind(commands, shader, kernel);
             shader.GetKernelThreadGroupSizes(kernel, out uint x, out uint y, out uint z);
             if (x != ThreadsPerGroup || y != 1 || z != 1)
-                throw new ArgumentException($"Kernel {kernel} of '{shader.name}' has groups of {x} x {y} x {z} threads, and particles " +
-                    $"are dispatched in groups of {ThreadsPerGroup} x 1 x 1: write [numthreads(kRillThreads, 1, 1)].", nameof(kernel));
+                throw new ArgumentException(Invariant($"Kernel {kernel} of '{shader.name}' has groups of {x} x {y} x {z} threads, and ") +
+                    Invariant($"particles are dispatched in groups of {ThreadsPerGroup} x 1 x 1: write [numthreads(kRillThreads, 1, ") +
+                    "1)].", nameof(kernel));
             Current.DispatchAlive(commands, shader, kernel);
         }
 

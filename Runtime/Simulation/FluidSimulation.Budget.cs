@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -69,15 +70,16 @@ namespace Rill
             if (state.reason == BudgetReason.MinStable && !saidTooSmall)
             {
                 saidTooSmall = true;
-                Debug.LogWarning($"Rill: FluidSimulation '{name}': its budget of {state.targetMilliseconds:0.###} ms is less than the " +
-                    $"{state.milliseconds:0.###} ms that {state.substeps} substeps x {state.iterations} iterations take; less than " +
-                    $"those is not stable or not within its bounds, so they stand. Raise the budget, widen its bounds or have fewer particles.", this);
+                Debug.LogWarning(Invariant($"Rill: FluidSimulation '{name}': its budget of {state.targetMilliseconds:0.###} ms is less ") +
+                    Invariant($"than the {state.milliseconds:0.###} ms that {state.substeps} substeps x {state.iterations} iterations ") +
+                    "take; less than those is not stable or not within its bounds, so they stand. Raise the budget, widen its bounds or " +
+                    "have fewer particles.", this);
             }
             if (budgeted.BoundsGaveWay && !saidBounds)
             {
                 saidBounds = true;
                 Debug.LogWarning($"Rill: FluidSimulation '{name}': the bounds of its budget leave no settings that are stable here; " +
-                    $"using {state.substeps} substeps x {state.iterations} iterations. Widen the bounds.", this);
+                    Invariant($"using {state.substeps} substeps x {state.iterations} iterations. Widen the bounds."), this);
             }
         }
 

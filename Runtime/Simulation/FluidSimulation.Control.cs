@@ -3,6 +3,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using Random = Unity.Mathematics.Random;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -28,7 +29,8 @@ namespace Rill
         public void AddParticles(NativeArray<float3> positions, NativeArray<float3> velocities, int phase = 0, float lifetime = 0f)
         {
             if (positions.Length != velocities.Length)
-                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both.");
+                throw new ArgumentException(Invariant($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give ") +
+                    "each particle both.");
             CheckTag(phase, lifetime);
             if (!IsReadyTo("adding particles"))
                 return;
@@ -113,7 +115,7 @@ namespace Rill
         {
             CheckTag(phase, lifetime);
             if (!math.all(math.isfinite((float3)velocity)))
-                throw new ArgumentException($"A fill with velocity {velocity} m/s: give finite numbers.", nameof(velocity));
+                throw new ArgumentException(Invariant($"A fill with velocity {velocity} m/s: give finite numbers."), nameof(velocity));
             if (!IsReadyTo("filling it") || !HasStages(StageSet.ParticleEdits))
                 return;
             using (NativeArray<float4> positions = Lattice(shape.box))
@@ -149,9 +151,9 @@ namespace Rill
             if (inside == 0)
             {
                 if (!saidOutside)
-                    Debug.LogWarning($"Rill: FluidSimulation '{name}' filled nothing of {what}: none of its {positions.Length:N0} " +
-                        $"particles lies in the box of {domainSize} m around {transform.position}. Move it into the box, or make it " +
-                        $"larger than the particle spacing of {particleSpacing} m.", this);
+                    Debug.LogWarning($"Rill: FluidSimulation '{name}' filled nothing of {what}: none of its " +
+                        Invariant($"{positions.Length:N0} particles lies in the box of {domainSize} m around {transform.position}. Move ") +
+                        Invariant($"it into the box, or make it larger than the particle spacing of {particleSpacing} m."), this);
                 saidOutside = true;
                 return;
             }
@@ -167,9 +169,9 @@ namespace Rill
         {
             float3 across = math.floor(2f * box.Extent / particleSpacing + 1e-3f);
             if (across.x * across.y * across.z > SolverLayout.MaxCapacity)
-                throw new ArgumentException($"The shape of {(Vector3)(2f * box.Extent)} m holds more than " +
-                    $"{SolverLayout.MaxCapacity:N0} particles of spacing {particleSpacing} m, the most of one simulation. Shrink it or " +
-                    $"raise the spacing.");
+                throw new ArgumentException(Invariant($"The shape of {(Vector3)(2f * box.Extent)} m holds more than ") +
+                    Invariant($"{SolverLayout.MaxCapacity:N0} particles of spacing {particleSpacing} m, the most of one simulation. ") +
+                    "Shrink it or raise the spacing.");
             var lattice = new VolumeLattice((int3)across, particleSpacing);
             RoundedBox whole = box;      // in which the center of a particle lies whose sphere is inside
             float margin = 0.5f * particleSpacing, tolerance = 1e-3f * particleSpacing;      // rounding would leave a sphere a particle short
@@ -190,9 +192,10 @@ namespace Rill
         static void CheckTag(int phase, float lifetime)
         {
             if (phase < 0 || phase > FluidEmitter.MaxPhase)
-                throw new ArgumentOutOfRangeException(nameof(phase), phase, $"A phase is 0 to {FluidEmitter.MaxPhase}.");
+                throw Limit.OutOfRange(nameof(phase), phase, Invariant($"A phase is 0 to {FluidEmitter.MaxPhase}."));
             if (!(lifetime >= 0f) || lifetime > FluidEmitter.MaxLifetime)
-                throw new ArgumentOutOfRangeException(nameof(lifetime), lifetime, $"A lifetime is 0, for ever, to {FluidEmitter.MaxLifetime} s.");
+                throw Limit.OutOfRange(nameof(lifetime), lifetime, "A lifetime is 0, for ever, to " +
+                    Invariant($"{FluidEmitter.MaxLifetime} s."));
         }
 
         uint TagFor(int phase, float lifetime)
@@ -256,7 +259,7 @@ namespace Rill
             Debug.LogWarning($"Rill: FluidSimulation '{name}' {RefusedProblem}", this);
         }
 
-        string RefusedProblem => $"refused {pbf.RefusedOfScripts:N0} particles that scripts added: its capacity of {capacity:N0} is " +
-            $"full. Raise the capacity, remove particles first or add fewer.";
+        string RefusedProblem => Invariant($"refused {pbf.RefusedOfScripts:N0} particles that scripts added: its capacity of ") +
+            Invariant($"{capacity:N0} is full. Raise the capacity, remove particles first or add fewer.");
     }
 }

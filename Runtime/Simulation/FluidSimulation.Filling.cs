@@ -2,6 +2,7 @@ using System;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -14,8 +15,9 @@ namespace Rill
             foreach (FluidVolume volume in GetComponentsInChildren<FluidVolume>())
                 filled += Fill(volume);
             if (filled > capacity)
-                Debug.LogWarning($"Rill: FluidSimulation '{name}' refused {filled - capacity:N0} of {filled:N0} particles of its " +
-                    $"volumes: the capacity is {capacity:N0}. Raise it, shrink the volumes or raise the particle spacing.", this);
+                Debug.LogWarning(Invariant($"Rill: FluidSimulation '{name}' refused {filled - capacity:N0} of {filled:N0} particles of ") +
+                    Invariant($"its volumes: the capacity is {capacity:N0}. Raise it, shrink the volumes or raise the particle ") +
+                    "spacing.", this);
         }
 
         // Returns the particles that it gave to the solver.
@@ -26,8 +28,9 @@ namespace Rill
             {
                 positions = PositionsOf(volume, out int inside, out float3 low, out float3 high);
                 if (inside < positions.Length)
-                    Debug.LogWarning($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume " +
-                        $"'{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge the domain.", volume);
+                    Debug.LogWarning(Invariant($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume ") +
+                        $"'{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge " +
+                        "the domain.", volume);
                 if (inside > 0)
                     Add(positions.GetSubArray(0, inside), volume.Velocity, low, high);
                 return inside;

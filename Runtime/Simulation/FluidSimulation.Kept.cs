@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -39,8 +40,8 @@ namespace Rill
             pbf.RequestTransferred();
         }
 
-        string KeptFullProblem => $"removed {pbf.RefusedToKeep:N0} particles that its box left behind: its kept capacity of " +
-            $"{keptCapacity:N0} is full. Raise it, or let the box move within a smaller place.";
+        string KeptFullProblem => Invariant($"removed {pbf.RefusedToKeep:N0} particles that its box left behind: its kept capacity of ") +
+            Invariant($"{keptCapacity:N0} is full. Raise it, or let the box move within a smaller place.");
 
         void SayKeptIsLeftOut()
         {

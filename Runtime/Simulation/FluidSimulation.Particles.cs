@@ -74,7 +74,7 @@ namespace Rill
             if (readback == null)
                 throw new ArgumentNullException(nameof(readback));
             if ((fields & ParticleFields.All) == 0)
-                throw new ArgumentOutOfRangeException(nameof(fields), fields, "A request brings at least one field.");
+                throw Limit.OutOfRange(nameof(fields), fields, "A request brings at least one field.");
             bool isPending = readback.IsPending;
             if (pbf == null && HasNoGraphics)
                 return false;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -33,16 +34,16 @@ namespace Rill
         }
 
         string NoPoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null
-            : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation " +
-            $"to numbers and enable it again.";
+            : Invariant($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and ") +
+            "rotation to numbers and enable it again.";
 
-        string LostPoseProblem => $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). The " +
-            $"fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to " +
-            $"numbers that multiply to a place.";
+        string LostPoseProblem => Invariant($"its transform is not finite (position {transform.position}, rotation ") +
+            Invariant($"{transform.rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of ") +
+            "this object and its parents to numbers that multiply to a place.";
 
-        string TooManyProblem => $"takes {ColliderSet.Most} colliders at a time; {colliders.LeftOutCount} more are in its box and left " +
-            $"out, '{(colliders.FirstLeftOut.IsThere ? colliders.FirstLeftOut.Name : "")}' first. Merge meshes into one field, or " +
-            $"disable colliders that the fluid does not reach.";
+        string TooManyProblem => Invariant($"takes {ColliderSet.Most} colliders at a time; {colliders.LeftOutCount} more are in its box ") +
+            $"and left out, '{(colliders.FirstLeftOut.IsThere ? colliders.FirstLeftOut.Name : "")}' first. Merge meshes into one field, " +
+            "or disable colliders that the fluid does not reach.";
 
         string LayoutProblem
         {

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -46,7 +47,7 @@ namespace Rill
                 (points, rays) = (points + batch.PointCount, rays + batch.RayCount);
             bool isUsed = AsksBatches;
             var description = new StageDescription("Query batches", isUsed, isUsed
-                ? $"{points} points and {rays} rays of scripts, once a frame, outside the step" : "no script asks in a batch");
+                ? Invariant($"{points} points and {rays} rays of scripts, once a frame, outside the step") : "no script asks in a batch");
             foreach (FluidQueryBatch batch in queryBatches)
                 batch.Describe(pbf, description);
             return description;

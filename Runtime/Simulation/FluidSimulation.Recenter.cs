@@ -1,6 +1,7 @@
 using System;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -31,7 +32,7 @@ namespace Rill
         public void Recenter(Vector3 position, LeavingParticles leaving = LeavingParticles.Remove, FluidSimulation handOverTo = null)
         {
             if (!math.all(math.isfinite((float3)position)))
-                throw new ArgumentException($"A box at {position} is nowhere: give finite numbers.", nameof(position));
+                throw new ArgumentException(Invariant($"A box at {position} is nowhere: give finite numbers."), nameof(position));
             if (handOverTo != null && HandOverProblem(handOverTo) is string problem)
                 throw new ArgumentException(problem, nameof(handOverTo));
             bool isRunning = IsReadyTo("moving its box"), handsOver = isRunning && handOverTo != null && handOverTo.CanTake();
@@ -92,8 +93,8 @@ namespace Rill
             pbf.RequestTransferred();
         }
 
-        string HandOverFullProblem => $"removed {pbf.RefusedToHandOver:N0} particles that its box left behind: the capacity of " +
-            $"'{(handedOverTo != null ? handedOverTo.name : "a fluid that is gone")}', which was to get them, is full. Raise it, or keep them " +
-            $"with LeavingParticles.Keep.";
+        string HandOverFullProblem => Invariant($"removed {pbf.RefusedToHandOver:N0} particles that its box left behind: the capacity ") +
+            $"of '{(handedOverTo != null ? handedOverTo.name : "a fluid that is gone")}', which was to get them, is full. Raise it, or " +
+            "keep them with LeavingParticles.Keep.";
     }
 }

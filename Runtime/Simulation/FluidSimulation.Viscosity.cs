@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -24,13 +25,13 @@ namespace Rill
             {
                 double strength = ImplicitViscosity.Strength(input, pbf.Layout), beyond = strength / ImplicitViscosity.MaxStrength;
                 double substeps = Math.Ceiling(input.settings.substeps * beyond);
-                string remedy = substeps <= SolverSettings.MaxSubsteps ? $"Take {substeps} substeps or a particle spacing of"
+                string remedy = substeps <= SolverSettings.MaxSubsteps ? Invariant($"Take {substeps} substeps or a particle spacing of")
                     : "Take a particle spacing of";
-                return $"its dynamic viscosity of {material.dynamicViscosity:G4} Pa s is more than {ImplicitViscosity.MaxPasses} " +
-                    $"passes solve: at this spacing and substep that is {material.dynamicViscosity / beyond:G3} Pa s. Flow over many " +
-                    $"particles is braked less: "
-                    + $"up to {100.0 * ImplicitViscosity.ErrorLeft(strength):G2} % of what should end in a substep goes on. {remedy} " +
-                    $"{particleSpacing * Math.Sqrt(beyond):G3} m, or lower the viscosity.";
+                return Invariant($"its dynamic viscosity of {material.dynamicViscosity:G4} Pa s is more than ") +
+                    Invariant($"{ImplicitViscosity.MaxPasses} passes solve: at this spacing and substep that is ") +
+                    Invariant($"{material.dynamicViscosity / beyond:G3} Pa s. Flow over many particles is braked less: up to ") +
+                    Invariant($"{100.0 * ImplicitViscosity.ErrorLeft(strength):G2} % of what should end in a substep goes on. {remedy} ") +
+                    Invariant($"{particleSpacing * Math.Sqrt(beyond):G3} m, or lower the viscosity.");
             }
         }
     }

@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -71,7 +72,8 @@ namespace Rill
             if (kinds == 0)
                 kinds = FoamKinds.All;
             if (kinds != given)
-                Limit.Append(ref problem, $"kinds {(int)given} names none or others than spray (1), foam (2) and bubbles (4); using {(int)kinds}.");
+                Limit.Append(ref problem, Invariant($"kinds {(int)given} names none or others than spray (1), foam (2) and bubbles (4); ") +
+                    Invariant($"using {(int)kinds}."));
             return problem == null;
         }
     }

@@ -1,4 +1,6 @@
+using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -17,7 +19,7 @@ namespace Rill
                 value = high;
             else
                 return;
-            Append(ref problem, $"{name} {given} is outside {low} to {high}; using {value}.");
+            Append(ref problem, Invariant($"{name} {given} is outside {low} to {high}; using {value}."));
         }
 
         public static void Clamp(string name, ref int value, int low, int high, ref string problem)
@@ -29,7 +31,7 @@ namespace Rill
                 value = high;
             else
                 return;
-            Append(ref problem, $"{name} {given} is outside {low} to {high}; using {value}.");
+            Append(ref problem, Invariant($"{name} {given} is outside {low} to {high}; using {value}."));
         }
 
         /// <summary>A vector with a component that is no number becomes <paramref name="fallback"/>.</summary>
@@ -40,7 +42,7 @@ namespace Rill
             if (!float.IsNaN(sum) && !float.IsInfinity(sum))
                 return;
             value = fallback;
-            Append(ref problem, $"{name} {given} is not finite; using {value}.");
+            Append(ref problem, Invariant($"{name} {given} is not finite; using {value}."));
         }
 
         /// <summary>Whether all components of a transform's position and rotation are numbers.</summary>
@@ -49,6 +51,11 @@ namespace Rill
             float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
             return !float.IsNaN(sum) && !float.IsInfinity(sum);
         }
+
+        /// <summary>What misuse of the API throws.</summary>
+        /// <remarks>The value is a part of the text: the exception itself would format it by the user's culture.</remarks>
+        public static ArgumentOutOfRangeException OutOfRange(string parameter, object given, string problem) =>
+            new ArgumentOutOfRangeException(parameter, Invariant($"{problem} {given} was given."));
 
         /// <summary>Adds a sentence to those so far; null is none.</summary>
         public static void Append(ref string problem, string text)

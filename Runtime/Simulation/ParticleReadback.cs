@@ -3,6 +3,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -161,7 +162,8 @@ namespace Rill
         {
             NeedData();
             if ((fields & field) == 0)
-                throw new InvalidOperationException($"The request asked for {fields} and not for {field}: name it in RequestParticles.");
+                throw new InvalidOperationException(Invariant($"The request asked for {fields} and not for {field}: name it in ") +
+                    "RequestParticles.");
             return readback.Latest.GetSubArray(at, count * words);
         }
 
@@ -169,14 +171,14 @@ namespace Rill
         {
             if (!HasData)
                 throw new InvalidOperationException(isWaiting ? "The particles have not come back yet: ask HasData first."
-                    : $"There are no particles to read, the last request ended as {outcome}: ask HasData first.");
+                    : Invariant($"There are no particles to read, the last request ended as {outcome}: ask HasData first."));
         }
 
         void CheckLength<T>(NativeArray<T> array, string name) where T : struct
         {
             if (array.IsCreated && array.Length < count)
-                throw new ArgumentException($"'{name}' holds {array.Length:N0} elements, and {count:N0} particles came back: make it " +
-                    $"as long as FluidSimulation.Capacity, {capacity:N0} here.", name);
+                throw new ArgumentException(Invariant($"'{name}' holds {array.Length:N0} elements, and {count:N0} particles came back: ") +
+                    Invariant($"make it as long as FluidSimulation.Capacity, {capacity:N0} here."), name);
         }
     }
 }

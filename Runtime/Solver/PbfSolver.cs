@@ -4,6 +4,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -269,7 +270,7 @@ namespace Rill
         /// <param name="statisticsInterval">Steps between measurements; 0 for none.</param>
         public List<StageDescription> Describe(in StepInput input, int statisticsInterval)
         {
-            var state = new StageDescription("Particles", true, $"capacity {Layout.Capacity:N0}");
+            var state = new StageDescription("Particles", true, Invariant($"capacity {Layout.Capacity:N0}"));
             particles.Describe(state);
             state.Buffer("Rill.Constants", constants);
             StepContext step = Context(null, input);

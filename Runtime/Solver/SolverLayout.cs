@@ -1,5 +1,6 @@
 using System;
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -42,20 +43,22 @@ namespace Rill
         {
             if (!(spacing > 0f) || float.IsInfinity(spacing))
                 throw new ArgumentException(
-                    $"Particle spacing {spacing} m: it must be above 0. Set it to the distance between particles at rest, e.g. 0.05.");
+                    Invariant($"Particle spacing {spacing} m: it must be above 0. Set it to the distance between particles at rest, ") +
+                    "e.g. 0.05.");
             if (!math.all(math.isfinite(domainSize)))
                 throw new ArgumentException($"Domain size {Text(domainSize)} m is not finite. Set all three sides to numbers.");
             float support = (float)LatticeKernels.Support;
             DomainSize = domainSize / spacing;
             if (math.cmin(DomainSize) < support)
                 throw new ArgumentException($"Domain size {Text(domainSize)} m: each side must be at least the support radius, " +
-                    $"{support * spacing} m (2 spacings). Enlarge the domain or lower the particle spacing.");
+                    Invariant($"{support * spacing} m (2 spacings). Enlarge the domain or lower the particle spacing."));
             if (math.cmax(DomainSize) > MaxSpacingsAcross)
-                throw new ArgumentException($"Domain size {Text(domainSize)} m is more than {MaxSpacingsAcross:N0} particle spacings " +
-                    $"of {spacing} m along a side, where single precision ends. Shrink the domain or raise the particle spacing.");
+                throw new ArgumentException(Invariant($"Domain size {Text(domainSize)} m is more than {MaxSpacingsAcross:N0} particle ") +
+                    Invariant($"spacings of {spacing} m along a side, where single precision ends. Shrink the domain or raise the ") +
+                    "particle spacing.");
             if (capacity < 1 || capacity > MaxCapacity)
-                throw new ArgumentException($"Capacity {capacity:N0}: a simulation holds 1 to {MaxCapacity:N0} particles. Set the " +
-                    $"capacity to the most that the scene ever needs.");
+                throw new ArgumentException(Invariant($"Capacity {capacity:N0}: a simulation holds 1 to {MaxCapacity:N0} particles. Set ") +
+                    "the capacity to the most that the scene ever needs.");
 
             Spacing = spacing;
             Capacity = capacity;
@@ -118,8 +121,8 @@ namespace Rill
                     return;
                 }
             }
-            throw new ArgumentException($"Domain size {Text(DomainSize * Spacing)} m has more than {MaxCells:N0} grid cells of " +
-                $"{CellSize.x * Spacing} m. Shrink the domain or raise the particle spacing.");
+            throw new ArgumentException(Invariant($"Domain size {Text(DomainSize * Spacing)} m has more than {MaxCells:N0} grid cells ") +
+                Invariant($"of {CellSize.x * Spacing} m. Shrink the domain or raise the particle spacing."));
         }
 
         void SplitLists(long maxBinding)
@@ -127,14 +130,14 @@ namespace Rill
             long entries = maxBinding / sizeof(uint);
             long perBuffer = entries / NeighborCapacity / ParticlesPerListBlock * ParticlesPerListBlock;
             if (2 * perBuffer < Capacity)
-                throw new ArgumentException($"Capacity {Capacity:N0} with {NeighborCapacity} neighbors each needs more than two " +
-                    $"buffers of {maxBinding:N0} bytes, the most this device binds. Lower the capacity to {2 * perBuffer:N0} or the " +
-                    $"neighbor capacity.");
+                throw new ArgumentException(Invariant($"Capacity {Capacity:N0} with {NeighborCapacity} neighbors each needs more than ") +
+                    Invariant($"two buffers of {maxBinding:N0} bytes, the most this device binds. Lower the capacity to ") +
+                    Invariant($"{2 * perBuffer:N0} or the neighbor capacity."));
             FirstListParticles = (int)Math.Min(Capacity, perBuffer);
         }
 
         static int RoundUp(int particles) => (particles + ParticlesPerListBlock - 1) / ParticlesPerListBlock * ParticlesPerListBlock;
 
-        static string Text(float3 v) => $"{v.x} x {v.y} x {v.z}";
+        static string Text(float3 v) => Invariant($"{v.x} x {v.y} x {v.z}");
     }
 }

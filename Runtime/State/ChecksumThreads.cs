@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.InteropServices;
 using System.Threading;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -36,8 +37,8 @@ namespace Rill
         public void Begin(uint[] data, int bytes)
         {
             if (bytes < 0 || bytes > (long)sizeof(uint) * data.Length)
-                throw new ArgumentOutOfRangeException(nameof(bytes), bytes,
-                    $"There are {(long)sizeof(uint) * data.Length:N0} bytes to sum.");
+                throw Limit.OutOfRange(nameof(bytes), bytes,
+                    Invariant($"There are {(long)sizeof(uint) * data.Length:N0} bytes to sum."));
             lock (gate)
             {
                 if (summed < parts)

@@ -1,9 +1,9 @@
 using System;
 using System.Buffers.Binary;
-using System.Globalization;
 using System.IO;
 using System.Text;
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -36,8 +36,8 @@ namespace Rill
         static void WritePly(Writer writer, ParticleFrame frame)
         {
             writer.Text("ply\nformat binary_little_endian 1.0\n");
-            writer.Text($"comment Rill, fluid time {Number(frame.Time)} s; positions in m, velocities in m/s, densities in kg/m3\n");
-            writer.Text($"element vertex {Number(frame.Count)}\n");
+            writer.Text(Invariant($"comment Rill, fluid time {frame.Time} s; positions in m, velocities in m/s, densities in kg/m3\n"));
+            writer.Text(Invariant($"element vertex {frame.Count}\n"));
             writer.Text("property float x\nproperty float y\nproperty float z\nproperty float vx\nproperty float vy\nproperty float " +
                 "vz\nproperty float density\nproperty uchar phase\nproperty uint id\nend_header\n");
             for (int i = 0; i < frame.Count; i++)
@@ -52,15 +52,15 @@ namespace Rill
 
         static void WriteVtk(Writer writer, ParticleFrame frame)
         {
-            string count = Number(frame.Count);
-            writer.Text($"# vtk DataFile Version 3.0\nRill, fluid time {Number(frame.Time)} s; m, m/s, kg/m3\nBINARY\nDATASET POLYDATA\n");
+            string count = Invariant($"{frame.Count}");
+            writer.Text(Invariant($"# vtk DataFile Version 3.0\nRill, fluid time {frame.Time} s; m, m/s, kg/m3\nBINARY\nDATASET POLYDATA\n"));
             writer.Text("FIELD FieldData 1\nTIME 1 1 double\n");
             writer.Add(frame.Time);
             writer.Text($"\nPOINTS {count} float\n");
             foreach (float3 position in frame.Positions)
                 writer.Add(position);
             // A cell for each point: without, viewers show nothing.
-            writer.Text($"\nVERTICES {count} {Number(2L * frame.Count)}\n");
+            writer.Text(Invariant($"\nVERTICES {count} {2L * frame.Count}\n"));
             for (int i = 0; i < frame.Count; i++)
             {
                 writer.Add(1u);
@@ -80,8 +80,6 @@ namespace Rill
                 writer.Add(id);
             writer.Text("\n");
         }
-
-        static string Number(IFormattable value) => value.ToString(null, CultureInfo.InvariantCulture);
 
         /// <summary>Numbers of either byte order, a chunk at a time.</summary>
         sealed class Writer

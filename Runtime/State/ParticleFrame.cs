@@ -1,5 +1,6 @@
 using System;
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -42,8 +43,9 @@ namespace Rill
             Time = time;
             int count = positions.Length;
             if (velocities.Length != count || densities.Length != count || phases.Length != count || ids.Length != count)
-                throw new ArgumentException($"{count:N0} positions with {velocities.Length:N0} velocities, {densities.Length:N0} " +
-                    $"densities, {phases.Length:N0} phases and {ids.Length:N0} ids: give each particle all of them.");
+                throw new ArgumentException(Invariant($"{count:N0} positions with {velocities.Length:N0} velocities, ") +
+                    Invariant($"{densities.Length:N0} densities, {phases.Length:N0} phases and {ids.Length:N0} ids: give each particle ") +
+                    "all of them.");
         }
 
         /// <summary>Number of particles.</summary>

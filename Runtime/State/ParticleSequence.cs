@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -49,7 +50,7 @@ namespace Rill
         {
             if (disposed)
                 throw new ObjectDisposedException(nameof(ParticleSequence));
-            string file = Path.Combine(folder, $"{prefix}_{Captured:000000}{ParticleFile.Extension(format)}");
+            string file = Path.Combine(folder, Invariant($"{prefix}_{Captured:000000}{ParticleFile.Extension(format)}"));
             simulation.RequestFrame((frame, problem) => OnFrame(file, frame, problem));
             Captured++;
         }

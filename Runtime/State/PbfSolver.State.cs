@@ -4,6 +4,7 @@ using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -60,14 +61,14 @@ namespace Rill
         {
             SolverRecord record = contents.Get<SolverRecord>(SnapshotSection.Solver);
             if (record.spacing != Layout.Spacing)
-                return $"it is of a fluid with a particle spacing of {record.spacing} m, but this one has {Layout.Spacing} m. Set the " +
-                    $"Particle Spacing to {record.spacing}.";
+                return Invariant($"it is of a fluid with a particle spacing of {record.spacing} m, but this one has {Layout.Spacing} m. ") +
+                    Invariant($"Set the Particle Spacing to {record.spacing}.");
             if (math.any(record.domainSize != Layout.DomainSize))
                 return $"it is of a box of {Text(record.domainSize * record.spacing)} m, but this one is " +
                     $"{Text(Layout.DomainSize * Layout.Spacing)} m. Set the Domain Size to that of the snapshot.";
             if (record.particles > Layout.Capacity)
-                return $"it has {record.particles:N0} particles, more than the capacity of {Layout.Capacity:N0}. Raise the Capacity to " +
-                    $"at least {record.particles:N0}.";
+                return Invariant($"it has {record.particles:N0} particles, more than the capacity of {Layout.Capacity:N0}. Raise the ") +
+                    Invariant($"Capacity to at least {record.particles:N0}.");
             if (contents.Has(SnapshotSection.Rest) && !RestingRegions.Fits(Layout, contents))
                 return "its resting regions are not those of its own box, so it is damaged. Use another.";
             if (contents.Has(SnapshotSection.Coarse) && !CoarseFits(contents))
@@ -221,6 +222,6 @@ namespace Rill
                 buffer.SetData(MemoryMarshal.Cast<byte, uint>(bytes).ToArray(), 0, 0, bytes.Length / sizeof(uint));
         }
 
-        static string Text(float3 v) => $"{v.x} x {v.y} x {v.z}";
+        static string Text(float3 v) => Invariant($"{v.x} x {v.y} x {v.z}");
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -106,8 +107,8 @@ namespace Rill
         void Add(in StateBuffer state, long bytes, bool isList)
         {
             if (bytes > int.MaxValue)
-                throw new InvalidOperationException($"A snapshot of {layout.Capacity:N0} particles reads {bytes:N0} bytes of one " +
-                    $"buffer, more than the {int.MaxValue:N0} of a request. Lower the capacity.");
+                throw new InvalidOperationException(Invariant($"A snapshot of {layout.Capacity:N0} particles reads {bytes:N0} bytes of ") +
+                    Invariant($"one buffer, more than the {int.MaxValue:N0} of a request. Lower the capacity."));
             parts.Add(new Part { state = state, bytes = (int)bytes, isList = isList });
         }
 
@@ -157,7 +158,8 @@ namespace Rill
             record.particles = counters[(int)ParticleCounter.Alive];
             record.moved = Math.Min(counters[(int)ParticleCounter.Moved], record.particles);
             if (record.particles > record.maxParticles)
-                return $"{record.particles:N0} particles came back where {record.maxParticles:N0} were expected at most. Ask again.";
+                return Invariant($"{record.particles:N0} particles came back where {record.maxParticles:N0} were expected at most. Ask ") +
+                    "again.";
             contents.Set(SnapshotSection.Solver, record);
             var lists = new List<byte[]>();
             foreach (Part part in parts)

@@ -1,5 +1,6 @@
 using System;
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -26,9 +27,9 @@ namespace Rill
                 "their particle spacing or box is no size");
             Require(solver.particles <= SolverLayout.MaxCapacity && solver.moved <= solver.particles
                 && solver.maxParticles >= solver.particles,
-                $"{solver.particles:N0} particles, {solver.moved:N0} of which moved, cannot be");
+                Invariant($"{solver.particles:N0} particles, {solver.moved:N0} of which moved, cannot be"));
             Require(solver.lastSubsteps >= 0 && solver.lastSubsteps <= MaxSubsteps && (solver.lastSubsteps > 0 || solver.moved == 0),
-                $"{solver.lastSubsteps} substeps cannot be");
+                Invariant($"{solver.lastSubsteps} substeps cannot be"));
             Require(IsFinite(solver.minAdded) && IsFinite(solver.maxAdded), "where particles were added is not finite");
             Require(solver.hasNew <= 1 && solver.hasLifetimes <= 1, "a flag is neither 0 nor 1");
         }
@@ -52,7 +53,7 @@ namespace Rill
             Array.Sort(ids);
             for (int i = 1; i < ids.Length; i++)
                 if (ids[i] == ids[i - 1])
-                    throw SnapshotFormat.Damaged($"two particles have the id {ids[i]}");
+                    throw SnapshotFormat.Damaged(Invariant($"two particles have the id {ids[i]}"));
         }
 
         static void CheckLists(SnapshotContents contents, in SolverRecord solver)
@@ -66,7 +67,7 @@ namespace Rill
             Length(contents, SnapshotSection.Neighbors, 4L * entries);
             foreach (uint neighbor in contents.Values<uint>(SnapshotSection.Neighbors))
                 if (neighbor >= solver.moved)
-                    throw SnapshotFormat.Damaged($"a neighbor has index {neighbor} of {solver.moved:N0}");
+                    throw SnapshotFormat.Damaged(Invariant($"a neighbor has index {neighbor} of {solver.moved:N0}"));
         }
 
         static void CheckStages(SnapshotContents contents, in SolverRecord solver)
@@ -86,7 +87,7 @@ namespace Rill
                     SnapshotSection.ErrorPotential })
                     foreach (float value in contents.Values<float>(section))
                         if (!IsFinite(value))
-                            throw SnapshotFormat.Damaged($"section {section} is not finite");
+                            throw SnapshotFormat.Damaged(Invariant($"section {section} is not finite"));
             }
             if (contents.Has(SnapshotSection.Extrapolation))
             {
@@ -148,14 +149,15 @@ namespace Rill
         static ReadOnlySpan<T> Several<T>(SnapshotContents contents, SnapshotSection section, int most) where T : struct
         {
             int length = contents.Bytes(section).Length, size = SnapshotContents.SizeOf<T>();
-            Require(length % size == 0 && length / size <= most, $"section {section} has {length:N0} bytes, not up to {most} times {size}");
+            Require(length % size == 0 && length / size <= most, Invariant($"section {section} has {length:N0} bytes, not up to {most} ") +
+                Invariant($"times {size}"));
             return contents.Values<T>(section);
         }
 
         static void Length(SnapshotContents contents, SnapshotSection section, long wanted)
         {
             int length = contents.Bytes(section).Length;
-            Require(contents.Has(section) && length == wanted, $"section {section} has {length:N0} bytes, not {wanted:N0}");
+            Require(contents.Has(section) && length == wanted, Invariant($"section {section} has {length:N0} bytes, not {wanted:N0}"));
         }
 
         static bool IsFinite(float value) => math.isfinite(value);

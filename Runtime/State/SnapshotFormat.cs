@@ -3,6 +3,7 @@ using System.Buffers.Binary;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -26,7 +27,8 @@ namespace Rill
                 total += section.Value.Length;
             if (total > int.MaxValue)
                 throw new InvalidOperationException(
-                    $"The snapshot takes {total:N0} bytes, more than the {int.MaxValue:N0} that an array holds. Take it of fewer particles.");
+                    Invariant($"The snapshot takes {total:N0} bytes, more than the {int.MaxValue:N0} that an array holds. Take it of ") +
+                    "fewer particles.");
 
             var bytes = new byte[total];
             Magic.CopyTo(bytes, 0);
@@ -57,13 +59,15 @@ namespace Rill
             uint version = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(8));
             if (version > FluidSnapshot.CurrentVersion)
                 throw new InvalidDataException(What
-                    + $"they have version {version}, but this package reads up to {FluidSnapshot.CurrentVersion}. Update the package.");
+                    + Invariant($"they have version {version}, but this package reads up to {FluidSnapshot.CurrentVersion}. Update the ") +
+                    "package.");
             ulong total = BinaryPrimitives.ReadUInt64LittleEndian(bytes.Slice(16));
             if (total > (ulong)bytes.Length)
                 throw Truncated(bytes.Length, total);
             if (total < (ulong)bytes.Length)
                 throw new InvalidDataException(What
-                    + $"there are {bytes.Length:N0} of them, but they say {total:N0}. Give no more than FluidSnapshot.ToBytes made.");
+                    + Invariant($"there are {bytes.Length:N0} of them, but they say {total:N0}. Give no more than FluidSnapshot.ToBytes ") +
+                    "made.");
             int end = bytes.Length - ChecksumBytes;
             if (Crc32C.Of(bytes.Slice(0, end)) != BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(end)))
                 throw new InvalidDataException(What
@@ -95,7 +99,7 @@ namespace Rill
             uint count = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(12));
             ulong position = HeaderBytes + (ulong)EntryBytes * count;
             if (position > (ulong)bytes.Length)
-                throw Damaged($"a table of {count:N0} sections does not fit into {bytes.Length:N0} bytes");
+                throw Damaged(Invariant($"a table of {count:N0} sections does not fit into {bytes.Length:N0} bytes"));
             var contents = new SnapshotContents();
             for (int i = 0; i < (int)count; i++)
             {
@@ -103,9 +107,9 @@ namespace Rill
                 var section = (SnapshotSection)BinaryPrimitives.ReadUInt32LittleEndian(entry);
                 ulong length = BinaryPrimitives.ReadUInt64LittleEndian(entry.Slice(16));
                 if (!Enum.IsDefined(typeof(SnapshotSection), section) || contents.Has(section))
-                    throw Damaged($"section {(uint)section} is unknown or there twice");
+                    throw Damaged(Invariant($"section {(uint)section} is unknown or there twice"));
                 if (BinaryPrimitives.ReadUInt64LittleEndian(entry.Slice(8)) != position || length > (ulong)bytes.Length - position)
-                    throw Damaged($"section {section} lies outside of them");
+                    throw Damaged(Invariant($"section {section} lies outside of them"));
                 contents.Set(section, bytes.Slice((int)position, (int)length).ToArray());
                 position += length;
             }
@@ -115,6 +119,6 @@ namespace Rill
         }
 
         static InvalidDataException Truncated(int there, ulong wanted)
-            => new InvalidDataException(What + $"there are {there:N0} of {wanted:N0}. Read all of the file.");
+            => new InvalidDataException(What + Invariant($"there are {there:N0} of {wanted:N0}. Read all of the file."));
     }
 }

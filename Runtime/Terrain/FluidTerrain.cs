@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -39,9 +40,9 @@ namespace Rill
             var clamped = Rect.MinMaxRect(Mathf.Clamp01(part.xMin), Mathf.Clamp01(part.yMin), Mathf.Clamp01(part.xMax), Mathf.Clamp01(part.yMax));
             if (clamped == part && part.width > 0f && part.height > 0f)
                 return true;
-            string given = $"part {part} does not lie within 0 to 1 along both sides";
+            string given = Invariant($"part {part} does not lie within 0 to 1 along both sides");
             part = clamped.width > 0f && clamped.height > 0f ? clamped : new Rect(0f, 0f, 1f, 1f);
-            problem = $"{given}; {part} is used.";
+            problem = Invariant($"{given}; {part} is used.");
             return false;
         }
 

@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -29,8 +30,8 @@ namespace Rill
             TerrainCallbacks.textureChanged += OnTextureChanged;
             if (Mathf.Max(taken.width, taken.height) > HeightField.MaxHeights)
             {
-                Problem = $"it has {taken.width} x {taken.height} heights, and {HeightField.MaxHeights} along a side can be taken. Set Part " +
-                    $"of a Fluid Terrain on it to where the fluid gets, or lower the terrain's heightmap resolution.";
+                Problem = Invariant($"it has {taken.width} x {taken.height} heights, and {HeightField.MaxHeights} along a side can be ") +
+                    "taken. Set Part of a Fluid Terrain on it to where the fluid gets, or lower the terrain's heightmap resolution.";
                 return;
             }
             HasHoles = FindHoles();

@@ -2,6 +2,7 @@ using System;
 using UnityEngine;
 using UnityEngine.Playables;
 using UnityEngine.Timeline;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -33,7 +34,8 @@ namespace Rill
         {
             if (begin >= 0.0 && !double.IsInfinity(begin))
                 return;
-            Debug.LogWarning($"Rill: FluidPlaybackClip '{name}': begin {begin} is no time since the first frame, 0 s or more; 0 is used.",
+            Debug.LogWarning(Invariant($"Rill: FluidPlaybackClip '{name}': begin {begin} is no time since the first frame, 0 s or more; ") +
+                "0 is used.",
                 this);
             begin = 0.0;
         }

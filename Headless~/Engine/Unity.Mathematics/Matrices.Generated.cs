@@ -51,7 +51,7 @@ namespace Unity.Mathematics
         public bool Equals(float2x2 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1);
         public override bool Equals(object o) => o is float2x2 m && Equals(m);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"float2x2({c0.x.ToString(format, formatProvider)}f, {c1.x.ToString(format, formatProvider)}f,  {c0.y.ToString(format, formatProvider)}f, {c1.y.ToString(format, formatProvider)}f)";
     }
@@ -102,7 +102,7 @@ namespace Unity.Mathematics
         public bool Equals(float3x3 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2);
         public override bool Equals(object o) => o is float3x3 m && Equals(m);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"float3x3({c0.x.ToString(format, formatProvider)}f, {c1.x.ToString(format, formatProvider)}f, {c2.x.ToString(format, formatProvider)}f,  {c0.y.ToString(format, formatProvider)}f, {c1.y.ToString(format, formatProvider)}f, {c2.y.ToString(format, formatProvider)}f,  {c0.z.ToString(format, formatProvider)}f, {c1.z.ToString(format, formatProvider)}f, {c2.z.ToString(format, formatProvider)}f)";
     }
@@ -154,7 +154,7 @@ namespace Unity.Mathematics
         public bool Equals(float4x4 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2) && c3.Equals(rhs.c3);
         public override bool Equals(object o) => o is float4x4 m && Equals(m);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"float4x4({c0.x.ToString(format, formatProvider)}f, {c1.x.ToString(format, formatProvider)}f, {c2.x.ToString(format, formatProvider)}f, {c3.x.ToString(format, formatProvider)}f,  {c0.y.ToString(format, formatProvider)}f, {c1.y.ToString(format, formatProvider)}f, {c2.y.ToString(format, formatProvider)}f, {c3.y.ToString(format, formatProvider)}f,  {c0.z.ToString(format, formatProvider)}f, {c1.z.ToString(format, formatProvider)}f, {c2.z.ToString(format, formatProvider)}f, {c3.z.ToString(format, formatProvider)}f,  {c0.w.ToString(format, formatProvider)}f, {c1.w.ToString(format, formatProvider)}f, {c2.w.ToString(format, formatProvider)}f, {c3.w.ToString(format, formatProvider)}f)";
     }

@@ -112,7 +112,7 @@ namespace Unity.Mathematics
         public bool Equals(float2 rhs) => x == rhs.x && y == rhs.y;
         public override bool Equals(object o) => o is float2 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"float2({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f)";
     }
@@ -315,7 +315,7 @@ namespace Unity.Mathematics
         public bool Equals(float3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
         public override bool Equals(object o) => o is float3 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"float3({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f, {z.ToString(format, formatProvider)}f)";
     }
@@ -742,7 +742,7 @@ namespace Unity.Mathematics
         public bool Equals(float4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
         public override bool Equals(object o) => o is float4 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"float4({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f, {z.ToString(format, formatProvider)}f, {w.ToString(format, formatProvider)}f)";
     }
@@ -865,7 +865,7 @@ namespace Unity.Mathematics
         public bool Equals(int2 rhs) => x == rhs.x && y == rhs.y;
         public override bool Equals(object o) => o is int2 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"int2({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)})";
     }
@@ -1080,7 +1080,7 @@ namespace Unity.Mathematics
         public bool Equals(int3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
         public override bool Equals(object o) => o is int3 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"int3({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)})";
     }
@@ -1519,7 +1519,7 @@ namespace Unity.Mathematics
         public bool Equals(int4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
         public override bool Equals(object o) => o is int4 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"int4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
     }
@@ -1642,7 +1642,7 @@ namespace Unity.Mathematics
         public bool Equals(uint2 rhs) => x == rhs.x && y == rhs.y;
         public override bool Equals(object o) => o is uint2 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"uint2({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)})";
     }
@@ -1857,7 +1857,7 @@ namespace Unity.Mathematics
         public bool Equals(uint3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
         public override bool Equals(object o) => o is uint3 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"uint3({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)})";
     }
@@ -2296,7 +2296,7 @@ namespace Unity.Mathematics
         public bool Equals(uint4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
         public override bool Equals(object o) => o is uint4 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"uint4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
     }
@@ -2407,7 +2407,7 @@ namespace Unity.Mathematics
         public bool Equals(double2 rhs) => x == rhs.x && y == rhs.y;
         public override bool Equals(object o) => o is double2 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"double2({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)})";
     }
@@ -2610,7 +2610,7 @@ namespace Unity.Mathematics
         public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
         public override bool Equals(object o) => o is double3 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"double3({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)})";
     }
@@ -3037,7 +3037,7 @@ namespace Unity.Mathematics
         public bool Equals(double4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
         public override bool Equals(object o) => o is double4 v && Equals(v);
         public override int GetHashCode() => (int)math.hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"double4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
     }

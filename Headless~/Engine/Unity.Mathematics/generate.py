@@ -135,7 +135,7 @@ def vector(t, n):
         w(f'        public override string ToString() => $"{v}({each(n, "{{{c}}}")})";')
         out[0] = out[0].replace(", IFormattable", "")
     else:
-        w(f'        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);')
+        w(f'        public override string ToString() => ToString(null, null);')
         w(f'        public string ToString(string format, IFormatProvider formatProvider)\n            => $"{v}({each(n, "{{{c}.ToString(format, formatProvider)}}" + suffix)})";')
     w("    }\n")
     return "\n".join(out)
@@ -175,7 +175,7 @@ def matrix(n):
     w(f"        public bool Equals({m} rhs) => {cols('{c}.Equals(rhs.{c})', ' && ')};")
     w(f"        public override bool Equals(object o) => o is {m} m && Equals(m);")
     w("        public override int GetHashCode() => (int)math.hash(this);")
-    w("        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);")
+    w("        public override string ToString() => ToString(null, null);")
     rows = ",  ".join(", ".join(f"{{c{j}.{XYZW[i]}.ToString(format, formatProvider)}}f" for j in range(n)) for i in range(n))
     w(f'        public string ToString(string format, IFormatProvider formatProvider)\n            => $"{m}({rows})";')
     w("    }\n")

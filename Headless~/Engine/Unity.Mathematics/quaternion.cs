@@ -78,7 +78,7 @@ namespace Unity.Mathematics
         public bool Equals(quaternion x) => value.Equals(x.value);
         public override bool Equals(object x) => x is quaternion q && Equals(q);
         public override int GetHashCode() => (int)hash(this);
-        public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
+        public override string ToString() => ToString(null, null);
         public string ToString(string format, IFormatProvider formatProvider)
             => $"quaternion({value.x.ToString(format, formatProvider)}f, {value.y.ToString(format, formatProvider)}f, " +
                 $"{value.z.ToString(format, formatProvider)}f, {value.w.ToString(format, formatProvider)}f)";

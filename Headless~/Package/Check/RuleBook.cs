@@ -29,6 +29,7 @@ namespace Host.Check
             new StaticsRule(),
             new ReloadFieldsRule(),
             new LineLengthRule(),
+            new CultureRule(),
             new ModulesRule(),
             new UnityMembersRule(),
             new HiddenMembersRule(),

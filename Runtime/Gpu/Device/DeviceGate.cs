@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -52,7 +53,7 @@ namespace Rill
                 : !asyncReadback
                 ? "no asynchronous readback (SystemInfo.supportsAsyncGPUReadback), by which statistics and emitters learn what the fluid did"
                 : null;
-            return missing == null ? null : $"this device ({SystemInfo.graphicsDeviceType}) has {missing}. {Remedy}.";
+            return missing == null ? null : Invariant($"this device ({SystemInfo.graphicsDeviceType}) has {missing}. {Remedy}.");
         }
 
         /// <summary>Why the fluid itself cannot run; null where it can.</summary>
@@ -181,7 +182,7 @@ namespace Rill
                 case DeviceFeature.Surface: return "the water's surface";
                 case DeviceFeature.Queries: return "probes and detectors";
                 case DeviceFeature.ParticleAccess: return "passes of scripts";
-                default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
+                default: throw Limit.OutOfRange(nameof(feature), feature, "Not a feature of a scene.");
             }
         }
 
@@ -207,7 +208,7 @@ namespace Rill
                 case DeviceFeature.Surface: return "draw it with a ParticleRenderer";
                 case DeviceFeature.Queries: return "disable its probes and detectors";
                 case DeviceFeature.ParticleAccess: return "let no script listen to BeforeStep";
-                default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
+                default: throw Limit.OutOfRange(nameof(feature), feature, "Not a feature of a scene.");
             }
         }
     }

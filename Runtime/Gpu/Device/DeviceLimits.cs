@@ -1,6 +1,7 @@
 using System;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -84,20 +85,20 @@ namespace Rill
         public string WhyNot(in KernelNeed need)
         {
             if (need.Kernel == KernelNeed.Vertex && need.StorageBuffers > VertexStorageBuffers)
-                return $"the vertex stage of {need.File}.shader reads {need.StorageBuffers} storage buffers, and this device has " +
-                    $"{VertexStorageBuffers} there (SystemInfo.maxComputeBufferInputsVertex)";
+                return Invariant($"the vertex stage of {need.File}.shader reads {need.StorageBuffers} storage buffers, and this device ") +
+                    Invariant($"has {VertexStorageBuffers} there (SystemInfo.maxComputeBufferInputsVertex)");
             if (need.Threads == 0)
                 return null;
             string kernel = $"kernel '{need.Kernel}' of {need.File}.compute";
             if (need.StorageBuffers > StorageBuffers)
-                return $"{kernel} takes {need.StorageBuffers} storage buffers, and this device has {StorageBuffers} " +
+                return Invariant($"{kernel} takes {need.StorageBuffers} storage buffers, and this device has {StorageBuffers} ") +
                     $"(SystemInfo.maxComputeBufferInputsCompute)";
             if (need.Threads > Threads)
-                return $"{kernel} has groups of {need.Threads:N0} threads, and this device's have at most {Threads:N0} " +
+                return Invariant($"{kernel} has groups of {need.Threads:N0} threads, and this device's have at most {Threads:N0} ") +
                     $"(SystemInfo.maxComputeWorkGroupSize)";
             if (need.GroupsharedBytes > GroupsharedBytes)
-                return $"{kernel} takes {need.GroupsharedBytes:N0} bytes of groupshared memory, and {SystemInfo.graphicsDeviceType} " +
-                    $"grants {GroupsharedBytes:N0}";
+                return Invariant($"{kernel} takes {need.GroupsharedBytes:N0} bytes of groupshared memory, and ") +
+                    Invariant($"{SystemInfo.graphicsDeviceType} grants {GroupsharedBytes:N0}");
             return null;
         }
     }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -250,9 +251,9 @@ namespace Rill
         {
             if (phaseLooks.Length >= PhaseFrame.MaxPhases)
             {
-                Debug.LogWarning($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first " +
-                    $"{PhaseFrame.MaxPhases - 1} can be told apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are removed; " +
-                    $"give emitters phases up to {PhaseFrame.MaxPhases - 1}.", this);
+                Debug.LogWarning(Invariant($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first ") +
+                    Invariant($"{PhaseFrame.MaxPhases - 1} can be told apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are ") +
+                    Invariant($"removed; give emitters phases up to {PhaseFrame.MaxPhases - 1}."), this);
                 Array.Resize(ref phaseLooks, PhaseFrame.MaxPhases - 1);
             }
             for (int i = 0; i < phaseLooks.Length; i++)
@@ -261,7 +262,7 @@ namespace Rill
                     phaseLooks[i] = SurfaceLook.Water;      // an element that was just added
                 phaseLooks[i].Validate(out string problem);
                 if (problem != null)
-                    Debug.LogWarning($"Rill: FluidSurface '{name}', look of phase {i + 1}: {problem}", this);
+                    Debug.LogWarning(Invariant($"Rill: FluidSurface '{name}', look of phase {i + 1}: {problem}"), this);
             }
         }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -122,8 +123,8 @@ namespace Rill
             {
                 if (own == null || frame == null || source == null || skin != null && skin.sharedMesh != source)
                     return "its mesh or its root bone is another one now. Call Refresh.";
-                return skin != null || source.vertexCount == VertexCount ? null : $"its mesh has {source.vertexCount} vertices now and " +
-                    $"had {VertexCount}. Call Refresh after a change of its triangles.";
+                return skin != null || source.vertexCount == VertexCount ? null : Invariant($"its mesh has {source.vertexCount} ") +
+                    Invariant($"vertices now and had {VertexCount}. Call Refresh after a change of its triangles.");
             }
         }
 

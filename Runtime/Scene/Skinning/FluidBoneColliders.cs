@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -115,10 +116,10 @@ namespace Rill
                 if (bones[i] != null && points.Count(i) >= minVertices)
                     wanted.Add(i);
             if (wanted.Count == 0)
-                refusal = $"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight.";
+                refusal = Invariant($"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight.");
             else if (wanted.Count > ColliderSet.Most)
-                refusal = $"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes {ColliderSet.Most} colliders. " +
-                    "Raise Min Vertices.";
+                refusal = Invariant($"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes {ColliderSet.Most} ") +
+                    "colliders. Raise Min Vertices.";
             if (refusal != null)
                 return 0;
             Undo?.Changing(this);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -291,8 +292,8 @@ namespace Rill
             return wanted;
         }
 
-        static string TooWideProblem => $"reaches over more than {MaxGrowth} times its size, and what is beyond is left out. Bring its bones " +
-            "and vertices back, or call Refresh in its new pose.";
+        static string TooWideProblem => Invariant($"reaches over more than {MaxGrowth} times its size, and what is beyond is left out. ") +
+            "Bring its bones and vertices back, or call Refresh in its new pose.";
 
         void FitBox(Bounds around)
         {

@@ -1,5 +1,5 @@
 using System;
-using System.Globalization;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -34,10 +34,10 @@ namespace Rill
         {
             if (reason == BudgetReason.Off)
                 return "off";
-            string time = milliseconds > 0f ? Format($"{milliseconds:0.###} of {targetMilliseconds:0.###} ms ({Source(source)})")
-                : Format($"{targetMilliseconds:0.###} ms ({Source(source)})");
-            string error = float.IsNaN(densityError) ? "density error not measured" : Format($"density error {densityError * 100f:0.###} %");
-            return Format($"{substeps} x {iterations}, relaxation {relaxation}, {time}, {error}: {Why()}");
+            string time = milliseconds > 0f ? Invariant($"{milliseconds:0.###} of {targetMilliseconds:0.###} ms ({Source(source)})")
+                : Invariant($"{targetMilliseconds:0.###} ms ({Source(source)})");
+            string error = float.IsNaN(densityError) ? "density error not measured" : Invariant($"density error {densityError * 100f:0.###} %");
+            return Invariant($"{substeps} x {iterations}, relaxation {relaxation}, {time}, {error}: {Why()}");
         }
 
         /// <summary>The reason in words.</summary>
@@ -49,11 +49,11 @@ namespace Rill
                 case BudgetReason.TimeUnknown: return "this player tells no GPU time, so the settings stay as they are";
                 case BudgetReason.TimeIsSpent:
                     return nextMilliseconds > 0f
-                    ? Format($"the next better settings are expected to take {nextMilliseconds:0.###} ms") : "no better settings fit";
+                    ? Invariant($"the next better settings are expected to take {nextMilliseconds:0.###} ms") : "no better settings fit";
                 case BudgetReason.ErrorIsReached: return "the density error is within its target";
                 case BudgetReason.BestFits: return "the best settings within the bounds fit";
                 case BudgetReason.MinStable: return "the cheapest settings that are stable and within the bounds take longer than the budget";
-                default: throw new ArgumentOutOfRangeException(nameof(reason), reason, "No such reason.");
+                default: throw Limit.OutOfRange(nameof(reason), reason, "No such reason.");
             }
         }
 
@@ -66,7 +66,5 @@ namespace Rill
                 default: return "time unknown";
             }
         }
-
-        static string Format(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
     }
 }

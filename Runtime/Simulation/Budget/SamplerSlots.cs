@@ -1,4 +1,5 @@
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -23,6 +24,6 @@ namespace Rill
 
         public static void Give(int slot) => taken &= ~(1ul << slot);
 
-        public static string NameOf(int slot) => slot == 0 ? "Rill.Steps" : $"Rill.Steps {slot + 1}";
+        public static string NameOf(int slot) => slot == 0 ? "Rill.Steps" : Invariant($"Rill.Steps {slot + 1}");
     }
 }

@@ -5,6 +5,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -198,10 +199,10 @@ namespace Rill
         public static StageDescription Describe(CoarseCorrection stage, in StepInput input, float layers)
         {
             bool needed = IsNeeded(input.settings.deepWater, layers, stage != null);
-            string depth = $"water {layers:0} layers deep";
-            string reason = input.settings.deepWater != DeepWater.Automatic ? $"deep water is set to {input.settings.deepWater}"
-                : needed ? $"{depth}, more than {MaxShallowLayers:0} (and stays above {StaysAboveLayers:0})"
-                : $"{depth}, at most {MaxShallowLayers:0}";
+            string depth = Invariant($"water {layers:0} layers deep");
+            string reason = input.settings.deepWater != DeepWater.Automatic ? Invariant($"deep water is set to {input.settings.deepWater}")
+                : needed ? Invariant($"{depth}, more than {MaxShallowLayers:0} (and stays above {StaysAboveLayers:0})")
+                : Invariant($"{depth}, at most {MaxShallowLayers:0}");
             var description = new StageDescription("Coarse correction", needed, reason);
             if (!needed || stage == null)
                 return description;

@@ -3,6 +3,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -235,7 +236,7 @@ namespace Rill
         public static StageDescription Describe(Colliders colliders, in StepInput input)
         {
             bool needed = IsNeeded(input);
-            var description = new StageDescription("Colliders", needed, needed ? $"{input.colliders.Count} of them in the domain"
+            var description = new StageDescription("Colliders", needed, needed ? Invariant($"{input.colliders.Count} of them in the domain")
                 : "no collider is in the domain");
             if (!needed || colliders == null)
                 return description;

@@ -4,6 +4,7 @@ using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -88,8 +89,9 @@ namespace Rill
             if (math.cmax(needed) > SystemInfo.maxTexture3DSize)
             {
                 Release();
-                throw new ArgumentException($"the {contents} of the colliders need a texture of {needed.x} x {needed.y} x {needed.z}, " +
-                    $"more than the {SystemInfo.maxTexture3DSize} a side of this device. Use smaller ones, or fewer that differ.");
+                throw new ArgumentException(Invariant($"the {contents} of the colliders need a texture of {needed.x} x {needed.y} x ") +
+                    Invariant($"{needed.z}, more than the {SystemInfo.maxTexture3DSize} a side of this device. Use smaller ones, or ") +
+                    "fewer that differ.");
             }
             texture = Create(name, size);
             using (var cmd = new CommandBuffer { name = "Rill.FieldAtlas" })

@@ -4,6 +4,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -189,7 +190,7 @@ namespace Rill
             StepInput input = step.Input;
             bool needed = IsNeeded(input);
             var description = new StageDescription("Foam", needed, needed
-                ? $"at most {input.foam.budget:N0} particles of spray, foam and bubbles" : "no FluidFoam component");
+                ? Invariant($"at most {input.foam.budget:N0} particles of spray, foam and bubbles") : "no FluidFoam component");
             if (!needed || stage == null)
                 return description;
             description.Kernel(stage.findPotentials, 1, step.Lists.Variant);

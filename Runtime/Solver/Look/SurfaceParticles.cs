@@ -4,6 +4,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -130,7 +131,8 @@ namespace Rill
         public static StageDescription Describe(SurfaceParticles stage, in StepContext step)
         {
             string reason = stage != null
-                ? $"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over what is drawn"
+                ? Invariant($"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over ") +
+                    "what is drawn"
                 : "no component draws the surface";
             var description = new StageDescription("Surface particles", stage != null, reason);
             if (stage == null)

@@ -2,6 +2,7 @@ using System;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -91,8 +92,8 @@ namespace Rill
             string variant = RestingRegions.Variant(Lists.Variant, step.Resting);
             int substeps = step.Substeps, iterations = step.Input.settings.iterations;
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
-            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, " +
-                $"neighbor lists in {lists}, artificial pressure is {step.Input.material.artificialPressure}");
+            var stage = new StageDescription("Density constraint", true, Invariant($"{iterations} iterations in each of {substeps} ") +
+                Invariant($"substeps, neighbor lists in {lists}, artificial pressure is {step.Input.material.artificialPressure}"));
             stage.Kernel(buildList.For(deep, withColliders), substeps, variant);
             if (iterations > 1)
                 stage.Kernel(solveLambda.For(withColliders), substeps * (iterations - 1), variant);

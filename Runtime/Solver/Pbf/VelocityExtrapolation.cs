@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -98,7 +99,8 @@ namespace Rill
             StepInput input = step.Input;
             bool needed = IsNeeded(input);
             var description = new StageDescription("Velocity extrapolation", needed, needed
-                ? $"numerical damping {input.settings.numericalDamping} of a first-order step's" : Viscoelasticity.IsNeeded(input)
+                ? Invariant($"numerical damping {input.settings.numericalDamping} of a first-order ") +
+                "step's" : Viscoelasticity.IsNeeded(input)
                 ? "the fluid is elastic" : "the numerical damping is 1");
             if (!needed || stage == null)
                 return description;

@@ -1,6 +1,7 @@
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -59,7 +60,7 @@ namespace Rill
         {
             FluidMaterial material = step.Input.material;
             string reason = VisitsNeighbors(step.Input)
-                ? material.velocitySmoothing > 0f ? $"with XSPH: velocity smoothing is {material.velocitySmoothing}"
+                ? material.velocitySmoothing > 0f ? Invariant($"with XSPH: velocity smoothing is {material.velocitySmoothing}")
                     : "with neighbors: the density is shown"
                 : VorticityConfinement.IsNeeded(step.Input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);

@@ -3,6 +3,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -60,7 +61,8 @@ namespace Rill
         public static StageDescription Describe(VorticityConfinement stage, in StepContext step)
         {
             bool needed = IsNeeded(step.Input);
-            var description = new StageDescription("Vorticity confinement", needed, $"vorticity is {step.Input.material.vorticity} m/s");
+            var description = new StageDescription("Vorticity confinement", needed, "vorticity is " +
+                Invariant($"{step.Input.material.vorticity} m/s"));
             if (needed && stage != null)
             {
                 description.Kernel(stage.curlKernel, step.Substeps, step.Lists.Variant);

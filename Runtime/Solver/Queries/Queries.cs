@@ -5,6 +5,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -203,7 +204,7 @@ namespace Rill
             int probes = input?.pointCount ?? 0, regions = input?.detectorCount ?? 0;
             bool needed = stage != null && probes + regions > 0;
             var description = new StageDescription("Queries", needed, needed
-                ? $"{probes} probes and {regions} detectors, once a frame, outside the step" : "no probe and no detector");
+                ? Invariant($"{probes} probes and {regions} detectors, once a frame, outside the step") : "no probe and no detector");
             if (!needed)
                 return description;
             if (probes > 0)

@@ -4,6 +4,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -99,7 +100,7 @@ namespace Rill
         public static StageDescription Describe(StatisticsPass stage, in StepContext step, int interval)
         {
             var description = new StageDescription("Statistics", interval > 0, interval > 0
-                ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
+                ? Invariant($"measured every {interval} steps, outside the step") : "the statistics interval is 0");
             if (stage == null)
                 return description;
             step.Search.DescribeOrderAtRest(description);

@@ -3,6 +3,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -149,8 +150,8 @@ namespace Rill
         public static StageDescription Describe(ImplicitViscosity stage, in StepContext step)
         {
             bool needed = IsNeeded(step.Input);
-            var description = new StageDescription("Implicit viscosity", needed, needed ? $"{step.Input.material.dynamicViscosity} Pa s"
-                : "the dynamic viscosity is 0");
+            var description = new StageDescription("Implicit viscosity", needed, needed
+                ? Invariant($"{step.Input.material.dynamicViscosity} Pa s") : "the dynamic viscosity is 0");
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);

@@ -5,6 +5,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -116,9 +117,9 @@ namespace Rill
             FluidMaterial material = step.Input.material;
             if (material.shearModulus <= 0f)
                 return "the shear modulus is 0";
-            string text = $"shear modulus {material.shearModulus} Pa, relaxing in {material.relaxationTime} s";
+            string text = Invariant($"shear modulus {material.shearModulus} Pa, relaxing in {material.relaxationTime} s");
             float largest = material.MaxShearModulus(step.Layout.Spacing, step.SubstepTime);
-            return material.shearModulus > largest ? $"{text}; at this spacing and substep it acts like {largest:G3} Pa" : text;
+            return material.shearModulus > largest ? Invariant($"{text}; at this spacing and substep it acts like {largest:G3} Pa") : text;
         }
 
         void Dispatch(in StepContext step, int kernel)

@@ -4,6 +4,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -155,7 +156,8 @@ namespace Rill
         public static StageDescription Describe(RestingRegions regions, in StepInput input)
         {
             bool needed = IsNeeded(input);
-            string reason = needed ? $"what is slower than {input.settings.sleepSpeed} m/s for {Delay} s sleeps, in regions of {RegionSize} spacings"
+            string reason = needed ? Invariant($"what is slower than {input.settings.sleepSpeed} m/s for {Delay} s sleeps, in regions ") +
+                Invariant($"of {RegionSize} spacings")
                 : input.settings.sleepSpeed > 0f ? "vorticity confinement keeps the water moving" : "the sleep speed is 0";
             var description = new StageDescription("Resting regions", needed, reason);
             if (!needed || regions == null)

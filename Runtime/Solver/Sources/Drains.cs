@@ -6,6 +6,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -171,7 +172,7 @@ namespace Rill
             bool needed = IsNeeded(sources, tags);
             int count = sources?.drainCount ?? 0;
             var description = new StageDescription("Drains", needed, !needed ? "no drain, and no particle has a lifetime"
-                : $"{count} drains{(tags != null ? ", and particles with a lifetime" : "")}");
+                : Invariant($"{count} drains{(tags != null ? ", and particles with a lifetime" : "")}"));
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(tags != null ? LifetimesKeyword : null, step.Resting);

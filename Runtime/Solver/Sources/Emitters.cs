@@ -3,6 +3,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -86,7 +87,7 @@ namespace Rill
             StepSources sources = step.Input.sources;
             bool needed = IsNeeded(sources);
             var description = new StageDescription("Emitters", needed, needed
-                ? $"{sources.emitterCount} emitters, each tried for room at the end of a step" : "no emitter");
+                ? Invariant($"{sources.emitterCount} emitters, each tried for room at the end of a step") : "no emitter");
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, step.Resting);

@@ -4,6 +4,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -112,7 +113,8 @@ namespace Rill
         {
             StepSources sources = input.sources;
             bool needed = IsNeeded(sources);
-            var description = new StageDescription("Force fields", needed, needed ? $"{sources.fieldCount} fields" : "no force field");
+            var description = new StageDescription("Force fields", needed, needed ? Invariant($"{sources.fieldCount} ") +
+                "fields" : "no force field");
             if (!needed || stage == null)
                 return description;
             description.Kernel(stage.accelerate, input.settings.substeps);

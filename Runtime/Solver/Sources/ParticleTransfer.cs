@@ -3,6 +3,7 @@ using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -200,7 +201,8 @@ namespace Rill
         {
             bool needed = connections > 0 || kept != null;
             var description = new StageDescription("Transfer", needed, !needed ? "no connection, and nothing is kept outside the box"
-                : $"{connections} fluids hand particles over, once a frame{(kept != null ? ", and some are kept outside the box" : "")}");
+                : Invariant($"{connections} fluids hand particles over, once a ") +
+                $"frame{(kept != null ? ", and some are kept outside the box" : "")}");
             if (!needed || stage == null)
                 return description;
             kept?.Describe(description);

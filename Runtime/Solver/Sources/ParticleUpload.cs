@@ -3,6 +3,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -84,8 +85,8 @@ namespace Rill
         {
             bool isShared = velocities.Length == 1;
             if (positions.Length != velocities.Length && !isShared)
-                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each " +
-                    $"particle both, or one velocity to all.");
+                throw new ArgumentException(Invariant($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give ") +
+                    "each particle both, or one velocity to all.");
 
             for (int first = 0; first < positions.Length; first += MaxBatch)
             {

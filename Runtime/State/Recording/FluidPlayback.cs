@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -95,7 +96,7 @@ namespace Rill
         public double TimeOf(int frame)
         {
             if (frame < 0 || frame >= FrameCount)
-                throw new ArgumentOutOfRangeException(nameof(frame), frame, $"The recording has {FrameCount:N0} frames.");
+                throw Limit.OutOfRange(nameof(frame), frame, Invariant($"The recording has {FrameCount:N0} frames."));
             return reader.TimeOf(frame) - reader.TimeOf(0);
         }
 
@@ -228,7 +229,7 @@ namespace Rill
                     MissedFrames++;
                     follows = isShown;
                     if (failure != null)
-                        Say($"leaves out frame {number:N0} of '{opened}': {failure}");
+                        Say(Invariant($"leaves out frame {number:N0} of '{opened}': {failure}"));
                     return false;
                 }
                 (ShownFrame, shownSolver, shownGeneration) = (number, solver, solver.Generation);

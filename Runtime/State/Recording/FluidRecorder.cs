@@ -4,6 +4,7 @@ using System.IO;
 using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -164,7 +165,7 @@ namespace Rill
             writer?.Finish();
             if (writer != null && !writer.Join(MaxWait))
                 Debug.LogError($"Rill: FluidRecorder '{name}': the disk did not take the last frames of '{path}' within " +
-                    $"{MaxWait / 1000} s. Those before them can be played; the rest is written if the player goes on.", this);
+                    Invariant($"{MaxWait / 1000} s. Those before them can be played; the rest is written if the player goes on."), this);
             Check();
             shaders.Release();
         }
@@ -208,8 +209,9 @@ namespace Rill
             if (frame == null)
             {
                 int fromGpu = recorded.Count + coming.Count;
-                Fail($"all {buffers} frames that Buffered Frames allows are pending, {fromGpu} from the GPU and {buffers - fromGpu} to " +
-                    $"the disk. Record fewer Fields or at a lower Rate, raise Buffered Frames, or use a faster disk.");
+                Fail(Invariant($"all {buffers} frames that Buffered Frames allows are pending, {fromGpu} from the GPU and ") +
+                    Invariant($"{buffers - fromGpu} to the disk. Record fewer Fields or at a lower Rate, raise Buffered Frames, or use ") +
+                    "a faster disk.");
                 return;
             }
             frame.step = step;
@@ -305,7 +307,7 @@ namespace Rill
         {
             if (problem != null)
                 return;
-            problem = $"stopped to record: {why} '{path}' holds the {FrameCount:N0} frames that are written, and those pending.";
+            problem = Invariant($"stopped to record: {why} '{path}' holds the {FrameCount:N0} frames that are written, and those pending.");
             Debug.LogError($"Rill: FluidRecorder '{name}' {problem}", this);
             Stop();
         }

@@ -3,6 +3,7 @@ using System.Buffers.Binary;
 using System.IO;
 using System.Text;
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -47,10 +48,12 @@ namespace Rill
             if (bytes.Length < Magic.Length || !bytes.Slice(0, Magic.Length).SequenceEqual(Magic))
                 throw new InvalidDataException(What + "it does not begin with 'RillRecd'. Give one that a FluidRecorder made.");
             if (bytes.Length < HeaderBytes)
-                throw new InvalidDataException(What + $"it ends after {bytes.Length:N0} of the {HeaderBytes} bytes of its header. Record again.");
+                throw new InvalidDataException(What + Invariant($"it ends after {bytes.Length:N0} of the {HeaderBytes} bytes of its ") +
+                    "header. Record again.");
             uint version = Get(bytes, 8);
             if (version > Version)
-                throw new InvalidDataException(What + $"it has version {version}, but this package reads up to {Version}. Update the package.");
+                throw new InvalidDataException(What + Invariant($"it has version {version}, but this package reads up to {Version}. ") +
+                    "Update the package.");
             if (!IsSealed(bytes, HeaderBytes))
                 throw new InvalidDataException(What
                     + "the checksum of its header is another, so it was changed since it was written. Copy the file again.");
@@ -60,13 +63,13 @@ namespace Rill
             if (version == 0)
                 throw Damaged("its version is 0");
             if ((fields & ~(uint)RecordingFields.All) != 0)
-                throw Damaged($"its fields {fields} are unknown");
+                throw Damaged(Invariant($"its fields {fields} are unknown"));
             if (bits != FrameLayout.NarrowBits && bits != FrameLayout.WideBits)
-                throw Damaged($"its coordinates have {bits} bits");
+                throw Damaged(Invariant($"its coordinates have {bits} bits"));
             if (capacity < 1 || capacity > SolverLayout.MaxCapacity)
-                throw Damaged($"its capacity is {capacity:N0}, and a fluid has 1 to {SolverLayout.MaxCapacity:N0}");
+                throw Damaged(Invariant($"its capacity is {capacity:N0}, and a fluid has 1 to {SolverLayout.MaxCapacity:N0}"));
             if (!(spacing > 0f) || !math.isfinite(spacing) || !math.all(math.isfinite(size)) || !math.all(size > 0f))
-                throw Damaged($"its spacing is {spacing} m and its box {size} spacings");
+                throw Damaged(Invariant($"its spacing is {spacing} m and its box {size} spacings"));
             return new RecordingHeader(new FrameLayout((RecordingFields)fields, bits == FrameLayout.WideBits), (int)capacity, spacing, size);
         }
 
@@ -168,13 +171,13 @@ namespace Rill
                 uint particles = Get(entry, 16), step = Get(entry, 20);
                 double time = GetDouble(entry, 8);
                 if (at != (ulong)next || particles > (uint)header.Capacity || step > int.MaxValue)
-                    throw Damaged($"frame {i} of its index lies at byte {at:N0} with {particles:N0} particles");
+                    throw Damaged(Invariant($"frame {i} of its index lies at byte {at:N0} with {particles:N0} particles"));
                 if (double.IsNaN(time) || double.IsInfinity(time) || i > 0 && !(time >= entries[i - 1].time))
-                    throw Damaged($"frame {i} of its index has the time {time} s");
+                    throw Damaged(Invariant($"frame {i} of its index has the time {time} s"));
                 entries[i] = new IndexEntry { position = next, time = time, particles = (int)particles, step = (int)step };
                 next += FrameHeaderBytes + sizeof(uint) * header.Layout.Words(particles);
                 if (next > position)
-                    throw Damaged($"frame {i} of its index ends after the frames");
+                    throw Damaged(Invariant($"frame {i} of its index ends after the frames"));
             }
             if (next != position)
                 throw Damaged("its index does not list all of its frames");

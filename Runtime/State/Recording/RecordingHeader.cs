@@ -1,4 +1,5 @@
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -32,16 +33,17 @@ namespace Rill
         public string ProblemFor(SolverLayout fluid, int most)
         {
             if (Spacing != fluid.Spacing)
-                return $"it is of a fluid with a particle spacing of {Spacing} m, but this one has {fluid.Spacing} m. Set the Particle " +
-                    $"Spacing to {Spacing}.";
+                return Invariant($"it is of a fluid with a particle spacing of {Spacing} m, but this one has {fluid.Spacing} m. Set the ") +
+                    Invariant($"Particle Spacing to {Spacing}.");
             if (math.any(DomainSize != fluid.DomainSize))
                 return $"it is of a box of {Text(DomainSize * Spacing)} m, but this one is {Text(fluid.DomainSize * fluid.Spacing)} m. " +
                     $"Set the Domain Size to that of the recording.";
             if (most > fluid.Capacity)
-                return $"it has up to {most:N0} particles, more than the capacity of {fluid.Capacity:N0}. Raise the Capacity to at least {most:N0}.";
+                return Invariant($"it has up to {most:N0} particles, more than the capacity of {fluid.Capacity:N0}. Raise the Capacity ") +
+                    Invariant($"to at least {most:N0}.");
             return null;
         }
 
-        static string Text(float3 v) => $"{v.x} x {v.y} x {v.z}";
+        static string Text(float3 v) => Invariant($"{v.x} x {v.y} x {v.z}");
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Runtime.InteropServices;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -90,8 +91,8 @@ namespace Rill
             stream.Dispose();
         }
 
-        static InvalidDataException DamagedFrame(int number) => new InvalidDataException($"Frame {number:N0} of the recording was " +
-            $"changed since it was written: its checksum is another. Copy the file again, or record again.");
+        static InvalidDataException DamagedFrame(int number) => new InvalidDataException(Invariant($"Frame {number:N0} of the recording ") +
+            "was changed since it was written: its checksum is another. Copy the file again, or record again.");
 
         // Null where there is none, or its checksum is another.
         IndexEntry[] FromIndex(ref long framesEnd)

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Reflection.Emit;
 using System.Reflection.Metadata;
 using System.Reflection.Metadata.Ecma335;
 using System.Reflection.PortableExecutable;
@@ -9,6 +10,13 @@ using Host.UnityApi;
 
 namespace Host.Check.Api
 {
+    /// <summary>A method that code calls, or takes as a delegate.</summary>
+    /// <param name="Arguments">Of a generic method.</param>
+    /// <param name="Constrained">The type whose method is called where the code names that of a base: of int for object.ToString. Null: that.</param>
+    /// <param name="Constant">A small number that the code pushes just before: the last argument. Null: something else.</param>
+    sealed record CompiledCall(EntityHandle Handle, CompiledMember Method, IReadOnlyList<ApiTypeName> Arguments, ApiTypeName Constrained,
+        int? Constant);
+
     /// <summary>A compiled assembly and what it takes from others.</summary>
     sealed class CompiledAssembly : IDisposable
     {
@@ -68,6 +76,45 @@ namespace Host.Check.Api
                     return $"{CompiledTypeNames.Of(Metadata, method.GetDeclaringType())}.{Metadata.GetString(method.Name)}";
             }
             return null;
+        }
+
+        /// <summary>Of a method without code, nothing.</summary>
+        public IEnumerable<(OpCode Op, int Operand)> Instructions(MethodDefinition method) => method.RelativeVirtualAddress == 0
+            ? Enumerable.Empty<(OpCode, int)>() : Code.Instructions(file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes());
+
+        /// <summary>The methods that a method's code names, those of arrays left out.</summary>
+        public IEnumerable<CompiledCall> Calls(MethodDefinition method)
+        {
+            ApiTypeName constrained = null;
+            int? constant = null;
+            foreach ((OpCode op, int operand) in Instructions(method))
+            {
+                if (op.OperandType == OperandType.InlineMethod
+                    && Call((EntityHandle)MetadataTokens.Handle(operand), constrained, constant) is { } call)
+                    yield return call;
+                constant = op.Value >= OpCodes.Ldc_I4_0.Value && op.Value <= OpCodes.Ldc_I4_8.Value ? op.Value - OpCodes.Ldc_I4_0.Value : null;
+                constrained = op == OpCodes.Constrained ? CompiledTypeNames.Of(Metadata, (EntityHandle)MetadataTokens.Handle(operand)) : null;
+            }
+        }
+
+        CompiledCall Call(EntityHandle called, ApiTypeName constrained, int? constant)
+        {
+            IReadOnlyList<ApiTypeName> arguments = Array.Empty<ApiTypeName>();
+            if (called.Kind == HandleKind.MethodSpecification)
+            {
+                MethodSpecification generic = Metadata.GetMethodSpecification((MethodSpecificationHandle)called);
+                arguments = generic.DecodeSignature(CompiledTypeNames.Instance, null);
+                called = generic.Method;
+            }
+            if (called.Kind == HandleKind.MethodDefinition)
+            {
+                MethodDefinition own = Metadata.GetMethodDefinition((MethodDefinitionHandle)called);
+                return new CompiledCall(called, Member(CompiledTypeNames.Of(Metadata, own.GetDeclaringType()), own), arguments,
+                    constrained, constant);
+            }
+            MemberReference reference = Metadata.GetMemberReference((MemberReferenceHandle)called);
+            ApiTypeName owner = CompiledTypeNames.Of(Metadata, reference.Parent);
+            return owner.Form == ApiTypeForm.Named ? new CompiledCall(called, Member(owner, reference), arguments, constrained, constant) : null;
         }
 
         /// <summary>Properties and fields that attributes of other assemblies are given by name: they stand in no table of references.</summary>

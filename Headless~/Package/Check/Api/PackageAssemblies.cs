@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -11,6 +12,8 @@ namespace Host.Check.Api
         public static readonly string[] Package = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.TerrainPhysics", "Rill.Timeline",
             "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor", "Rill.TerrainPhysics.Editor",
             "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests", "Rill.TerrainPhysics.Tests", "Rill.Timeline.Tests", "Rill.Editor.Tests" };
+        /// <summary>Those whose texts a user reads.</summary>
+        public static readonly string[] WithoutTests = Package.Where(name => !name.EndsWith(".Tests", StringComparison.Ordinal)).ToArray();
         /// <summary>Of the host: what stands in for Unity.</summary>
         public static readonly string[] StandIns = { "UnityEngine", "UnityEngine.PhysicsModule", "UnityEngine.TerrainModule",
             "UnityEngine.TerrainPhysicsModule", "UnityEngine.DirectorModule", "Unity.Timeline", "UnityEditor", "Unity.Mathematics",
