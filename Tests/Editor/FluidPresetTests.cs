@@ -3,6 +3,7 @@ using NUnit.Framework;
 using Rill.Tests;
 using UnityEditor;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill.Editor.Tests
 {
@@ -90,7 +91,8 @@ namespace Rill.Editor.Tests
                 Assert.That(material.allowedTension, Is.GreaterThan(0f));
                 Assert.That(material.artificialPressure, Is.GreaterThan(0f));
                 int substeps = (int)Mathf.Ceil(Mathf.Sqrt(3f * preset.ShearModulus / material.MaxShearModulus(0.01f, 1f / 60f)));
-                Assert.That(preset.Describe(0.01f), Does.Contain($"{preset.ShearModulus} Pa").And.Contain($" {substeps} substeps"));
+                Assert.That(preset.Describe(0.01f), Does.Contain(Invariant($"{preset.ShearModulus} Pa"))
+                    .And.Contain(Invariant($" {substeps} substeps")));
                 Assert.That(material.MaxShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.ShearModulus));
                 Assert.That(preset.Describe(1f), Does.Contain(" 1 substeps"));
             }

@@ -45,13 +45,13 @@ namespace Rill.Editor.Tests
             FluidForceField field = Below<FluidForceField>(fluid);
             field.Bounds = ForceFieldBounds.Sphere;
             field.Radius = 0f;
-            Assert.That(Problem(field), Does.StartWith($"Its sphere of radius {0f} m has no size"));
+            Assert.That(Problem(field), Does.StartWith("Its sphere of radius 0 m has no size"));
             FluidEmitter emitter = Below<FluidEmitter>(fluid);
             emitter.Radius = 0f;
             Assert.That(Problem(emitter), Does.Contain("Set it above 0. It lets nothing in."));
             emitter.Radius = 0.1f;
             emitter.Rate = 10f;
-            Assert.That(Problem(emitter), Does.StartWith($"Its rate of {10f} m³/s is more than leaves its shape at rest density"));
+            Assert.That(Problem(emitter), Does.StartWith("Its rate of 10 m³/s is more than leaves its shape at rest density"));
             emitter.Rate = 0.01f;
             emitter.Speed = 10f;
             fluid.Material = FluidMaterial.Viscous(1000f, 1e5f);

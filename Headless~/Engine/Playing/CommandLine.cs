@@ -5,6 +5,7 @@ using System.CommandLine.Invocation;
 using System.Linq;
 using System.Reflection;
 using Host.Assets;
+using Host.Commands;
 using Host.Scripts;
 using Host.Vulkan;
 using UnityEngine.Headless;
@@ -21,6 +22,7 @@ namespace Host
         public static int Run(string name, string description, string[] arguments, params Command[] commands)
         {
             Name = name;
+            CultureOption.Use("");
             var root = new Command(name, description) { new HelpOption() };
             foreach (Command command in commands)
                 root.Add(command);

@@ -32,9 +32,9 @@ namespace Planted
 {
     static class Notes
     {
-        public static void Write(string what)
+        public static void Write(string what, string of = null)
             => File.WriteAllText(Path.Combine(Path.GetDirectoryName(typeof(Notes).Assembly.Location),
-            ""note-"" + what + ""-"" + Guid.NewGuid().ToString(""N"")), Environment.GetEnvironmentVariable(""LP_NUM_THREADS"") + "" ""
+            ""note-"" + what + ""-"" + Guid.NewGuid().ToString(""N"")), (of ?? Environment.GetEnvironmentVariable(""LP_NUM_THREADS"")) + "" ""
             + Process.GetCurrentProcess().Id);
     }
 
@@ -60,6 +60,13 @@ namespace Slow
     public class Mixed { [Test] public void One() { } [Test, Category(""Long"")] public void Two() { } }
     [Category(""Long"")] public class Whole { [Test] public void One() { } }
     public class Brief { [TestCase(1), TestCase(2, Category = ""Long"")] public void One(int n) { } }
+}
+namespace Cultures
+{
+    using System.Globalization;
+    public class First { [Test] public void One() => Planted.Notes.Write(""culture"", CultureInfo.CurrentCulture.Name + 1.5f); }
+    public class Second { [Test] public void One() { string text = null; var thread = new Thread(() => text = ""I"".ToLower() + 1.5f); thread.Start();
+        thread.Join(); Planted.Notes.Write(""culture"", CultureInfo.CurrentUICulture.Name + text); } }
 }
 namespace Waiting
 {
@@ -88,6 +95,8 @@ namespace Waiting
                 Path.Combine(planted.Assemblies, "Planted.Tests.dll") }.Concat(more)) { RedirectStandardOutput = true,
                 RedirectStandardError = true };
             start.Environment.Remove("LP_NUM_THREADS");     // this may be a worker itself
+            start.Environment.Remove("DOTNET_SYSTEM_GLOBALIZATION_INVARIANT");
+            start.Environment["LANG"] = start.Environment["LC_ALL"] = "de_DE.UTF-8";
             start.Environment["RILL_CACHE"] = planted.Root;
             return Process.Start(start);
         }
@@ -237,6 +246,26 @@ namespace Heavy { public class Sweep { [TestCase(1), TestCase(2, Category = ""Gp
             {
                 return false;
             }
+        }
+
+        [TestCase("1", "de-DE", "de-DE1,5", "de-DEi1,5")]
+        [TestCase("2", "tr-TR", "tr-TR1,5", "tr-TRı1,5")]
+        [TestCase("2", "", "1.5", "i1.5", TestName = "Tests_run_under_no_culture_but_one_that_was_asked_for")]
+        public void Tests_run_under_the_culture_that_was_asked_for(string jobs, string culture, string first, string second)
+        {
+            string[] option = culture.Length == 0 ? Array.Empty<string>() : new[] { "--culture", culture };
+            Assert.That(Run(out _, new[] { "--jobs", jobs, "--filter", "Cultures." }.Concat(option).ToArray()), Is.EqualTo(0));
+            Assert.That(Notes("culture").Select(note => note.Split(' ')[0]), Is.EquivalentTo(new[] { first, second }));
+        }
+
+        [TestCase("de-XY")]
+        [TestCase("german")]
+        public void A_culture_that_is_none_is_refused(string culture)
+        {
+            using Process process = Start("--culture", culture);
+            Assert.That(process.StandardError.ReadToEnd(), Does.StartWith($"{CommandLine.Name}: --culture {culture}: there is no such culture"));
+            process.WaitForExit();
+            Assert.That(process.ExitCode, Is.EqualTo(2));
         }
 
         [TestCase("0")]

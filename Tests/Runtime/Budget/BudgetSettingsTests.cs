@@ -1,5 +1,6 @@
 using System.Linq;
 using NUnit.Framework;
+using static System.FormattableString;
 
 namespace Rill.Tests
 {
@@ -25,7 +26,7 @@ namespace Rill.Tests
             };
             Assert.That(budget.Validate(out string problem), Is.False);
             foreach (string name in new[] { "milliseconds", "fraction", "frame rate", "target error", "device factor" })
-                Assert.That(problem, Does.Contain($"budget {name} {bad} is outside"));
+                Assert.That(problem, Does.Contain(Invariant($"budget {name} {bad} is outside")));
             Assert.That(problem, Does.Contain("budget most iterations 99 is outside 1 to 50; using 50."));
             Assert.That(budget.Validate(out problem), Is.True, problem);
         }

@@ -3,6 +3,7 @@ using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 
 namespace Rill.Tests
 {
@@ -96,7 +97,7 @@ namespace Rill.Tests
         public void A_capacity_that_no_dispatch_can_scan_is_refused(int capacity)
         {
             var error = Assert.Throws<ArgumentOutOfRangeException>(() => new PrefixSum(TestShaders.Load("PrefixSum"), capacity));
-            Assert.That(error.Message, Does.Contain($"{PrefixSum.MaxCapacity:N0} elements"));
+            Assert.That(error.Message, Does.Contain(Invariant($"{PrefixSum.MaxCapacity:N0} elements")));
         }
 
         static uint[] RandomCounts(int count, int seed)

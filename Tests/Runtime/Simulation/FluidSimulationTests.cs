@@ -10,6 +10,7 @@ using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
+using static System.FormattableString;
 
 namespace Rill.Tests
 {
@@ -352,7 +353,7 @@ namespace Rill.Tests
         public void A_step_rate_out_of_range_is_clamped_by_name(float given, float expected)
         {
             LogAssert.Expect(LogType.Warning,
-                new Regex($"'Dam': step rate {Regex.Escape(given.ToString())} is outside 10 to 1000; using {expected}\\."));
+                new Regex(Invariant($"'Dam': step rate {Regex.Escape(Invariant($"{given}"))} is outside 10 to 1000; using {expected}\\.")));
             FluidSimulation fluid = Dam(f => SetSerialized(f, "stepRate", given));
             Assert.That(fluid.IsRunning);
             Assert.That(fluid.FixedStep, Is.EqualTo(1f / expected));
@@ -362,7 +363,7 @@ namespace Rill.Tests
         public IEnumerator Steps_of_a_frame_out_of_range_are_clamped_by_name([Values(-1, 0, 17)] int given)
         {
             int expected = given < 1 ? 1 : 16;
-            LogAssert.Expect(LogType.Warning, new Regex($"'Dam': max steps per frame {given} is outside 1 to 16; using {expected}\\."));
+            LogAssert.Expect(LogType.Warning, new Regex(Invariant($"'Dam': max steps per frame {given} is outside 1 to 16; using {expected}\\.")));
             FluidSimulation fluid = Dam(f => SetSerialized(f, "maxStepsPerFrame", given));
             Time.captureDeltaTime = 0.3f;
             yield return null;      // goes on within the first frame of that length, before its steps

@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using static System.FormattableString;
 
 namespace Rill.Tests
 {
@@ -23,7 +24,7 @@ namespace Rill.Tests
             SolverSettings settings = SolverSettings.Default;
             settings.iterations = given;
             AssertClamped(settings.Validate(out string problem), problem, given != expected,
-                $"iterations {given} is outside 1 to 50; using {expected}.");
+                Invariant($"iterations {given} is outside 1 to 50; using {expected}."));
             Assert.That(settings.iterations, Is.EqualTo(expected));
         }
 
@@ -38,7 +39,7 @@ namespace Rill.Tests
             SolverSettings settings = SolverSettings.Default;
             settings.relaxation = given;
             AssertClamped(settings.Validate(out string problem), problem, given != expected,
-                $"relaxation {given} is outside 0 to 2; using {expected}.");
+                Invariant($"relaxation {given} is outside 0 to 2; using {expected}."));
             Assert.That(settings.relaxation, Is.EqualTo(expected));
         }
 
@@ -52,7 +53,7 @@ namespace Rill.Tests
             Assert.That(settings.sleepSpeed, Is.Zero);
             settings.sleepSpeed = given;
             AssertClamped(settings.Validate(out string problem), problem, given != expected,
-                $"sleep speed {given} is outside 0 to 1; using {expected}.");
+                Invariant($"sleep speed {given} is outside 0 to 1; using {expected}."));
             Assert.That(settings.sleepSpeed, Is.EqualTo(expected));
         }
 
@@ -67,7 +68,7 @@ namespace Rill.Tests
             Assert.That(settings.numericalDamping, Is.EqualTo(1f));
             settings.numericalDamping = given;
             AssertClamped(settings.Validate(out string problem), problem, given != expected,
-                $"numerical damping {given} is outside 0 to 1; using {expected}.");
+                Invariant($"numerical damping {given} is outside 0 to 1; using {expected}."));
             Assert.That(settings.numericalDamping, Is.EqualTo(expected));
         }
 
@@ -121,7 +122,7 @@ namespace Rill.Tests
         {
             SolverSettings settings = SolverSettings.Default;
             settings.substeps = given;
-            AssertClamped(settings.Validate(out string problem), problem, true, $"substeps {given} is outside 1 to 16; using {expected}.");
+            AssertClamped(settings.Validate(out string problem), problem, true, Invariant($"substeps {given} is outside 1 to 16; using {expected}."));
             Assert.That(settings.substeps, Is.EqualTo(expected));
         }
 
@@ -150,7 +151,7 @@ namespace Rill.Tests
             Assert.That(material.Validate(out string problem), Is.False);
             foreach (string name in new[] { "density", "velocity smoothing", "dynamic viscosity", "wall friction", "vorticity",
                 "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time" })
-                Assert.That(problem, Does.Contain($"{name} {bad} is outside"));
+                Assert.That(problem, Does.Contain(Invariant($"{name} {bad} is outside")));
             Assert.That(material.Validate(out problem), Is.True, problem);
         }
 

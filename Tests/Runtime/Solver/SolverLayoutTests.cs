@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill.Tests
 {
@@ -69,7 +70,7 @@ namespace Rill.Tests
         [TestCase(SolverLayout.MaxCapacity + 1)]
         public void A_capacity_out_of_range_is_refused(int capacity)
         {
-            AssertRefused(() => Layout(Box, 0.05f, capacity), $"Capacity {capacity:N0}", "1 to 16,777,216 particles");
+            AssertRefused(() => Layout(Box, 0.05f, capacity), Invariant($"Capacity {capacity:N0}"), "1 to 16,777,216 particles");
         }
 
         [Test]

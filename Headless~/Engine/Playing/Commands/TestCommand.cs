@@ -22,7 +22,7 @@ namespace Host.Commands
         {
             public string[] Texts, LeftOut;
             public bool PackageOnly, HostOnly, Validation, ShowsAll, Alone, Strict;
-            public string Assembly, Worker, Project;
+            public string Assembly, Worker, Project, Culture;
             public int Limit;
             public bool IsSoftware;     // the device is a CPU
             public int ForGpu;          // tests that are left out there
@@ -65,19 +65,21 @@ namespace Host.Commands
                 DefaultValueFactory = _ => TestJobs.DefaultLimit, Hidden = true };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
+            Option<string> culture = CultureOption.Create();
             var command = new Command("test", "Runs the tests.") { project, strict, filter, leaveOut, list, package, host, noValidation,
-                written, jobs, shaders, limits, assembly, worker, alone, limit };
+                written, jobs, shaders, limits, culture, assembly, worker, alone, limit };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 LimitsOption.Use(parsed.GetValue(limits));
+                CultureOption.Use(parsed.GetValue(culture));
                 var choice = new Choice
                 {
                     Texts = parsed.GetValue(filter), LeftOut = parsed.GetValue(leaveOut), PackageOnly = parsed.GetValue(package),
                         HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
                     ShowsAll = parsed.GetValue(written), Project = parsed.GetValue(project), Strict = parsed.GetValue(strict),
                         Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
-                    Limit = parsed.GetValue(limit),
+                    Limit = parsed.GetValue(limit), Culture = parsed.GetValue(culture),
                 };
                 return choice.Project != null ? ExecuteProject(choice, parsed.GetValue(list), parsed.GetValue(jobs))
                     : Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
@@ -225,7 +227,8 @@ namespace Host.Commands
         // What a worker has to be told to choose and run as this process would.
         static List<string> Arguments(Choice choice)
         {
-            var arguments = new List<string> { "--shaders", ShaderBackend.Current.Name, "--limits", Player.Limits.Name };
+            var arguments = new List<string> { "--shaders", ShaderBackend.Current.Name, "--limits", Player.Limits.Name, "--culture",
+                choice.Culture };
             arguments.AddRange(choice.Texts.SelectMany(text => new[] { "--filter", text }));
             arguments.AddRange(choice.AllLeftOut.SelectMany(category => new[] { "--leave-out", category }));
             if (choice.PackageOnly)
