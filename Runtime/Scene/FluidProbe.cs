@@ -39,7 +39,7 @@ namespace Rill
             if (!IsAnswered)
                 return false;
             sample = latest;
-            sample.age = latest.step > 0 ? AgeOf(latest.time) : 0f;
+            sample.age = latest.step > 0 || latest.valid ? AgeOf(latest.time) : 0f;
             return sample.valid;
         }
 

@@ -130,16 +130,17 @@ namespace Rill
             buffers?.Invalidate();
         }
 
-        /// <summary>Records the questions about the state that the steps of this frame left.</summary>
-        internal void Record(PbfSolver solver, CommandBuffer commands, in QueryFrame frame, in DomainFrame domain, float3 up)
+        /// <summary>Records the questions about the current state.</summary>
+        /// <returns>Whether there is anything to request.</returns>
+        internal bool TryRecord(PbfSolver solver, CommandBuffer commands, in QueryFrame frame, in DomainFrame domain, float3 up)
         {
             recorded = -1;
             if (!IsAsking)
-                return;
+                return false;
             buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived, OnLost);
             int slot = buffers.FreeSlot(newest);
             if (slot < 0)
-                return;
+                return false;
             Asked to = asked[slot];
             (to.frame, to.domain, to.version) = (frame, domain, version);
             AskPoints(to, domain, solver.Layout.DomainSize);
@@ -156,6 +157,7 @@ namespace Rill
             solver.RecordBatch(commands, buffers, input, slot);
             askedVersion = version;
             recorded = slot;
+            return true;
         }
 
         /// <summary>Asks for what was recorded, after its commands ran.</summary>

@@ -4,7 +4,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    // What probes and detectors ask of the water: asked for after the steps of a frame, handed to them when it has come.
+    // What probes and detectors ask of the water: asked for after the steps of a frame and while time stands, handed to them when it has
+    // come.
     public sealed partial class FluidSimulation
     {
         /// <summary>A frame's questions that are pending: who asked, where and when.</summary>
@@ -24,6 +25,9 @@ namespace Rill
         AskedQueries[] asked;
         QueryInput queryInput;
         [NonSerialized] int queryPartCount;
+        [NonSerialized] double lastAnswers;     // when the newest were asked for, s of real time
+
+        const double MaxStepsWithoutAnswer = 1.5;       // as far as real time goes
 
         /// <summary>
         /// Waits for the GPU and hands all results that are pending to probes, detectors and batches of this fluid; other readbacks of the game
@@ -37,9 +41,25 @@ namespace Rill
                 queryBatches[i].Flush();
         }
 
-        // Records what is asked of the state that the steps of this frame left; the slot to request, -1 for nothing.
+        // While time crawls a step may come once in many frames.
+        bool AnswersAreLate => !IsInEditMode && Time.unscaledTimeAsDouble - lastAnswers > MaxStepsWithoutAnswer * FixedStep;
+
+        // In a frame without a step: who asks may have moved, and what the water is may have been changed by scripts.
+        void AnswerQueries()
+        {
+            commands.Clear();
+            int queries = RecordQueries();
+            if (!RecordBatches() && queries < 0)
+                return;
+            Graphics.ExecuteCommandBuffer(commands);
+            RequestQueries(queries);
+            RequestBatches();
+        }
+
+        // Records what is asked of the current state; the slot to request, -1 for nothing.
         int RecordQueries()
         {
+            lastAnswers = Time.unscaledTimeAsDouble;
             if (queryPartCount == 0)
             {
                 pbf.ReleaseQueries();
@@ -154,6 +174,7 @@ namespace Rill
 
         void RestartQueries()
         {
+            lastAnswers = Time.unscaledTimeAsDouble;
             foreach (FluidQueryBatch batch in queryBatches)
                 batch.OnRestart();
             if (queryPartCount == 0)

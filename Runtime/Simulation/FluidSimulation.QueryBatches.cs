@@ -25,13 +25,16 @@ namespace Rill
             }
         }
 
-        void RecordBatches()
+        // Whether there is anything to request.
+        bool RecordBatches()
         {
             if (!AsksBatches || IsRefused(DeviceFeature.Queries) || !HasStages(StageSet.Queries))
-                return;
+                return false;
             QueryFrame state = BeginQueries(out DomainFrame frame, out float3 up);
+            bool isAny = false;
             foreach (FluidQueryBatch batch in queryBatches)
-                batch.Record(pbf, commands, state, frame, up);
+                isAny |= batch.TryRecord(pbf, commands, state, frame, up);
+            return isAny;
         }
 
         void RequestBatches()

@@ -72,7 +72,8 @@ namespace Rill
         [NonSerialized] int stepsSinceStatistics;
         [NonSerialized] double lastFrameTime;       // FrameTime of the frame before, s
         [NonSerialized] float3 lastPosition, lastVelocity;
-        [NonSerialized] float lastDuration;         // in which it had that velocity, s; 0 where it stood still
+        [NonSerialized] float lastDuration;         // in which it had that velocity, s; 0 where the velocity is not known
+        [NonSerialized] bool positionIsKnown;       // whether the box came from its last position
         [NonSerialized] bool layoutChanged;
 
         /// <summary>Fixed steps taken since the last restart.</summary>
@@ -323,13 +324,15 @@ namespace Rill
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's return from no place.
             float rate = IsInEditMode ? RateInEditMode(frameTime) : TimeRate();
-            if (rate < 1f || !moves)
+            bool stands = !(rate * frameTime > 0f);     // also by Time.timeScale
+            if (stands || rate < 1f || !moves)
                 StandStill();
-            if (rate < 1f || !moves && !poseIsLost)
+            if (stands || rate < 1f || !moves && !poseIsLost)
                 ClearMotions();
-            if (rate <= 0f)
+            if (stands)
             {
                 DropGhosts();
+                AnswerQueries();
                 return;
             }
             frameTime *= rate;
@@ -337,9 +340,15 @@ namespace Rill
             BeginBudgetFrame(frameTime);
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
+            {
                 Simulate(steps, (float)clock.FrameInterval);
+            }
             else
+            {
                 DropGhosts();
+                if (AnswersAreLate)
+                    AnswerQueries();
+            }
             budgeted?.EndFrame(steps);
         }
 
@@ -370,8 +379,8 @@ namespace Rill
         /// <summary>Records what looks at the state that the steps of this frame leave, executes it all, and asks for what comes back.</summary>
         void Execute()
         {
-            RecordSurface();        // before statistics, which sort again
-            int queries = RecordQueries();      // before statistics too
+            RecordSurface();
+            int queries = RecordQueries();
             RecordBatches();
             pbf.RecordGhostRemoval(commands);
 
@@ -427,15 +436,7 @@ namespace Rill
         void PrepareInput(float duration)
         {
             GetPose(out Vector3 place, out Quaternion rotation);
-            float3 position = place;
-            float3 velocity = (position - lastPosition) / duration;
-            // Each velocity is that in the middle of its time.
-            float between = lastDuration > 0f ? 0.5f * (lastDuration + duration) : duration;
-            float3 acceleration = (velocity - lastVelocity) / between;
-            lastPosition = position;
-            lastVelocity = velocity;
-            lastDuration = duration;
-
+            float3 acceleration = FollowBox(place, duration);
             Vector3 felt = inertial ? gravity - (Vector3)acceleration : gravity;
             input = new StepInput
             {
@@ -461,6 +462,24 @@ namespace Rill
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);
             CheckViscosity();
+        }
+
+        // Acceleration of the box since the last steps, m/s²: 0 until its velocity is known. A box that moves as time goes on, or as the
+        // fluid begins, does not come from rest.
+        float3 FollowBox(float3 position, float duration)
+        {
+            float3 acceleration = 0f;
+            if (positionIsKnown)
+            {
+                float3 velocity = (position - lastPosition) / duration;
+                if (lastDuration > 0f)      // each velocity is that in the middle of its time
+                    acceleration = (velocity - lastVelocity) / (0.5f * (lastDuration + duration));
+                lastVelocity = velocity;
+                lastDuration = duration;
+            }
+            lastPosition = position;
+            positionIsKnown = true;
+            return acceleration;
         }
 
         // How far gravity and the strongest field carry a particle in a step, d. Gravity alone of what the box feels: a jerk of the box is
@@ -493,12 +512,14 @@ namespace Rill
 
         SolverLayout MakeLayout() => new SolverLayout(domainSize, particleSpacing, capacity, solver.neighborCapacity, solver.listMargin);
 
+        // Where the box goes from here on is no motion of its water.
         void StandStill()
         {
             GetPose(out Vector3 place, out _);
             lastPosition = place;
             lastVelocity = 0f;
             lastDuration = 0f;
+            positionIsKnown = false;
         }
 
         // What moved through the fluid's box since the last steps has not moved through the fluid.

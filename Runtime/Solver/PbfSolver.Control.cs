@@ -22,7 +22,7 @@ namespace Rill
         /// on.</summary>
         public void RemoveAll()
         {
-            hasLists = hasNew = false;
+            hasLists = hasNew = neighborSearch.IsSorted = false;
             markedAfter = 0;
             RemoveKept();
             InvalidateSurface();
@@ -59,6 +59,7 @@ namespace Rill
         {
             PrepareConstants();
             Edits.Shift(BetweenSteps(Edits.Commands), by);
+            neighborSearch.IsSorted = false;
             markedAfter = stepIndex + 1;
             InvalidateSurface();
             InvalidateParticles(false);

@@ -16,7 +16,7 @@ namespace Rill
         public int Generation { get; private set; }
 
         /// <summary>uint [cells + 1], see <see cref="RecordOrder"/>.</summary>
-        public GraphicsBuffer CellStarts => neighborSearch.CellStarts;
+        public GraphicsBuffer CellStarts => neighborSearch.CellStartsAtRest;
 
         /// <summary>uint [capacity], indices of particles by cell after <see cref="RecordOrder"/>.</summary>
         public GraphicsBuffer Order => particles.SortedIds;

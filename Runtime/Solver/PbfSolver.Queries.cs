@@ -17,19 +17,22 @@ namespace Rill
         /// <summary>Makes what answers, where there is none yet.</summary>
         public Queries MakeQueries() => queries ??= new Queries(QueryShader, ReadbackErrors);
 
-        /// <summary>Records the answers of the state that the last step left; not after <see cref="RecordStatistics"/> of that state, which
-        /// sorts again.</summary>
+        /// <summary>Records the answers of the current state, after a step or between steps.</summary>
         /// <param name="slot">A <see cref="Queries.FreeSlot"/>.</param>
         public void RecordQueries(CommandBuffer cmd, QueryInput input, int slot)
         {
             queried = input;
+            PrepareConstants();
             queries.Record(BetweenSteps(cmd), tags, input, slot);
         }
 
         /// <summary>The same for a batch.</summary>
         /// <param name="slot">A <see cref="QueryBatch.FreeSlot"/>.</param>
         public void RecordBatch(CommandBuffer cmd, QueryBatch batch, in BatchInput input, int slot)
-            => batch.Record(BetweenSteps(cmd), QueryShader, tags, input, slot);
+        {
+            PrepareConstants();
+            batch.Record(BetweenSteps(cmd), QueryShader, tags, input, slot);
+        }
 
         /// <summary>What a batch costs.</summary>
         public void DescribeBatch(QueryBatch batch, StageDescription description) => batch.Describe(description, QueryShader, tags);

@@ -121,7 +121,7 @@ namespace Rill
         {
             stepIndex = 0;
             lastSubsteps = 0;
-            hasLists = isRestored = false;
+            hasLists = isRestored = neighborSearch.IsSorted = false;
             maxParticles = 0;
             InvalidateSurface();
             InvalidateParticles(true);

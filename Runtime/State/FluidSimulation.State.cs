@@ -193,6 +193,7 @@ namespace Rill
                 lastPosition = time.lastPosition;
                 lastVelocity = time.lastVelocity;
                 lastDuration = time.lastDuration;
+                positionIsKnown = lastDuration > 0f;
             }
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             LoadParts(contents, time, frame);

@@ -98,6 +98,7 @@ namespace Rill
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             isRestored = true;
+            neighborSearch.IsSorted = false;
         }
 
         /// <summary>What the colliders of the next step were to what rests: no change.</summary>

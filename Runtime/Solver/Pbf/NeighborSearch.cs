@@ -22,7 +22,7 @@ namespace Rill
         readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
         readonly PrefixSum prefixSum;
-        GraphicsBuffer cellHistogram, cellRanks;
+        GraphicsBuffer cellHistogram, cellRanks, cellStartsAtRest;
 
         public NeighborSearch(SolverLayout layout) : this(layout, DeviceLimits.Current) { }
 
@@ -41,14 +41,23 @@ namespace Rill
             cells = layout.CellTotal;
             cellHistogram = GpuBuffer.Structured<uint>("Rill.CellHistogram", cells + 1);    // first: too many cells leave nothing behind
             prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), cells + 1);
-            CellStarts = GpuBuffer.Structured<uint>("Rill.CellStarts", cells + 1);
+            CellStarts = MakeCellStarts("Rill.CellStarts");
             cellRanks = GpuBuffer.Structured<uint2>("Rill.CellRanks", layout.Capacity);
             Order = GpuBuffer.Structured<uint2>("Rill.Order", layout.Capacity);
             BufferClear.Now(cellHistogram);
+            BufferClear.Now(CellStarts);        // bound before the first step, too, though nothing is read there
         }
 
-        /// <summary>uint [cells + 1], sorted particles in all cells before; the last is their total.</summary>
+        /// <summary>uint [cells + 1], particles in all cells before, as the newest <see cref="RecordSort"/> put them; the last is their
+        /// total.</summary>
         public GraphicsBuffer CellStarts { get; private set; }
+
+        /// <summary>Whether the particles still lie as the newest <see cref="RecordSort"/> put them; those that came since stand after them.</summary>
+        public bool IsSorted { get; set; }
+
+        /// <summary>uint [cells + 1], the same for <see cref="Order"/> after the newest <see cref="RecordOrderAtRest"/>. A buffer of its own:
+        /// what asks between steps still finds the particles in the rows where the sort put them.</summary>
+        public GraphicsBuffer CellStartsAtRest => cellStartsAtRest ??= MakeCellStarts("Rill.CellStartsAtRest");
 
         /// <summary>uint2 [capacity], by cell: index of the particle and its id.</summary>
         public GraphicsBuffer Order { get; private set; }
@@ -71,7 +80,7 @@ namespace Rill
                 step.Colliders.RecordPaths(step, cellHistogram, cellRanks);
                 cmd.BeginSample(Marker);
             }
-            RecordOrder(cmd, particles);
+            RecordOrder(cmd, particles, CellStarts);
             if (previousIndices != null)
             {
                 cmd.SetComputeBufferParam(shader, GatherPreviousIndices, Viscoelasticity.Ids.PreviousIndices, previousIndices);
@@ -95,6 +104,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
             DispatchOrdered(cmd, particles, kernel);
+            IsSorted = true;
             cmd.EndSample(Marker);
         }
 
@@ -108,20 +118,21 @@ namespace Rill
             DispatchOrdered(cmd, particles, GatherTags);
         }
 
-        /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
+        /// <summary>Records <see cref="CellStartsAtRest"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
         public void RecordOrderAtRest(in StepContext step)
         {
             RestingRegions.RecordKeyword(step.Commands, shader, sleep, null);
             step.BindConstants(shader);
             DispatchCount(step.Commands, step.Particles, countCellsAtRest);
-            RecordOrder(step.Commands, step.Particles);
+            RecordOrder(step.Commands, step.Particles, CellStartsAtRest);
         }
 
         /// <summary>Records a kernel that asks for the order of the particles, by OrderedSlot.hlsl.</summary>
-        public void DispatchOrdered(CommandBuffer cmd, ComputeShader asks, int kernel, ParticleBuffers particles)
+        /// <param name="cellStarts">Those of the order.</param>
+        public void DispatchOrdered(CommandBuffer cmd, ComputeShader asks, int kernel, ParticleBuffers particles, GraphicsBuffer cellStarts)
         {
             cmd.SetComputeBufferParam(asks, kernel, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(asks, kernel, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(asks, kernel, Ids.CellStarts, cellStarts);
             cmd.SetComputeBufferParam(asks, kernel, Ids.Order, Order);
             cmd.SetComputeBufferParam(asks, kernel, Ids.Counters, particles.Counters);
             particles.DispatchSorted(cmd, asks, kernel);
@@ -132,6 +143,7 @@ namespace Rill
             prefixSum.Dispose();
             GpuBuffer.Release(ref cellHistogram);
             GpuBuffer.Release(ref cellRanks);
+            GpuBuffer.Release(ref cellStartsAtRest);
             CellStarts?.Release();
             CellStarts = null;
             Order?.Release();
@@ -152,6 +164,7 @@ namespace Rill
             stage.Kernel(gather.For(withColliders), step.Substeps, variant);
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
+            stage.Buffer("Rill.CellStartsAtRest", cellStartsAtRest);
             stage.Buffer("Rill.CellRanks", cellRanks);
             stage.Buffer("Rill.Order", Order);
             return stage;
@@ -165,7 +178,10 @@ namespace Rill
             stage.Kernel(scatterOrder, 0);
         }
 
-        void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel) => DispatchOrdered(cmd, shader, kernel, particles);
+        GraphicsBuffer MakeCellStarts(string name) => GpuBuffer.Structured<uint>(name, cells + 1);
+
+        void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel)
+            => DispatchOrdered(cmd, shader, kernel, particles, CellStarts);
 
         void RecordCount(in StepContext step, bool takesProjection)
         {
@@ -192,11 +208,11 @@ namespace Rill
         }
 
         // From what was counted.
-        void RecordOrder(CommandBuffer cmd, ParticleBuffers particles)
+        void RecordOrder(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer cellStarts)
         {
-            prefixSum.Record(cmd, cellHistogram, CellStarts, cells + 1);
+            prefixSum.Record(cmd, cellHistogram, cellStarts, cells + 1);
 
-            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellStarts, cellStarts);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Order, Order);

@@ -69,7 +69,7 @@ namespace Rill
         {
             step.Search.RecordOrderAtRest(step);
             step.Commands.SetComputeBufferParam(shader, orderById, Ids.OrderById, step.Particles.SortedIds);
-            step.Search.DispatchOrdered(step.Commands, shader, orderById, step.Particles);
+            step.Search.DispatchOrdered(step.Commands, shader, orderById, step.Particles, step.Search.CellStartsAtRest);
         }
 
         /// <summary>Records a copy of the particles in world space.</summary>

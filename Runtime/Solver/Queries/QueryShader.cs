@@ -142,6 +142,7 @@ namespace Rill
         {
             step.BindConstants(shader);
             step.Commands.SetKeyword(shader, withTags, tags != null);
+            step.Commands.SetComputeIntParam(shader, Ids.IsSorted, step.Search.IsSorted ? 1 : 0);
         }
 
         void Detect(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int first, int count,
@@ -195,6 +196,7 @@ namespace Rill
             public static readonly int Points = Shader.PropertyToID("_Points");
             public static readonly int Detectors = Shader.PropertyToID("_Detectors");
             public static readonly int Results = Shader.PropertyToID("_Results");
+            public static readonly int IsSorted = Shader.PropertyToID("_IsSorted");
             public static readonly int Up = Shader.PropertyToID("_Up");
             public static readonly int RingHeights = Shader.PropertyToID("_RingHeights");
             public static readonly int FirstDetectorWord = Shader.PropertyToID("_FirstDetectorWord");

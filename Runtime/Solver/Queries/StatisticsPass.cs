@@ -65,7 +65,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStartsAtRest);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Partials, partials);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Histogram, histogram);

@@ -113,7 +113,7 @@ namespace Rill
             commands.SetComputeIntParam(shader, Ids.BatchCount, count);
             step.Colliders?.BindShapes(commands, shader, kernel);
             commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
-            commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStartsAtRest);
             commands.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
             commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             commands.SetComputeBufferParam(shader, kernel, Ids.Free, free);

@@ -172,7 +172,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, markApart, Ids.FromCounters, from.Counters);
             cmd.SetComputeBufferParam(shader, markApart, Ids.Goes, goes);
             cmd.SetComputeBufferParam(shader, markApart, Ids.To, to.Positions);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.CellStarts, taker.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, markApart, Ids.CellStarts, taker.Search.CellStartsAtRest);
             cmd.SetComputeBufferParam(shader, markApart, Ids.Order, taker.Search.Order);
             Dispatch(cmd, markApart, from);
             RecordWrites(cmd, from, to);

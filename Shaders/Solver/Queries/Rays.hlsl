@@ -55,16 +55,16 @@ float DensityAt(float3 p)
     for (uint z = rows.y; z <= rows.w; z++)
         for (uint y = rows.x; y <= rows.z; y++)
         {
-            uint2 range = RowRange(p, reach * reach, y, z);
+            uint2 range = SortedRange(p, reach * reach, y, z);
             for (uint i = range.x; i < range.y; i++)
             {
-                float3 away = _Positions[i].xyz - p;
+                float3 away = PositionOf(i) - p;
                 sum += Poly6(dot(away, away));
             }
         }
-    for (uint late = _Counters[kSorted]; late < _Counters[kAlive]; late++)
+    for (uint late = FirstUnsorted(); late < _Counters[kAlive]; late++)
     {
-        float3 away = _Positions[late].xyz - p;
+        float3 away = PositionOf(late) - p;
         sum += Poly6(dot(away, away));
     }
     return _DensityScale * sum / OpenPart(p);
@@ -79,17 +79,17 @@ float3 SumSlope(uint thread, float3 p)
     uint2 counts = rows.zw - rows.xy + 1;
     for (uint row = thread / kRowLanes; row < counts.x * counts.y; row += kProbeGroup / kRowLanes)
     {
-        uint2 range = RowRange(p, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
+        uint2 range = SortedRange(p, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
         for (uint i = range.x + thread % kRowLanes; i < range.y; i += kRowLanes)
         {
-            float3 away = _Positions[i].xyz - p;
+            float3 away = PositionOf(i) - p;
             float left = max(kSupportSquared - dot(away, away), 0.0);
             sum += 6.0 * left * left * away;
         }
     }
-    for (uint late = _Counters[kSorted] + thread; late < _Counters[kAlive]; late += kProbeGroup)
+    for (uint late = FirstUnsorted() + thread; late < _Counters[kAlive]; late += kProbeGroup)
     {
-        float3 away = _Positions[late].xyz - p;
+        float3 away = PositionOf(late) - p;
         float left = max(kSupportSquared - dot(away, away), 0.0);
         sum += 6.0 * left * left * away;
     }

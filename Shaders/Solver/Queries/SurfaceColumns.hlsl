@@ -72,7 +72,7 @@ void AddRings(uint thread, uint firstColumn, float3 center, float3 up)
     uint rowLane = lane % (kRingLanes / 2);
     for (uint row = rowLane / kTubeRowLanes; row < counts.x * counts.y; row += kRingLanes / 2 / kTubeRowLanes)
     {
-        uint2 range = RowRange(middle, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
+        uint2 range = SortedRange(middle, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
         for (uint i = range.x + rowLane % kTubeRowLanes * kAtOnce; i < range.y; i += kTubeRowLanes * kAtOnce)
         {
             float3 particles[kAtOnce];
@@ -82,8 +82,8 @@ void AddRings(uint thread, uint firstColumn, float3 center, float3 up)
                 ListInTube(slot, true, start, -up, from, from + tube, particles[k]);
         }
     }
-    for (uint late = _Counters[kSorted] + lane; late < _Counters[kAlive]; late += kRingLanes)
-        ListInTube(slot, true, start, -up, -kSupport, 2.0 * kRingReach + kSupport, _Positions[late].xyz);
+    for (uint late = FirstUnsorted() + lane; late < _Counters[kAlive]; late += kRingLanes)
+        ListInTube(slot, true, start, -up, -kSupport, 2.0 * kRingReach + kSupport, PositionOf(late));
 }
 
 // Height of the surface in a column over the center's: of those in reach the nearest; kNoHeight for none.

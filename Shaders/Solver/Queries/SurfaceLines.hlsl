@@ -28,7 +28,7 @@ void LoadParticles(uint first, uint end, out float3 particles[kAtOnce])
     [unroll]
     for (uint k = 0; k < kAtOnce; k++)
     {
-        particles[k] = _Positions[min(first + k, end - 1)].xyz;
+        particles[k] = PositionOf(min(first + k, end - 1));
         particles[k] = first + k < end ? particles[k] : kNowhere;
     }
 }
@@ -96,7 +96,7 @@ void AddChunk(uint thread, float3 start, float3 direction)
         uint2 counts = rows.zw - rows.xy + 1;
         for (uint row = lane / kTubeRowLanes; row < counts.x * counts.y; row += kSegmentLanes / kTubeRowLanes)
         {
-            uint2 range = RowRange(center, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
+            uint2 range = SortedRange(center, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
             for (uint i = range.x + lane % kTubeRowLanes * kAtOnce; i < range.y; i += kTubeRowLanes * kAtOnce)
             {
                 float3 particles[kAtOnce];
@@ -107,8 +107,8 @@ void AddChunk(uint thread, float3 start, float3 direction)
             }
         }
     }
-    for (uint late = _Counters[kSorted] + thread; late < _Counters[kAlive]; late += kProbeGroup)
-        ListInTube(0, false, start, direction, -kSupport, kChunkLength + kSupport, _Positions[late].xyz);
+    for (uint late = FirstUnsorted() + thread; late < _Counters[kAlive]; late += kProbeGroup)
+        ListInTube(0, false, start, direction, -kSupport, kChunkLength + kSupport, PositionOf(late));
 }
 
 // Density relative to rest at a sample of the chunk, at p.

@@ -3,7 +3,6 @@
 #define RILL_WATER_AROUND_INCLUDED
 
 static const float kReachMargin = 1.0;          // d
-static const float kNowhere = -1e9;             // d: away from all that is asked for
 static const uint kRowLanes = 8;                // threads of a row of cells around a point
 static const float kPhaseScale = 1024.0;        // steps of a weight
 static const float kHalfDensity = 0.5;          // where the surface is, of rest
@@ -76,7 +75,7 @@ float OpenPart(float3 p)
 // What is asked of the water around a point: w the density without its scale, xyz velocity times it.
 void AddNear(inout float4 sum, float3 p, bool ofPhases, uint i)
 {
-    float3 difference = _Positions[i].xyz - p;
+    float3 difference = PositionOf(i) - p;
     float weight = Poly6(dot(difference, difference));
     if (weight <= 0.0)
         return;
@@ -93,11 +92,11 @@ float4 SumNear(uint thread, float3 p, bool ofPhases)
     uint2 counts = rows.zw - rows.xy + 1;
     for (uint row = thread / kRowLanes; row < counts.x * counts.y; row += kProbeGroup / kRowLanes)
     {
-        uint2 range = RowRange(p, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
+        uint2 range = SortedRange(p, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
         for (uint i = range.x + thread % kRowLanes; i < range.y; i += kRowLanes)
             AddNear(sum, p, ofPhases, i);
     }
-    for (uint late = _Counters[kSorted] + thread; late < _Counters[kAlive]; late += kProbeGroup)
+    for (uint late = FirstUnsorted() + thread; late < _Counters[kAlive]; late += kProbeGroup)
         AddNear(sum, p, ofPhases, late);
     return sum;
 }

@@ -31,6 +31,7 @@ namespace Rill.Tests
             { "neighborSearch.cellHistogram", (Why.Zero, "the prefix sum clears what it has read") },
             { "neighborSearch.cellRanks", (Why.Rewritten, "the count writes it") },
             { "neighborSearch.CellStarts", (Why.Rewritten, "the prefix sum writes it") },
+            { "neighborSearch.cellStartsAtRest", (Why.Rewritten, "the prefix sum writes it") },
             { "neighborSearch.Order", (Why.Rewritten, "the sort writes it") },
             { "coarseCorrection.Bins", (Why.Zero, "passes clear what they have read") },
             { "coarseCorrection.weightedCounts", (Why.Zero, "FindSurface clears what it has read") },
