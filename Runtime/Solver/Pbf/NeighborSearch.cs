@@ -52,7 +52,8 @@ namespace Rill
         /// total.</summary>
         public GraphicsBuffer CellStarts { get; private set; }
 
-        /// <summary>Whether the particles still lie as the newest <see cref="RecordSort"/> put them; those that came since stand after them.</summary>
+        /// <summary>Whether the particles still lie as the newest <see cref="RecordSort"/> put them; those that came since stand after
+        /// them.</summary>
         public bool IsSorted { get; set; }
 
         /// <summary>uint [cells + 1], the same for <see cref="Order"/> after the newest <see cref="RecordOrderAtRest"/>. A buffer of its own:
