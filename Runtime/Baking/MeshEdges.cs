@@ -7,14 +7,19 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// How the triangles of a mesh hang together: vertices at the same place are one, and every edge knows its triangles.
-    /// Only triangles that take part in the bake count.
+    /// How the triangles of a mesh hang together: vertices at the same place are one, so are those that lie almost at one place where
+    /// edges would be open, and every edge knows its triangles. Only triangles that take part in the bake count.
     /// </summary>
     sealed class MeshEdges
     {
         const int None = -1;
         // Few enough that sorting them by insertion is quickest. A vertex of a closed mesh has six triangles on average.
         const int Few = 24;
+
+        // What corners of open edges may lie apart: a fraction of the mesh's size, which six digits of a text file need and a tenth of the
+        // smallest detail that a field can show has not; never more than a fraction of the edges there, so that a small model beside a large one
+        // keeps its gaps. And the rounding of the coordinates, which is all that is left far from the origin.
+        const double JoinOfSize = 1e-5, JoinOfEdge = 1e-2, JoinOfPosition = 1.0 / (1 << 22);
 
         readonly TriangleMesh mesh;
         /// <summary>By vertex of the mesh: its place's number.</summary>
@@ -25,8 +30,8 @@ namespace Rill
         // Sides of triangles, bundled by the lower of their two places: first in sides of each place's bundle, and one more.
         // A side is its higher place, number (3 t + k) and whether it runs downwards, from the highest bits on, so that in a
         // sorted bundle the sides of one edge are neighbors, in the order of their triangles.
-        readonly int[] bundles;
-        readonly ulong[] sides;
+        int[] bundles;
+        ulong[] sides;
         readonly List<int> boundary = new List<int>();
 
         public MeshEdges(BakedTriangles triangles)
@@ -34,13 +39,20 @@ namespace Rill
             Triangles = triangles;
             mesh = triangles.Mesh;
             welded = Weld();
-            sides = Sides(out bundles);
-            Count();
+            FindEdges();
+            if (!IsClosed && JoinNearby())
+                FindEdges();
             Turned = new bool[mesh.TriangleCount];
             if (InconsistentEdges > 0)
                 Orient();
             FindHoles();
             SignedVolume = MeasureVolume();
+        }
+
+        void FindEdges()
+        {
+            sides = Sides(out bundles);
+            Count();
         }
 
         /// <summary>What takes part.</summary>
@@ -51,6 +63,12 @@ namespace Rill
 
         /// <summary>Positions that vertices have.</summary>
         public int Vertices => vertexAt.Count;
+
+        /// <summary>Of those, the ones that lie so near to another that they count as one with it.</summary>
+        public int JoinedVertices { get; private set; }
+
+        /// <summary>Most that such vertices lie apart along an axis, m, where the coordinates are fine enough.</summary>
+        public double JoinDistance => JoinOfSize * math.min(math.cmax((float3)Triangles.Bounds.size), math.sqrt(Triangles.Area));
 
         /// <summary>Edges of one triangle only, and of more than two.</summary>
         public int BoundaryEdges => boundary.Count;
@@ -102,6 +120,78 @@ namespace Rill
         // But for the sign of 0.
         static uint3 Bits(float3 vertex) => math.asuint(vertex + 0f);
 
+        /// <summary>
+        /// Takes places as one that lie almost at one place and are ends of edges that are not those of two triangles facing one side.
+        /// Others are left alone, however near to each other they lie.
+        /// </summary>
+        /// <returns>Whether there were any.</returns>
+        bool JoinNearby()
+        {
+            int[] ends = EndsOfFaultyEdges();
+            double[] tolerances = TolerancesAt(ends);
+            // Along an axis that no grid and no plane of a mesh is likely to lie across, so that few others are near in this order.
+            double3 axis = new double3(1, math.sqrt(2.0), math.sqrt(3.0));
+            var along = new double[ends.Length];
+            var order = new int[ends.Length];
+            for (int i = 0; i < order.Length; i++)
+            {
+                along[i] = math.dot(axis, PositionOf(ends[i]));
+                order[i] = i;
+            }
+            Array.Sort(along, order);
+
+            int[] root = DisjointSets.Of(Vertices);
+            for (int i = 0; i < order.Length; i++)
+            {
+                int a = order[i];
+                double3 at = PositionOf(ends[a]);
+                double reach = along[i] + math.csum(axis) * tolerances[a] * (1 + 1e-9);
+                for (int j = i + 1; j < order.Length && along[j] <= reach; j++)
+                {
+                    int b = order[j];
+                    if (math.cmax(math.abs(PositionOf(ends[b]) - at)) <= math.min(tolerances[a], tolerances[b]))
+                        JoinedVertices += DisjointSets.Join(root, ends[a], ends[b]) ? 1 : 0;
+                }
+            }
+            for (int i = 0; i < welded.Length && JoinedVertices > 0; i++)
+                welded[i] = DisjointSets.Root(root, welded[i]);
+            return JoinedVertices > 0;
+        }
+
+        int[] EndsOfFaultyEdges()
+        {
+            var isEnd = new bool[Vertices];
+            for (int v = 0; v < Vertices; v++)
+                for (int first = bundles[v], end; first < bundles[v + 1]; first = end)
+                {
+                    end = EndOfEdge(first, bundles[v + 1]);
+                    if (end - first != 2 || RunsDown(sides[first]) == RunsDown(sides[first + 1]))
+                        isEnd[v] = isEnd[PlaceOf(sides[first])] = true;
+                }
+            var ends = new List<int>();
+            for (int v = 0; v < Vertices; v++)
+                if (isEnd[v])
+                    ends.Add(v);
+            return ends.ToArray();
+        }
+
+        // By the place's number in the list, m.
+        double[] TolerancesAt(int[] places)
+        {
+            var longest = new double[Vertices];
+            for (int t = 0; t < mesh.TriangleCount; t++)
+                for (int k = 0; k < 3 && Triangles.TakesPart(t); k++)
+                {
+                    int from = Corner(t, k), to = Corner(t, (k + 1) % 3);
+                    double length = math.distance(PositionOf(from), PositionOf(to));
+                    longest[from] = math.max(longest[from], length);
+                    longest[to] = math.max(longest[to], length);
+                }
+            double most = JoinDistance;
+            return Array.ConvertAll(places, place => math.max(math.min(most, JoinOfEdge * longest[place]),
+                JoinOfPosition * math.cmax(math.abs(PositionOf(place)))));
+        }
+
         // Each core counts and files its own triangles. In which order they come does not matter: the bundles are sorted.
         ulong[] Sides(out int[] bundles)
         {
@@ -121,12 +211,19 @@ namespace Rill
             return all;
         }
 
+        // A triangle with two joined corners is a seam between its neighbors: its two sides left are one edge, there and back.
+        bool HasEdges(int t)
+        {
+            int a = Corner(t, 0), b = Corner(t, 1), c = Corner(t, 2);
+            return Triangles.TakesPart(t) && a != b && b != c && c != a;
+        }
+
         void CountSides(int[] counts, int first, int end)
         {
             int[] corners = mesh.Triangles;
             for (int t = first; t < end; t++)
             {
-                if (!Triangles.TakesPart(t))
+                if (!HasEdges(t))
                     continue;
                 int a = welded[corners[3 * t]], b = welded[corners[3 * t + 1]], c = welded[corners[3 * t + 2]];
                 Interlocked.Increment(ref counts[math.min(a, b)]);
@@ -139,7 +236,7 @@ namespace Rill
         {
             int[] corners = mesh.Triangles;
             for (int t = first; t < end; t++)
-                for (int k = 0; k < 3 && Triangles.TakesPart(t); k++)
+                for (int k = 0; k < 3 && HasEdges(t); k++)
                 {
                     int from = welded[corners[3 * t + k]], to = welded[corners[k == 2 ? 3 * t : 3 * t + k + 1]];
                     ulong side = (ulong)math.max(from, to) << 33 | (ulong)(3 * t + k) << 1 | (from > to ? 1ul : 0ul);
@@ -179,6 +276,8 @@ namespace Rill
 
         void Count()
         {
+            boundary.Clear();
+            NonManifoldEdges = InconsistentEdges = 0;
             var open = new List<int>[Chunks.Of(Vertices)];
             var counts = new int2[open.Length];
             Chunks.Run(Vertices, (chunk, firstVertex, endVertex) =>
@@ -277,13 +376,15 @@ namespace Rill
 
         void FindHoles()
         {
-            var root = new Dictionary<int, int>();
+            if (boundary.Count == 0)
+                return;
             var sums = new Dictionary<int, double3>();
+            int[] root = DisjointSets.Of(Vertices);
             foreach (int side in boundary)
-                Join(root, From(sides[side]), To(sides[side]));
+                DisjointSets.Join(root, From(sides[side]), To(sides[side]));
             foreach (int side in boundary)
             {
-                int from = From(sides[side]), to = To(sides[side]), hole = Root(root, from);
+                int from = From(sides[side]), to = To(sides[side]), hole = DisjointSets.Root(root, from);
                 // About a vertex of the hole, so that far from the origin nothing is lost.
                 double3 middle = PositionOf(hole), area = 0.5 * math.cross(PositionOf(from) - middle, PositionOf(to) - middle);
                 sums.TryGetValue(hole, out double3 sum);
@@ -304,26 +405,6 @@ namespace Rill
         }
 
         double3 PositionOf(int place) => (float3)mesh.Vertices[vertexAt[place]];
-
-        static int Root(Dictionary<int, int> root, int vertex)
-        {
-            while (root.TryGetValue(vertex, out int above) && above != vertex)
-            {
-                if (root.TryGetValue(above, out int higher))
-                    root[vertex] = higher;
-                vertex = above;
-            }
-            return vertex;
-        }
-
-        static void Join(Dictionary<int, int> root, int a, int b)
-        {
-            a = Root(root, a);
-            b = Root(root, b);
-            root[math.max(a, b)] = math.min(a, b);
-            if (!root.ContainsKey(math.min(a, b)))
-                root[math.min(a, b)] = math.min(a, b);
-        }
 
         double MeasureVolume()
         {

@@ -13,6 +13,9 @@ namespace Rill
         // A volume below this fraction of the area's power 3/2 is none: both sides of a sheet.
         const double MinVolume = 1e-6;
 
+        // Below it there is nothing to see through.
+        const double FlatHoleFraction = 1e-6;
+
         internal MeshReport(TriangleMesh mesh, MeshEdges edges, int nonFiniteVertices, in SelfIntersections.Count intersections)
         {
             Name = mesh.Name;
@@ -23,6 +26,8 @@ namespace Rill
             NonFiniteVertices = nonFiniteVertices;
             NonFiniteTriangles = edges.Triangles.NonFinite;
             DuplicateVertices = mesh.Vertices.Length - edges.Vertices;
+            JoinedVertices = edges.JoinedVertices;
+            JoinDistance = edges.JoinDistance;
             ZeroAreaTriangles = edges.Triangles.WithoutArea;
             BoundaryEdges = edges.BoundaryEdges;
             Holes = edges.Holes;
@@ -59,6 +64,13 @@ namespace Rill
 
         /// <summary>Vertices where another is, as seams of normals and textures make them.</summary>
         public int DuplicateVertices { get; }
+
+        /// <summary>Corners of edges that would be open, within <see cref="JoinDistance"/> of another: taken as one with it.</summary>
+        public int JoinedVertices { get; }
+
+        /// <summary>Most that two corners lie apart, m, that count as one: 1e-5 of the mesh's size. At most a hundredth of the edges there,
+        /// and at least what the coordinates are rounded to far from the origin.</summary>
+        public double JoinDistance { get; }
 
         /// <summary>Triangles thinner than 1e-10 of their longest edge.</summary>
         public int ZeroAreaTriangles { get; }
@@ -148,6 +160,9 @@ namespace Rill
             if (DuplicateVertices > 0)
                 texts.Add($"{Number(DuplicateVertices)} of {Number(Vertices)} vertices lie exactly at another's place: taken as one to " +
                     $"find edges; the distance is not touched.");
+            if (JoinedVertices > 0)
+                texts.Add($"{Number(JoinedVertices)} corners of open edges lie almost at another's place, within {Meters(JoinDistance)} or what " +
+                    $"their coordinates are rounded to: taken as one to find edges; the distance is not touched.");
             if (ZeroAreaTriangles > 0)
                 texts.Add($"{Number(ZeroAreaTriangles)} triangles have no area: left out.");
             if (FlippedTriangles > 0)
@@ -166,6 +181,8 @@ namespace Rill
                     ? $"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: baked as an " +
                     $"open shell of a thickness. To close the holes instead, set the sign to winding number."
                     : "The mesh has no volume: baked as an open shell of a thickness.");
+            else if (BoundaryEdges > 0 && HoleFraction < FlatHoleFraction)
+                texts.Add($"{Number(BoundaryEdges)} open edges bound no area, as where a corner lies on another triangle's edge: as good as closed.");
             else if (BoundaryEdges > 0)
                 texts.Add($"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: closed " +
                     $"smoothly. To keep the surface open, set the sign to open shell.");
@@ -177,6 +194,7 @@ namespace Rill
             return texts;
         }
 
+        static string Meters(double length) => Invariant($"{length:G3} m");
         static string Number(int value) => Invariant($"{value:N0}");
         static string Percent(double fraction) => Invariant($"{100 * fraction:0.#} %");
     }

@@ -67,6 +67,131 @@ namespace Rill.Tests
             Assert.That(MeshCheck.Run(TestMeshes.Tube(1f, 2f, 12, 3)).Holes, Is.EqualTo(2));
         }
 
+        static IEnumerable<(string, TriangleMesh, float)> NearlyClosed()
+        {
+            TriangleMesh box = TestMeshes.Box(new Vector3(1f, 0.7f, 0.4f));
+            yield return ("1e-7 of the size", box, 1e-7f);
+            yield return ("5e-6 of the size", box, 5e-6f);
+            yield return ("in micrometers", box.Shrunk(1e-6f), 1e-12f);
+            yield return ("in kilometers", box.Shrunk(1e3f), 1e-3f);
+            yield return ("where coordinates are rounded to 8 mm", TestMeshes.Box(Vector3.one, new Vector3(1e5f, -9e4f, 3f)), 4e-3f);
+            yield return ("of many triangles", TestMeshes.Torus(1f, 0.4f, 60), 3e-6f);
+            yield return ("a plate of 1e-4 of its size", TestMeshes.Box(new Vector3(1f, 1e-4f, 1f)), 2e-6f);
+        }
+
+        [Test]
+        public void Corners_that_lie_almost_at_one_place_are_one()
+        {
+            foreach ((string what, TriangleMesh mesh, float distance) in NearlyClosed())
+            {
+                MeshReport exact = MeshCheck.Run(mesh), report = MeshCheck.Run(mesh.Apart(distance));
+                Assert.That((report.IsWatertight, report.Holes, report.InconsistentEdges, report.FlippedTriangles, report.Sign),
+                    Is.EqualTo((true, 0, 0, 0, MeshSdfSign.WindingNumber)), what);
+                Assert.That(report.Vertices - report.DuplicateVertices - report.JoinedVertices,
+                    Is.EqualTo(exact.Vertices - exact.DuplicateVertices), $"{what}: none too many");
+                Assert.That(exact.JoinedVertices, Is.Zero);
+                Assert.That(All(report), Does.Contain("almost at another's place").And.Not.Contain("holes"), what);
+                Assert.That(report.SelfIntersections, Is.Zero, what);
+            }
+        }
+
+        [Test]
+        public void Gaps_that_are_wider_stay_holes()
+        {
+            foreach (float distance in new[] { 2e-4f, 1e-2f })
+            {
+                MeshReport report = MeshCheck.Run(TestMeshes.Box(Vector3.one).Apart(distance));
+                Assert.That((report.Holes, report.BoundaryEdges, report.JoinedVertices, report.Sign), Is.EqualTo((12, 36, 0, MeshSdfSign.OpenShell)));
+            }
+            // Each triangle of a small model is a hole that can be seen through, though beside a large plane it is next to nothing.
+            TriangleMesh torus = TestMeshes.Torus(0.1f, 0.04f, 8);
+            var corners = torus.Triangles.Select((v, i) => Vector3.Lerp(torus.Vertices[v], torus.CenterOf(i / 3), 0.05f)).ToArray();
+            var gaps = new TriangleMesh("Gaps", corners, Enumerable.Range(0, corners.Length).ToArray());
+            MeshReport beside = MeshCheck.Run(TriangleMesh.Combine("Beside a plane", new[] { gaps, TestMeshes.Sheet(1e4f) }));
+            Assert.That((beside.BoundaryEdges, beside.JoinedVertices), Is.EqualTo((3 * gaps.TriangleCount + 4, 0)));
+        }
+
+        [Test]
+        public void Corners_are_joined_as_by_comparing_every_pair()
+        {
+            // Clouds of corners somewhat wider than what is joined: some are chains, and some fall into two.
+            TriangleMesh mesh = TestMeshes.Sphere(1f, 6).Apart(6e-5f);
+            double most = MeshCheck.Run(mesh).JoinDistance;
+            Assert.That(most, Is.EqualTo(2e-5).Within(1e-6));
+            int[] set = Enumerable.Range(0, mesh.Vertices.Length).ToArray();
+            int joined = 0;
+            for (int a = 0; a < set.Length; a++)
+                for (int b = 0; b < a; b++)
+                {
+                    double3 apart = math.abs((double3)(float3)mesh.Vertices[a] - (float3)mesh.Vertices[b]);
+                    if (math.cmax(apart) > most || set[a] == set[b])
+                        continue;
+                    joined++;
+                    int from = set[a], to = set[b];
+                    for (int i = 0; i < set.Length; i++)
+                        set[i] = set[i] == from ? to : set[i];
+                }
+            Assert.That(MeshCheck.Run(mesh).JoinedVertices, Is.EqualTo(joined).And.GreaterThan(100));
+            Assert.That(MeshCheck.Run(mesh).BoundaryEdges, Is.GreaterThan(0));
+        }
+
+        [Test]
+        public void Closed_meshes_are_left_alone_however_small_their_parts_are()
+        {
+            TriangleMesh mesh = TriangleMesh.Combine("Plate and speck",
+                new[] { TestMeshes.Box(new Vector3(1f, 2e-6f, 1f)), TestMeshes.Box(1e-6f * Vector3.one, new Vector3(0f, 0.1f, 0f)) });
+            MeshReport report = MeshCheck.Run(mesh);
+            Assert.That((report.IsWatertight, report.JoinedVertices, report.DuplicateVertices), Is.EqualTo((true, 0, 0)));
+        }
+
+        [Test]
+        public void A_triangle_whose_corners_are_joined_does_not_part_its_neighbors()
+        {
+            // A box with an edge that is a strip of two slivers, and every triangle apart.
+            var vertices = new List<Vector3>(TestMeshes.Box(Vector3.one).Vertices);
+            int[] triangles = TestMeshes.Box(Vector3.one).Triangles;
+            vertices.Add(vertices[0] + new Vector3(0f, 0f, 2e-6f));
+            vertices.Add(vertices[1] + new Vector3(0f, 0f, 2e-6f));
+            for (int i = 18; i < triangles.Length; i++)        // the floor and the sides that stand on the strip's other edge
+                triangles[i] = triangles[i] == 0 && i >= 24 && i < 30 ? 8 : triangles[i] == 1 && i >= 30 ? 9 : triangles[i];
+            for (int i = 12; i < 18; i++)
+                triangles[i] = triangles[i] == 0 ? 8 : triangles[i] == 1 ? 9 : triangles[i];
+            var mesh = new TriangleMesh("Strip", vertices.ToArray(), triangles.Concat(new[] { 0, 1, 8, 1, 9, 8 }).ToArray());
+            MeshReport report = MeshCheck.Run(mesh.Apart(2e-7f));
+            Assert.That((report.IsWatertight, report.FlippedTriangles), Is.EqualTo((true, 0)));
+        }
+
+        [Test]
+        public void Corners_on_edges_bound_no_area()
+        {
+            // The top of a box as three triangles, of which two share a corner on an edge that the side knows as one.
+            TriangleMesh box = TestMeshes.Box(Vector3.one);
+            var vertices = box.Vertices.Concat(new[] { new Vector3(0.1f, 0.5f, 0.5f) }).ToArray();
+            int[] triangles = box.Triangles.Take(21).Concat(new[] { 3, 6, 8, 3, 8, 7 }).Concat(box.Triangles.Skip(24)).ToArray();
+            MeshReport report = MeshCheck.Run(new TriangleMesh("T", vertices, triangles));
+            Assert.That((report.BoundaryEdges, report.Sign), Is.EqualTo((3, MeshSdfSign.WindingNumber)));
+            Assert.That(All(report), Does.Contain("3 open edges bound no area").And.Not.Contain("holes"));
+        }
+
+        [Test]
+        public void Doubled_faces_and_parts_that_touch_keep_the_mesh_closed()
+        {
+            TriangleMesh box = TestMeshes.Box(Vector3.one);
+            TriangleMesh face = box.Without(t => t > 1);
+            var meshes = new[]
+            {
+                TriangleMesh.Combine("Doubled face", new[] { box, face }),
+                TriangleMesh.Combine("Doubled", new[] { box, box }),
+                TriangleMesh.Combine("Touching", new[] { box, TestMeshes.Box(Vector3.one, Vector3.right) }),
+            };
+            foreach (TriangleMesh mesh in meshes.Concat(meshes.Select(mesh => mesh.Apart(2e-7f))))
+            {
+                MeshReport report = MeshCheck.Run(mesh);
+                Assert.That((report.BoundaryEdges, report.Sign, report.IsInsideOut), Is.EqualTo((0, MeshSdfSign.WindingNumber, false)), mesh.Name);
+                Assert.That(report.NonManifoldEdges, Is.GreaterThan(0), mesh.Name);
+            }
+        }
+
         [Test]
         public void Both_sides_of_a_sheet_have_no_volume()
         {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -96,6 +97,16 @@ namespace Rill.Tests
                 if (isTurned(t))
                     (triangles[3 * t], triangles[3 * t + 1]) = (triangles[3 * t + 1], triangles[3 * t]);
             return new TriangleMesh(mesh.Name + " turned", mesh.Vertices, triangles);
+        }
+
+        /// <summary>Every triangle with corners of its own, each moved along the axes by at most half a distance, m.</summary>
+        public static TriangleMesh Apart(this TriangleMesh mesh, float distance)
+        {
+            var random = new Unity.Mathematics.Random(11);
+            var corners = new Vector3[mesh.Triangles.Length];
+            for (int i = 0; i < corners.Length; i++)
+                corners[i] = mesh.Vertices[mesh.Triangles[i]] + (Vector3)random.NextFloat3(-0.5f * distance, 0.5f * distance);
+            return new TriangleMesh(mesh.Name + " apart", corners, Enumerable.Range(0, corners.Length).ToArray());
         }
 
         /// <summary>Every triangle drawn together towards the origin.</summary>

@@ -72,6 +72,34 @@ namespace Rill.Tests
             });
         }
 
+        [Test]
+        public void A_cube_whose_corners_lie_a_little_apart_lets_no_water_stay_inside()
+        {
+            MeshSdfSettings settings = MeshSdfSettings.Default;
+            settings.resolution = 24;
+            SignedDistanceField cube = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Box(0.5f * Vector3.one).Apart(5e-8f), settings));
+            try
+            {
+                float3 middle = 8f;
+                using (TestFluid fluid = new TestFluid(2f * middle * Spacing, Spacing, 512).AddBlock((middle - 4f) * Spacing, 8f * Spacing))
+                {
+                    ColliderMotion solid = ColliderTests.Still(ColliderShape.Mesh, cube.Bounds.extents / Spacing, middle, quaternion.identity);
+                    solid.field = cube.Texture;
+                    solid.voxel = cube.VoxelSize / Spacing;
+                    solid.fieldUnit = 1f / Spacing;
+                    ColliderTests.Use(fluid, solid);
+                    fluid.Step(60);
+                    // Half a spacing is what a surface may be off.
+                    Assert.That(fluid.Read().positions.Count(p => math.cmax(math.abs(p.xyz - middle)) < 4.5f), Is.Zero);
+                }
+            }
+            finally
+            {
+                Object.DestroyImmediate(cube.Texture);
+                Object.DestroyImmediate(cube);
+            }
+        }
+
         // Two balls of which no mirror image is a turn, on an object or below a parent with a negative scale.
         [TestCase(-1f, 1f, 1f, 1f)]
         [TestCase(1f, 1f, -1f, 1f)]
