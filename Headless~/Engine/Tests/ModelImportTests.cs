@@ -3,6 +3,7 @@ using System.Text;
 using Host.Assets;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
@@ -66,6 +67,14 @@ namespace Host.Tests
             Assert.That(mesh.normals.Distinct(), Is.EquivalentTo(new[] { Vector3.back, Vector3.left }), "mirrored, and of length 1");
             Assert.That(mesh.uv, Is.EqualTo(Enumerable.Repeat(new Vector2(0.25f, 0.5f), 6)), "as they stand");
             Assert.That(mesh.tangents.Length, Is.EqualTo(6), "there are tangents where there are texture coordinates");
+        }
+
+        [Test]
+        public void A_polygon_that_crosses_itself_is_discarded_with_unitys_warning()
+        {
+            LogAssert.Expect(LogType.Warning, "A polygon of Mesh 'default' in Assets/Part.obj is self-intersecting and has been discarded.");
+            Mesh mesh = Import(Square + "f 1//1 3//1 2//1 4//1\n");
+            Assert.That(mesh.triangles.Length, Is.EqualTo(6));
         }
 
         [Test]

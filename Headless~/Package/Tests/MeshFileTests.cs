@@ -67,7 +67,101 @@ namespace Host.Tests
         {
             MeshFile mesh = Obj(CubeVertices + "g empty\ng a\nf 1 4 3 2\nusemtl red\nf 5 6 7 8\nl 1 2 3\nl 4 5\np 1\n");
             Assert.That(mesh.Parts, Is.EqualTo(2));
-            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 lines are left out.", "1 points are left out." }));
+            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 lines are left out, the first in line 14.", "1 points are left out, the first in line 16." }));
+        }
+
+        /// <summary>A polygon in the plane z = 0 and the same at z = 1, joined by quads: what is not cut as its outline says is not closed, or has
+        /// more surface.</summary>
+        static string Prism(params (double X, double Y)[] outline)
+        {
+            var text = new StringBuilder();
+            foreach (int z in new[] { 0, 1 })
+                foreach ((double x, double y) in outline)
+                    text.Append(FormattableString.Invariant($"v {x:R} {y:R} {z}\n"));
+            int n = outline.Length;
+            text.Append("f " + string.Join(" ", Enumerable.Range(1, n).Reverse()) + "\nf " + string.Join(" ", Enumerable.Range(n + 1, n)) + "\n");
+            for (int i = 0; i < n; i++)
+                text.Append($"f {1 + i} {1 + (i + 1) % n} {1 + n + (i + 1) % n} {1 + n + i}\n");
+            return text.ToString();
+        }
+
+        static (double X, double Y)[] Outline(string places) => places.Split(' ').Select(place => place.Split(',').Select(double.Parse).ToArray())
+            .Select(p => (p[0], p[1])).ToArray();
+
+        static (double X, double Y)[] Star(int corners, Func<int, double> radius)
+            => Enumerable.Range(0, corners).Select(i => (Radius: radius(i), Angle: 2 * Math.PI * i / corners))
+            .Select(p => (p.Radius * Math.Cos(p.Angle), p.Radius * Math.Sin(p.Angle))).ToArray();
+
+        static IEnumerable<TestCaseData> Outlines()
+        {
+            TestCaseData Named(string name, (double X, double Y)[] outline) => new TestCaseData(new object[] { outline }).SetName("{m}_" + name);
+            yield return Named("channel", Outline("0,0 4,0 4,3 3,3 3,1 1,1 1,3 0,3"));
+            yield return Named("arrow_of_four_corners", Outline("0,0 2,1 0,2 1,1"));
+            yield return Named("arrow_that_begins_at_its_notch", Outline("1,1 0,0 2,1 0,2"));
+            yield return Named("comb", Outline("0,0 7,0 7,3 6,3 6,1 5,1 5,3 4,3 4,1 3,1 3,3 2,3 2,1 1,1 1,3 0,3"));
+            yield return Named("spiral", Outline("0,0 6,0 6,6 1,6 1,2 4,2 4,4 3,4 3,3 2,3 2,5 5,5 5,1 0,1"));
+            yield return Named("square_with_corners_along_its_sides", Outline("0,0 1,0 2,0 3,0 3,1 3,2 3,3 2,3 1,3 0,3 0,2 0,1"));
+            yield return Named("star", Star(10, i => i % 2 == 0 ? 1 : 0.3));
+            yield return Named("outline_of_2000_corners", Star(2000, i => 1 + 0.3 * Math.Sin(40 * 2 * Math.PI * i / 2000)));
+            var random = new System.Random(3);
+            yield return Named("ragged", Star(60, i => 0.1 + random.NextDouble()));
+        }
+
+        [TestCaseSource(nameof(Outlines))]
+        public void A_polygon_is_cut_along_its_outline((double X, double Y)[] outline)
+        {
+            double area = 0, around = 0;
+            for (int i = 0; i < outline.Length; i++)
+            {
+                (double X, double Y) a = outline[i], b = outline[(i + 1) % outline.Length];
+                area += 0.5 * (a.X * b.Y - a.Y * b.X);
+                around += Math.Sqrt((a.X - b.X) * (a.X - b.X) + (a.Y - b.Y) * (a.Y - b.Y));
+            }
+            MeshFile mesh = Obj(Prism(outline));
+            MeshReport report = Check(mesh);
+            Assert.That(mesh.Notes, Is.Empty);
+            Assert.That((report.IsWatertight, report.FlippedTriangles, report.ZeroAreaTriangles), Is.EqualTo((true, 0, 0)));
+            Assert.That(report.Area, Is.EqualTo(2 * Math.Abs(area) + around).Within(1e-5).Percent, "no sheet across a notch");
+            Assert.That(report.SignedVolume, Is.EqualTo(Math.Abs(area)).Within(1e-5).Percent);
+        }
+
+        [Test]
+        public void A_hole_is_left_open_where_a_cut_leads_to_it()
+        {
+            // Out along 1 to 4, in to 5, around to 8 and 5, and back to 1.
+            MeshFile mesh = Obj("v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\nf 1 2 3 4 1 5 6 7 8 5\n");
+            MeshReport report = Check(mesh);
+            Assert.That((report.Triangles, report.BoundaryEdges, report.Holes, report.NonManifoldEdges), Is.EqualTo((8, 8, 2, 0)));
+            Assert.That(report.Area, Is.EqualTo(8).Within(1e-6));
+        }
+
+        [Test]
+        public void Corners_that_are_named_twice_and_polygons_that_are_not_flat_are_cut()
+        {
+            Assert.That(Obj(CubeVertices + "f 1 1 4 3 3 2 1\n").Triangles.Length, Is.EqualTo(6));
+            Assert.That(Obj(CubeVertices + "f 1 4 3 7 3 2\n").Triangles.Length, Is.EqualTo(6), "there and back again bounds nothing");
+            MeshReport bent = Check(Obj("v 0 0 0\nv 4 0 1\nv 4 3 0\nv 3 3 1\nv 3 1 0\nv 1 1 1\nv 1 3 0\nv 0 3 1\nf 1 2 3 4 5 6 7 8\n"));
+            Assert.That((bent.Triangles, bent.Holes, bent.BoundaryEdges), Is.EqualTo((6, 1, 8)));
+        }
+
+        [Test]
+        public void Polygons_that_cannot_be_cut_are_left_out_by_line()
+        {
+            MeshFile mesh = Obj(CubeVertices + CubeFaces + "f 1 3 2 4\nf 1 1 2 2\n" + "v 0 1 9\nv 0.6 -0.8 9\nv -1 0.3 9\nv 1 0.3 9\nv -0.6 -0.8 9\nf 9 10 11 12 13\n");
+            Assert.That(mesh.Triangles.Length, Is.EqualTo(36));
+            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 polygons that cross themselves are left out, the first in line 15.", "1 polygons without area are left out, the first in line 16." }));
+        }
+
+        [Test]
+        public void What_a_file_says_beyond_its_shape_does_no_harm_and_what_it_alone_knows_is_told()
+        {
+            MeshFile plain = Obj(CubeVertices + CubeFaces);
+            string more = CubeVertices.Replace(" 0\n", " 0 1.0\n").Replace(" 3\n", " 3 0.2 0.4 0.6\n") + "s off\nmtllib a.mtl\n" + CubeFaces;
+            Assert.That(Obj(more).Vertices, Is.EqualTo(plain.Vertices));
+            Assert.That(Obj(more).Notes, Is.Empty);
+            Assert.That(Obj(CubeVertices + "face 1 2 3\nF 1 2 3\ncall other.obj\n" + CubeFaces).Notes,
+                Is.EqualTo(new[] { "2 lines that no OBJ file has are left out, the first in line 9.", "1 calls of other files are left out, the first in line 11." }));
+            Assert.That(Obj((CubeVertices + CubeFaces.Replace("4 3", "4 \\\n3")).Replace('\n', '\r')).Triangles, Is.EqualTo(plain.Triangles), "lines of old Macs that go on");
         }
 
         [Test]
@@ -84,6 +178,8 @@ namespace Host.Tests
         [TestCase("v 0 0 0\n\\\n\nf 1x 1 1\n", "Mesh.obj(4): '1x' is no corner")]
         [TestCase("v 0 0\n", "Mesh.obj(1): a vertex takes three numbers")]
         [TestCase("v 0 zero 0\n", "Mesh.obj(1): 'zero' is no number")]
+        [TestCase("v 0,5 1 0\n", "Mesh.obj(1): '0,5' is no number (decimals take a point)")]
+        [TestCase("v 0 1 0 red\n", "Mesh.obj(1): 'red' is no number")]
         [TestCase("PNG and other things\n", "is no OBJ file: no line starts with v or f")]
         [TestCase("", "Mesh.obj is empty")]
         public void A_broken_obj_is_refused_with_its_line(string text, string message)
@@ -148,6 +244,9 @@ namespace Host.Tests
             Assert.That(ReadGlb(Primitive(6)).Triangles.Take(6), Is.EqualTo(new[] { 0, 2, 1, 0, 3, 2 }));
             MeshFile lines = ReadGlb(Primitive(1));
             Assert.That((lines.Triangles.Length, lines.Notes.Single()), Is.EqualTo((0, "1 primitives of points or lines are left out.")));
+            Assert.That(ReadGlb(Primitive(4)).Notes.Single(), Does.Contain("1 primitives end within a triangle"), "8 corners");
+            Assert.That(ReadGlb(Scene("{'mesh':0}").Replace("'scenes':[", "'scenes':[{'nodes':[0]},{},").Replace("'scene':0", "'scene':1")).Notes.Single(),
+                Does.Contain("2 further scenes are left out"));
         }
 
         [Test]
@@ -160,6 +259,9 @@ namespace Host.Tests
             Assert.That(Refusal(good.Take(good.Length - 10).ToArray()), Does.Contain("it is cut off"));
             Assert.That(Refusal(Glb("{'nodes':")), Does.Contain("is damaged"));
             Assert.That(Refusal(Glb(Scene("{'mesh':7}"))), Does.Contain("is damaged"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}", "'mode':7,'attributes':{'POSITION':0}"))), Does.Contain("mode 7 of a primitive does not exist"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0,'extensions':{'EXT_mesh_gpu_instancing':{}}}"))), Does.Contain("repeats node 0 by the glTF extension EXT_mesh_gpu_instancing"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':36", "'count':36,'sparse':{}"))), Does.Contain("has sparse accessors"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0,'children':[0]}"))), Does.Contain("node 0 has two parents"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':36", "'count':37"))), Does.Contain("accessor 1 reaches beyond the end"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':8", "'count':7"))), Does.Contain("an index is not below the 7 vertices"));

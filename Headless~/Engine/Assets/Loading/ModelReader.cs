@@ -36,6 +36,8 @@ namespace Host.Assets
             if (new FileInfo(entry.File).Length == 0) throw new AssetException($"{entry.Path} is empty");
             var file = ObjReader.Read(entry.Name, File.ReadAllBytes(entry.File), entry.Path, withLooks: true);
             var name = MeshName(entry, file.Looks);
+            for (var i = 0; i < file.CrossingPolygons; i++)
+                Debug.LogWarning($"A polygon of Mesh '{name}' in {entry.Path} is self-intersecting and has been discarded.");
             var mesh = Build(file, meshes.Float("globalScale", 1), NormalMode(entry, settings["tangentSpace"], file.Looks));
             mesh.name = name;
             mesh.IsAsset = true;

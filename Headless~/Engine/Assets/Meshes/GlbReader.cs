@@ -13,7 +13,8 @@ namespace Host.Assets
     {
         const uint Magic = 0x46546C67, JsonChunk = 0x4E4F534A, BinaryChunk = 0x004E4942;
         const int Byte = 5120, UnsignedByte = 5121, Short = 5122, UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126;
-        const int TriangleList = 4, TriangleStrip = 5, TriangleFan = 6;
+        const string Instancing = "EXT_mesh_gpu_instancing";
+        const int PointList = 0, TriangleList = 4, TriangleStrip = 5, TriangleFan = 6;
 
         static readonly string[] KnownExtensions = { "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu",
             "EXT_texture_webp", "KHR_lights_punctual" };
@@ -25,7 +26,7 @@ namespace Host.Assets
         readonly List<Vector3> vertices = new();
         readonly List<int> triangles = new();
         readonly HashSet<int> visited = new();
-        int parts, withoutTriangles, skinned, morphed;
+        int parts, withoutTriangles, skinned, morphed, unfinished, otherScenes;
 
         GlbReader(string shownAs, byte[] file, JsonElement root, int binaryStart, int binaryLength)
         {
@@ -72,6 +73,8 @@ namespace Host.Assets
         {
             var notes = new List<string>();
             if (withoutTriangles > 0) notes.Add($"{withoutTriangles} primitives of points or lines are left out.");
+            if (unfinished > 0) notes.Add($"{unfinished} primitives end within a triangle: the rest of their indices is left out.");
+            if (otherScenes > 0) notes.Add($"{otherScenes} further scenes are left out: only the one that the file shows first is read.");
             if (skinned > 0) notes.Add($"{skinned} skinned meshes are taken in the pose that they are stored in.");
             if (morphed > 0) notes.Add($"{morphed} primitives have morph targets: taken without them.");
             return notes;
@@ -87,6 +90,7 @@ namespace Host.Assets
             if (!root.TryGetProperty("nodes", out var nodes)) return;
             if (root.TryGetProperty("scenes", out var scenes))
             {
+                otherScenes = scenes.GetArrayLength() - 1;
                 var scene = scenes[root.TryGetProperty("scene", out var index) ? index.GetInt32() : 0];
                 if (scene.TryGetProperty("nodes", out var roots))
                     foreach (var node in roots.EnumerateArray()) Node(nodes, node.GetInt32(), Matrix4x4.identity);
@@ -104,6 +108,9 @@ namespace Host.Assets
             if (!visited.Add(index)) throw new FormatException($"node {index} has two parents");
             var node = nodes[index];
             var world = parent * Local(node);
+            if (node.TryGetProperty("extensions", out var extensions) && extensions.TryGetProperty(Instancing, out _))
+                throw new AssetException($"{shownAs} repeats node {index} by the glTF extension {Instancing}, which is not read here: export every " +
+                    $"instance as a node of its own");
             if (node.TryGetProperty("mesh", out var mesh))
             {
                 var isSkinned = node.TryGetProperty("skin", out _);
@@ -135,7 +142,8 @@ namespace Host.Assets
         void Primitive(JsonElement primitive, Matrix4x4 world)
         {
             var mode = primitive.TryGetProperty("mode", out var m) ? m.GetInt32() : TriangleList;
-            if (mode != TriangleList && mode != TriangleStrip && mode != TriangleFan)
+            if (mode < PointList || mode > TriangleFan) throw new FormatException($"mode {mode} of a primitive does not exist");
+            if (mode < TriangleList)
             {
                 withoutTriangles++;
                 return;
@@ -151,6 +159,8 @@ namespace Host.Assets
             var count = vertices.Count - first;
             var indices = primitive.TryGetProperty("indices", out var accessor) ? Indices(accessor.GetInt32()) : Enumerable.Range(0, count).ToArray();
             if (indices.Any(i => (uint)i >= (uint)count)) throw new FormatException($"an index is not below the {count} vertices of its primitive");
+
+            if (mode == TriangleList ? indices.Length % 3 != 0 : indices.Length is 1 or 2) unfinished++;
 
             // x is mirrored, and a node that mirrors turns its triangles over once more.
             var turn = world.determinant >= 0f;

@@ -22,6 +22,8 @@ namespace Host.Assets
         public readonly IReadOnlyList<string> Notes;
         /// <summary>What an OBJ file says beside its shape; null where no one asked for it.</summary>
         public MeshLooks Looks;
+        /// <summary>Left out, as Unity does; noted too.</summary>
+        public int CrossingPolygons;
 
         public MeshFile(string name, Vector3[] vertices, int[] triangles, int parts, IReadOnlyList<string> notes)
         {

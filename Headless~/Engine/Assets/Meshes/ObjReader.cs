@@ -8,22 +8,33 @@ using UnityEngine;
 
 namespace Host.Assets
 {
-    /// <summary>Wavefront OBJ: positions and faces; polygons become fans around their first corner. What else a file has does not bear on
-    /// its shape, and is read only where its looks are asked for.</summary>
+    /// <summary>Wavefront OBJ: positions and faces; polygons are cut into triangles along their outline, and those that cross themselves left out,
+    /// as Unity's importer does. What else a file has does not bear on its shape, and is read only where its looks are asked for.</summary>
     /// <remarks>Wavefront, Advanced Visualizer manual, appendix B1 "Object Files". Works on the bytes: a million triangles are read in less
     /// than a second.</remarks>
     internal sealed class ObjReader
     {
         /// <summary>Statements that would add to the shape; the others name, shade or group.</summary>
         static readonly Dictionary<string, string> Elements = new() { ["l"] = "lines", ["p"] = "points", ["curv"] = "curves",
-            ["curv2"] = "curves", ["surf"] = "free-form surfaces" };
+            ["curv2"] = "curves", ["surf"] = "free-form surfaces", ["call"] = "calls of other files" };
+
+        /// <summary>What names, shades, groups, or belongs to a free-form surface.</summary>
+        static readonly HashSet<string> Unneeded = new() { "vt", "vn", "vp", "s", "mg", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp",
+            "lod", "shadow_obj", "trace_obj", "ctech", "stech", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv", "sp", "end", "con",
+            "csh" };
+
+        const string Crossing = "polygons that cross themselves";
+
+        static ReadOnlySpan<byte> Blanks => " \t\0"u8;
 
         readonly string shownAs;
         readonly List<Vector3> vertices = new();
         readonly List<int> triangles = new();
         readonly List<Corner> corners = new();
         readonly MeshLooks looks;
-        readonly Dictionary<string, int> leftOut = new();
+        readonly Dictionary<string, (int Count, int FirstLine)> leftOut = new();
+        readonly List<Vector3> outline = new();
+        readonly List<int> cut = new();
         int line, parts;
         bool isNewPart = true;
         string group = "", item = "", material = "";
@@ -44,9 +55,17 @@ namespace Host.Assets
             reader.ReadLines(text);
             if (reader.vertices.Count == 0 && reader.triangles.Count == 0)
                 throw new AssetException($"{shownAs} is no OBJ file: no line starts with v or f");
-            return new MeshFile(name, reader.vertices.ToArray(), reader.triangles.ToArray(), reader.parts,
-                reader.leftOut.Select(kind => $"{kind.Value.ToString("N0", CultureInfo.InvariantCulture)} {kind.Key} are left out.")
-                .ToList()) { Looks = reader.looks };
+            return new MeshFile(name, reader.vertices.ToArray(), reader.triangles.ToArray(), reader.parts, reader.Notes())
+                { Looks = reader.looks, CrossingPolygons = reader.leftOut.GetValueOrDefault(Crossing).Count };
+        }
+
+        List<string> Notes() => leftOut.Select(kind => string.Create(CultureInfo.InvariantCulture,
+            $"{kind.Value.Count:N0} {kind.Key} are left out, the first in line {kind.Value.FirstLine:N0}.")).ToList();
+
+        void LeaveOut(string what)
+        {
+            var (count, firstLine) = leftOut.GetValueOrDefault(what, (0, line));
+            leftOut[what] = (count + 1, firstLine);
         }
 
         void ReadLines(ReadOnlySpan<byte> text)
@@ -54,17 +73,21 @@ namespace Host.Assets
             if (text.StartsWith("\uFEFF"u8)) text = text.Slice(3);
             while (text.Length > 0)
             {
-                var end = text.IndexOfAny((byte)'\n', (byte)'\r');
-                var one = end < 0 ? text : text.Slice(0, end);
+                var from = text;
+                var one = Line(ref text);
                 line++;
-                if (one.Length > 0 && one[^1] == '\\')
-                {
-                    text = Joined(text);
-                    continue;
-                }
-                Statement(one);
-                text = end < 0 ? default : text.Slice(end + (text[end] == '\r' && end + 1 < text.Length && text[end + 1] == '\n' ? 2 : 1));
+                if (one.Length > 0 && one[^1] == '\\') text = Joined(from);
+                else Statement(one);
             }
+        }
+
+        /// <summary>Ends with any of the three line ends, or with the file.</summary>
+        static ReadOnlySpan<byte> Line(ref ReadOnlySpan<byte> text)
+        {
+            var end = text.IndexOfAny((byte)'\n', (byte)'\r');
+            var one = end < 0 ? text : text.Slice(0, end);
+            text = end < 0 ? default : text.Slice(end + (text[end] == '\r' && end + 1 < text.Length && text[end + 1] == '\n' ? 2 : 1));
+            return one;
         }
 
         /// <summary>Reads a statement that goes on in the next lines; what follows it.</summary>
@@ -73,12 +96,10 @@ namespace Host.Assets
             var whole = new List<byte>();
             for (var more = true; more && text.Length > 0;)
             {
-                var end = text.IndexOf((byte)'\n');
-                var one = (end < 0 ? text : text.Slice(0, end)).TrimEnd((byte)'\r');
+                var one = Line(ref text);
                 more = one.Length > 0 && one[^1] == '\\';
                 foreach (var c in more ? one.Slice(0, one.Length - 1) : one) whole.Add(c);
                 whole.Add((byte)' ');
-                text = end < 0 ? default : text.Slice(end + 1);
                 line += more ? 1 : 0;
             }
             Statement(whole.ToArray());
@@ -99,11 +120,21 @@ namespace Host.Assets
             else if (looks != null && word.SequenceEqual("vn"u8))
                 looks.Normals.Add(new Vector3(-Number(ref rest), Number(ref rest), Number(ref rest)));
             else if (looks != null && word.SequenceEqual("vt"u8)) looks.Uvs.Add(new Vector2(Number(ref rest), Number(ref rest)));
-            else if (word[0] != 'v' && Elements.TryGetValue(Encoding.ASCII.GetString(word), out var kind))
-                leftOut[kind] = leftOut.GetValueOrDefault(kind) + 1;
+            else if (!word.SequenceEqual("vn"u8) && !word.SequenceEqual("vt"u8)) Other(Encoding.UTF8.GetString(word));
         }
 
-        void Vertex(ReadOnlySpan<byte> rest) => vertices.Add(new Vector3(-Number(ref rest), Number(ref rest), Number(ref rest)));
+        void Other(string word)
+        {
+            if (Elements.TryGetValue(word, out var kind)) LeaveOut(kind);
+            else if (!Unneeded.Contains(word)) LeaveOut("lines that no OBJ file has");
+        }
+
+        // Beside the position a weight, which is of curves and surfaces alone, or a color.
+        void Vertex(ReadOnlySpan<byte> rest)
+        {
+            vertices.Add(new Vector3(-Number(ref rest), Number(ref rest), Number(ref rest)));
+            while (rest.TrimStart(Blanks).Length > 0) Number(ref rest);
+        }
 
         void Part(ref string name, ReadOnlySpan<byte> rest)
         {
@@ -116,12 +147,13 @@ namespace Host.Assets
             corners.Clear();
             for (var word = Word(ref rest); word.Length > 0; word = Word(ref rest)) corners.Add(ReadCorner(word));
             if (corners.Count < 3) throw Bad($"a face of {corners.Count} corners; it takes at least 3");
-            for (var i = 1; i + 1 < corners.Count; i++)
+            Cut();
+            for (var i = 0; i < cut.Count; i += 3)
             {
                 // The other way around: x is mirrored.
-                Add(corners[0]);
-                Add(corners[i + 1]);
-                Add(corners[i]);
+                Add(corners[cut[i]]);
+                Add(corners[cut[i + 2]]);
+                Add(corners[cut[i + 1]]);
             }
             if (isNewPart)
             {
@@ -129,6 +161,16 @@ namespace Host.Assets
                 NamePart();
             }
             isNewPart = false;
+        }
+
+        /// <summary>Numbers of the face's corners, three for each triangle.</summary>
+        void Cut()
+        {
+            outline.Clear();
+            cut.Clear();
+            foreach (var corner in corners) outline.Add(vertices[corner.Vertex]);
+            var outcome = Polygon.Cut(outline, cut);
+            if (outcome != Polygon.Outcome.Cut) LeaveOut(outcome == Polygon.Outcome.CrossesItself ? Crossing : "polygons without area");
         }
 
         void Add(in Corner corner)
@@ -185,12 +227,13 @@ namespace Host.Assets
             var text = Shown(word).TrimStart('+', '-').ToLowerInvariant();
             if (text.Contains("nan") || text.Contains("ind")) return float.NaN;
             if (text.StartsWith("inf") || text.StartsWith("1.#inf")) return float.PositiveInfinity;
-            throw Bad(word.Length == 0 ? "a vertex takes three numbers" : $"'{Shown(word)}' is no number");
+            throw Bad(word.Length == 0 ? "a vertex takes three numbers"
+                : $"'{Shown(word)}' is no number{(text.Contains(',') ? " (decimals take a point)" : "")}");
         }
 
         static ReadOnlySpan<byte> Word(ref ReadOnlySpan<byte> rest)
         {
-            rest = rest.TrimStart(" \t\0"u8);
+            rest = rest.TrimStart(Blanks);
             var end = rest.IndexOfAny((byte)' ', (byte)'\t');
             var word = end < 0 ? rest : rest.Slice(0, end);
             rest = rest.Slice(word.Length);
