@@ -132,6 +132,7 @@ namespace Rill
                     problem ??= "water takes no collider of this kind. Put a Fluid Collider on the object, or take it out of Collider Layers.";
                     break;
             }
+            problem ??= FieldAtlas.DeviceProblem(motion.shape);
             motion.start = motion.end = pose;
             return problem;
         }

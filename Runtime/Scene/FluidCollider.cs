@@ -256,6 +256,7 @@ namespace Rill
                     problem ??= DescribeHeights(ref motion, ref pose);
                     break;
             }
+            problem ??= FieldAtlas.DeviceProblem(shape);
             motion.start = motion.end = pose;
             return problem;
         }

@@ -11,6 +11,7 @@
 #include "SurfaceRectangle.hlsl"
 #include "Environment.hlsl"
 #include "Fog.hlsl"
+#include "../Gpu/Filtering.hlsl"
 #include "../Generated/PhaseFrame.hlsl"
 #ifdef RILL_FOAM
 #include "FoamLayer.hlsl"
@@ -154,12 +155,14 @@ struct Medium
 
 Medium MediumAt(float2 picture)
 {
-    float3 at = float3(picture * 0.5 + 0.5, eyeIndex);
     Medium m;
     m.absorption = _Absorption.rgb;
     m.color = _Scattering.rgb;
     m.scattering = _Scattering.w;
-    float4 thickness = max(_SurfaceThickness.SampleLevel(rill_linear_clamp_sampler, at, 0), 0.0);
+    uint width, height, slices;
+    _SurfaceThickness.GetDimensions(width, height, slices);
+    float2 size = float2(width, height);
+    float4 thickness = max(LoadBilinear(_SurfaceThickness, (picture * 0.5 + 0.5) * size, 0.0, size - 1.0, eyeIndex), 0.0);
     m.thickness = _HasPhases > 0.5 ? dot(thickness, 1.0) : thickness.x;
     if (_HasPhases > 0.5 && m.thickness > 1e-6)
     {

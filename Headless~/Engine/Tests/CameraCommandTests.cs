@@ -178,6 +178,47 @@ ENDHLSL
             Object.DestroyImmediate(second);
         }
 
+        [Test]
+        public void What_filters_32_bit_floats_is_refused_by_name(
+            [Values(GraphicsFormat.R32_SFloat, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16_SFloat)] GraphicsFormat format,
+            [Values("inline linear", "inline point", "own linear", "own point", "handed on")] string sampler, [Values] bool drawn)
+        {
+            RenderTexture source = Target(format), target = Target(GraphicsFormat.R16G16B16A16_SFloat, write: true);
+            source.filterMode = sampler == "own linear" ? FilterMode.Bilinear : FilterMode.Point;
+            string name = sampler.StartsWith("own") ? "sampler_Seen" : sampler == "inline point" ? "my_point_clamp_sampler" : "my_linear_clamp_sampler";
+            string code = $"Texture2D _Seen; Texture2D _Other; SamplerState {name};\n" + "float4 Read(Texture2D t, SamplerState s) " +
+                "{ return t.SampleLevel(s, float2(0.3, 0.3), 0); }\n", read = sampler == "handed on" ? $"Read(_Seen, {name})"
+                : $"_Seen.SampleLevel({name}, float2(0.3, 0.3), 0)";
+            void Run()
+            {
+                using var cmd = new CommandBuffer();
+                if (drawn)
+                {
+                    var block = Depth(0.5f);
+                    block.SetTexture("_Seen", source);
+                    cmd.SetRenderTarget(target);
+                    cmd.DrawProcedural(Matrix4x4.identity, MaterialOf(Everywhere + code + $"float4 frag() : SV_Target {{ return {read} " +
+                        "+ _Other.Load(int3(0, 0, 0)); }"), 0, MeshTopology.Triangles, 3, 1, block);
+                }
+                else
+                {
+                    ComputeShader kernels = ComputeOf($"#pragma kernel Read1\n{code}RWTexture2D<float4> _Out;\n" +
+                        $"[numthreads(8, 8, 1)] void Read1(uint2 at : SV_DispatchThreadID) {{ _Out[at] = {read}; }}");
+                    cmd.SetComputeTextureParam(kernels, 0, "_Seen", source);
+                    cmd.SetComputeTextureParam(kernels, 0, "_Out", target);
+                    cmd.DispatchCompute(kernels, 0, 1, 1, 1);
+                }
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+            if (format == GraphicsFormat.R16_SFloat || sampler.EndsWith("point"))
+                Run();
+            else
+                Assert.That(Assert.Throws<GpuUsageException>(Run).Message,
+                    Does.Contain("'_Seen' (RenderTexture 64 x 32)").And.Contain(name).And.Contain("32-bit floats"));
+            Object.DestroyImmediate(source);
+            Object.DestroyImmediate(target);
+        }
+
         // Shows a texture of its own block over the whole picture, in the transparent queue.
         static Material Show() => MaterialOf(Everywhere + "Texture2D _Seen; float4 _Tint; float4 frag(float4 p : SV_Position) : " +
             "SV_Target { return _Seen.Load(int3(p.xy, 0)).grba * _Tint; }", "ZTest Always ZWrite Off", "Transparent");

@@ -38,6 +38,24 @@ namespace Host.Tests
             Assert.That(Application.isMobilePlatform, Is.EqualTo(device == DeviceType.Handheld));
         }
 
+        [TestCase("d3d11", true)]
+        [TestCase("metal", true)]
+        [TestCase("mobile", true)]
+        [TestCase("webgpu", false)]
+        public void A_texture_of_halves_that_kernels_write_is_made_where_the_device_has_them(string name, bool has)
+        {
+            Player.Limits = Named(name);
+            Assert.That(SystemInfo.SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat.RHalf), Is.EqualTo(has));
+            Assert.That(SystemInfo.SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat.RFloat), Is.True);
+            Assert.That(SystemInfo.SupportsRenderTextureFormat(RenderTextureFormat.RHalf), Is.True);
+            var texture = new RenderTexture(8, 8, 0, RenderTextureFormat.RHalf) { name = "Halves", enableRandomWrite = true };
+            if (has)
+                Assert.That(texture.Create(), Is.True);
+            else
+                Assert.That(Assert.Throws<GpuUsageException>(() => texture.Create()).Message, Does.Contain("Halves").And.Contain("R16_SFloat"));
+            Object.DestroyImmediate(texture);
+        }
+
         [TestCase("d3d11", "")]
         [TestCase("metal", "Wide")]
         [TestCase("mobile", "Wide Groupshared Seventeen")]

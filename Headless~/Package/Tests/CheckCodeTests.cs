@@ -30,6 +30,7 @@ namespace Host.Tests
         [TestCase("Waits", "AsyncGPUReadbackRequest.WaitForCompletion", "waits for the GPU")]
         [TestCase("Searches", "GameObject.Find", "scene")]
         [TestCase("Queries", "Enumerable.Sum", "LINQ allocates")]
+        [TestCase("MakesTexture", "RenderTexture..ctor", "has the format")]
         public void A_call_that_stalls_a_frame_is_named_with_its_caller(string method, string called, string why)
         {
             Findings findings = Examine(new FrameCallsRule());
@@ -89,6 +90,7 @@ namespace Host.Tests
         static void ReadsBack(GraphicsBuffer buffer) => buffer.GetData(new int[1]);
         static void Waits(AsyncGPUReadbackRequest request) => request.WaitForCompletion();
         static void Searches() => Instance = GameObject.Find("Fluid");
+        static RenderTexture MakesTexture() => new RenderTexture(1, 1, 0, RenderTextureFormat.RHalf);
         static void Install() => lookup = new object();
         static int Queries() => (lookup == null ? 0 : 1) + cache.Sum() + counter++ + resetTooLate + reset + id + Label.Length;
     }

@@ -79,6 +79,25 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_field_that_no_texture_can_hold_is_left_out_by_name_and_other_colliders_are_not()
+        {
+            Player.Limits = new ApiLimits { Title = "a device without halves to write", Type = ApiLimits.Mobile.Type, WritesSmallTexels = false,
+                Threads = 1024, ThreadsZ = 64, GroupsharedBytes = 32768 };
+            FluidSimulation simulation = FluidSceneTests.Build("everything off");
+            FluidCollider ground = AddCollider(simulation);
+            AddCollider(simulation);
+            using var heights = new HeightField(new float[2, 2], 1f, 1f);
+            ground.Shape = ColliderShape.HeightField;
+            ground.Heights = heights;
+            LogAssert.Expect(LogType.Error, new Regex("FluidCollider '.*this device \\(.*, Vulkan\\) has no textures of the format RHalf that " +
+                "kernels write .*boxes, spheres and capsules"));
+            for (int frame = 0; frame < 3; frame++)
+                PlayerLoop.Frame(FrameTime);
+            Assert.That(simulation.IsRunning, Is.True);
+            Assert.That(simulation.ColliderCount, Is.EqualTo(1));
+        }
+
+        [Test]
         public void What_is_switched_on_later_is_refused_when_it_comes()
         {
             Player.Limits = ApiLimits.WebGpu;

@@ -81,7 +81,7 @@ namespace Host.Tests
         [Test]
         public void It_mirrors_as_much_as_Schlick_says([Values(0f, 50f, 65f)] float degrees)
         {
-            var white = new Cubemap(2, TextureFormat.RGBAFloat, false);
+            var white = new Cubemap(2, TextureFormat.RGBAHalf, false);
             for (CubemapFace face = CubemapFace.PositiveX; face <= CubemapFace.NegativeZ; face++)
                 white.SetPixels(new[] { Color.white, Color.white, Color.white, Color.white }, face);
             white.Apply();

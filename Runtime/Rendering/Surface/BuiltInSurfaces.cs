@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 
 namespace Rill
@@ -11,6 +12,7 @@ namespace Rill
 
         static CameraParts<CameraBuffer> buffers = new CameraParts<CameraBuffer>();
         static ShadowCopy shadow;
+        static bool hasSaidWhy;     // there is none
 
         /// <summary>When a surface begins.</summary>
         public static void Begin()
@@ -34,6 +36,7 @@ namespace Rill
             buffers = new CameraParts<CameraBuffer>();
             shadow?.Dispose();
             shadow = null;
+            hasSaidWhy = false;
         }
 
         public static void Describe(StageDescription stage) => shadow?.Describe(stage);
@@ -70,11 +73,22 @@ namespace Rill
         static void PrepareShadow()
         {
             Light light = null;
+            FluidSurface receiver = null;
             for (int i = 0; i < FluidSurface.Active.Count && light == null; i++)
-                if (FluidSurface.Active[i].ReceiveShadows)
-                    light = FluidSurface.Active[i].KnownLight;
+            {
+                receiver = FluidSurface.Active[i];
+                light = receiver.ReceiveShadows ? receiver.KnownLight : null;
+            }
             if (light != null && (light.type != LightType.Directional || light.shadows == LightShadows.None))
                 light = null;
+            if (light != null && shadow == null && ShadowCopy.DeviceProblem is string why)
+            {
+                if (!hasSaidWhy)
+                    Debug.LogWarning($"Rill: no shadow falls on fluid surfaces: {why}. Turn Receive Shadows of Fluid Surface '{receiver.name}' off " +
+                        $"there.", receiver);
+                hasSaidWhy = true;
+                light = null;
+            }
             if (shadow != null && !shadow.IsOf(light))
             {
                 shadow.Dispose();
@@ -99,17 +113,15 @@ namespace Rill
 
         static void Prepare(ref RenderTexture texture, in FluidViews views)
         {
-            RenderTextureFormat format = views.camera.allowHDR ? RenderTextureFormat.DefaultHDR : RenderTextureFormat.Default;
+            GraphicsFormat format = SystemInfo.GetGraphicsFormat(views.camera.allowHDR ? DefaultFormat.HDR : DefaultFormat.LDR);
             if (texture != null && texture.width == views.width && texture.height == views.height && texture.volumeDepth == views.eyes
-                && texture.format == format)
+                && texture.graphicsFormat == format)
                 return;
             EngineObject.Release(ref texture);
-            texture = new RenderTexture(views.width, views.height, 0, format)
+            texture = GpuTexture.Create("Rill.Surface.SceneColor", new RenderTextureDescriptor(views.width, views.height, format, GraphicsFormat.None)
             {
-                name = "Rill.Surface.SceneColor", hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Bilinear,
                 dimension = views.eyes > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = views.eyes,
-            };
-            texture.Create();
+            }, FilterMode.Bilinear);
         }
 
         sealed class CameraBuffer : ICameraPart

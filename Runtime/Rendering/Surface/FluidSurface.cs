@@ -174,6 +174,8 @@ namespace Rill
 
         private protected override void Begin()
         {
+            if (FluidSurfaceRecorder.DeviceProblem is string why)
+                throw new InvalidOperationException($"{why}. Draw the fluid with a Particle Renderer there.");
             recorder = new FluidSurfaceRecorder();
             shadow = new SurfaceShadow();
             active.Add(this);

@@ -32,6 +32,11 @@ namespace Rill
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         readonly SurfaceConstants constants = new SurfaceConstants();
 
+        /// <summary>Why no surface can be drawn on this device; null where one can.</summary>
+        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.Depth, false)
+            ?? GpuTexture.WhyNot(RenderTextureFormat.RFloat, false) ?? GpuTexture.WhyNot(RenderTextureFormat.RFloat, true)
+            ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, false) ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, true);
+
         public FluidSurfaceRecorder()
         {
             StageShader stage = StageShader.Load("SurfaceViews");

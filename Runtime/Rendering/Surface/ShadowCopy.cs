@@ -62,6 +62,10 @@ namespace Rill
         // As large as the pipeline's map gets at most, up to a limit.
         static int Size => Mathf.Min(512 << (int)QualitySettings.shadowResolution, MaxSize);
 
+        /// <summary>Why there is none on this device; null where there is.</summary>
+        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.RFloat, false)
+            ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBFloat, false);
+
         /// <summary>Whether it is that of this light, which is still there, at the quality of now.</summary>
         public bool IsOf(Light other) => light != null && ReferenceEquals(light, other) && map.width == Size;
 
@@ -115,15 +119,8 @@ namespace Rill
             stage.Texture(valueTexels.name, 16L * valueTexels.width);
         }
 
-        static RenderTexture Make(string name, int width, int height, GraphicsFormat format)
-        {
-            var texture = new RenderTexture(new RenderTextureDescriptor(width, height, format, GraphicsFormat.None))
-            {
-                name = name, hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Point, wrapMode = TextureWrapMode.Clamp,
-            };
-            texture.Create();
-            return texture;
-        }
+        static RenderTexture Make(string name, int width, int height, GraphicsFormat format) =>
+            GpuTexture.Create(name, new RenderTextureDescriptor(width, height, format, GraphicsFormat.None));
 
         static class Ids
         {

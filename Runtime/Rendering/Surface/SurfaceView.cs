@@ -175,16 +175,11 @@ namespace Rill
 
         static RenderTexture Make(string name, int width, int height, int eyes, GraphicsFormat format, bool written)
         {
-            var texture = new RenderTexture(new RenderTextureDescriptor(width, height, format, format == GraphicsFormat.None
+            return GpuTexture.Create(name, new RenderTextureDescriptor(width, height, format, format == GraphicsFormat.None
                 ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
             {
                 dimension = TextureDimension.Tex2DArray, volumeDepth = eyes, enableRandomWrite = written,
-            })
-            {
-                name = name, hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Bilinear, wrapMode = TextureWrapMode.Clamp,
-            };
-            texture.Create();
-            return texture;
+            });
         }
     }
 }

@@ -67,6 +67,15 @@ namespace Rill
             blendFields = new Kernel(shader, "BlendFields");
         }
 
+        /// <summary>Why a collider of a shape cannot be held on this device; null where it can.</summary>
+        public static string DeviceProblem(ColliderShape shape)
+        {
+            if (shape != ColliderShape.Mesh && shape != ColliderShape.HeightField || DeviceGate.HasNoGraphics)
+                return null;
+            string why = GpuTexture.WhyNot(RenderTextureFormat.RHalf, isWritten: true);
+            return why == null ? null : $"{why}, which hold the fields of meshes and grounds. Make it of boxes, spheres and capsules there.";
+        }
+
         /// <summary>In the units of the fields, R16; null while there is none.</summary>
         public RenderTexture Texture => texture;
 
@@ -249,18 +258,10 @@ namespace Rill
 
         static RenderTexture Create(string name, int3 size)
         {
-            var created = new RenderTexture(size.x, size.y, GraphicsFormat.R16_SFloat, GraphicsFormat.None)
+            return GpuTexture.Create(name, new RenderTextureDescriptor(size.x, size.y, GraphicsFormat.R16_SFloat, GraphicsFormat.None)
             {
-                name = name,
-                dimension = TextureDimension.Tex3D,
-                volumeDepth = size.z,
-                enableRandomWrite = true,
-                filterMode = FilterMode.Bilinear,
-                wrapMode = TextureWrapMode.Clamp,
-                hideFlags = HideFlags.HideAndDontSave,
-            };
-            created.Create();
-            return created;
+                dimension = TextureDimension.Tex3D, volumeDepth = size.z, enableRandomWrite = true,
+            }, FilterMode.Bilinear);
         }
 
         void Release()

@@ -11,8 +11,9 @@ groupshared uint g_Hits;            // a bit for each detector that the group ma
 groupshared int g_Totals[kMaxDetectors * kGroupSums * kCopies];
 
 #ifdef MESH
+#include "../../Gpu/Filtering.hlsl"
+
 Texture3D<float> _Field;        // distance, m of the mesh's frame
-SamplerState sampler_LinearClamp;
 #endif
 
 // Fraction of a particle's cube that is in the shape: of a box along its axes exactly, else by the distance of its center.
@@ -22,7 +23,7 @@ float FractionInside(DetectorRegion detector, float3 p)
 #ifdef MESH
     float3 reach = max(abs(detector.size) - detector.halfVoxel, 0.0);
     float3 held = clamp(local, -reach, reach);        // beyond the field its distance grows by that to it
-    float distanceToMesh = _Field.SampleLevel(sampler_LinearClamp, 0.5 + 0.5 * held / detector.size, 0.0) * detector.fieldUnit;
+    float distanceToMesh = LoadTrilinear(_Field, 0.5 + 0.5 * held / detector.size) * detector.fieldUnit;
     return saturate(0.5 - distanceToMesh - length(local - held));
 #else
     if (detector.shape == kBox)

@@ -102,7 +102,7 @@ namespace Rill.Tests
             SurfaceLook smooth = surface.Look;
             smooth.roughness = 0f;
             surface.Look = smooth;
-            var white = new Cubemap(2, TextureFormat.RGBAFloat, false);
+            var white = new Cubemap(2, TextureFormat.RGBAHalf, false);
             foreach (CubemapFace face in new[] { CubemapFace.PositiveX, CubemapFace.NegativeX, CubemapFace.PositiveY, CubemapFace.NegativeY,
                 CubemapFace.PositiveZ, CubemapFace.NegativeZ })
                 white.SetPixels(new[] { Color.white, Color.white, Color.white, Color.white }, face);

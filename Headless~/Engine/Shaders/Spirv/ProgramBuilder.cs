@@ -160,6 +160,9 @@ namespace Host.Shaders
                 added.Add(new Instruction(Op.Decorate, variable[1], (uint)Decoration.Binding, (uint)resource.Binding));
                 resources.Add(resource);
             }
+            var sampled = SampledTextures();
+            foreach (ShaderResource sampler in resources.Where(r => r.Kind == ShaderResourceKind.Sampler))
+                sampler.SampledTextures = sampled[sampler.Name].ToArray();
             return resources.ToArray();
         }
 

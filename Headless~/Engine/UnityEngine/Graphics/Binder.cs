@@ -59,6 +59,7 @@ namespace UnityEngine.Headless
                         break;
                 }
             }
+            CheckFilters(layout);
             return complete && !Aliased(name);
         }
 
@@ -119,7 +120,21 @@ namespace UnityEngine.Headless
                         break;
                 }
             }
+            CheckFilters(layout);
             return complete;
+        }
+
+        // Of the program whose slots were bound last.
+        static void CheckFilters(ProgramLayout layout)
+        {
+            if (!Player.Strict)
+                return;
+            int first = bound - layout.Slots.Length;
+            for (int i = 0; i < layout.Slots.Length; i++)
+                if (layout.Slots[i].Sampled is int[] sampled)
+                    foreach (int slot in sampled)
+                        GpuChecks.Filter(layout.Program.Name, layout.Slots[i].Resource, bindings[first + i].Sampler,
+                            layout.Slots[slot].Resource, bindings[first + slot].Texture);
         }
 
         static void Begin(int count)

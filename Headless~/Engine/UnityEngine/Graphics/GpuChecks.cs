@@ -166,6 +166,21 @@ namespace UnityEngine.Headless
             return true;
         }
 
+        /// <summary>No device has to filter 32-bit floats: Metal, WebGPU and Vulkan on phones need not, and many do not.</summary>
+        public static void Filter(string program, ShaderResource sampler, in DeviceSampler state, ShaderResource resource, DeviceTexture device)
+        {
+            if (device == null || state.Comparison || !(state.Linear || state.LinearMip && device.Description.Mips > 1))
+                return;
+            DeviceFormat format = device.Description.Format;
+            bool optional = format is DeviceFormat.R32_Float or DeviceFormat.RG32_Float or DeviceFormat.RGBA32_Float or DeviceFormat.D32_Float
+                or DeviceFormat.D32_S8;
+            // Blits of the engine itself: their textures are a project's own.
+            if (optional && !program.Contains("(Hidden/", System.StringComparison.Ordinal))
+                GpuError.Strictly($"{program}: '{resource.Name}' ({device.Description.Name}) is {format} and is read through '{sampler.Name}', " +
+                    $"which filters. Metal, WebGPU and many Androids do not filter 32-bit floats: load texels and filter by hand, or use a " +
+                    $"16-bit format.");
+        }
+
         public static bool IsUav(ShaderResourceKind kind) =>
             kind == ShaderResourceKind.RWStructuredBuffer || kind == ShaderResourceKind.RWRawBuffer || kind == ShaderResourceKind.RWTypedBuffer ||
             kind == ShaderResourceKind.RWTexture || kind == ShaderResourceKind.Counter;

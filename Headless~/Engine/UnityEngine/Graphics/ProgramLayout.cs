@@ -22,6 +22,8 @@ namespace UnityEngine.Headless
             public int Id;
             /// <summary>For a sampler that takes a texture's own state: that texture's id, otherwise -1.</summary>
             public int SamplerOf;
+            /// <summary>Of a sampler: the slots of the textures that are read through it.</summary>
+            public int[] Sampled;
             public Field[] Fields;
             /// <summary>A buffer of UNITY_INSTANCING_BUFFER_START: an array has an element for each instance.</summary>
             public bool Instanced;
@@ -42,6 +44,9 @@ namespace UnityEngine.Headless
             Slots = new Slot[program.Resources.Length];
             for (int i = 0; i < Slots.Length; i++)
                 Slots[i] = SlotOf(program.Resources[i]);
+            for (int i = 0; i < Slots.Length; i++)
+                if (program.Resources[i].SampledTextures is string[] names)
+                    Slots[i].Sampled = Array.ConvertAll(names, name => Array.FindIndex(program.Resources, r => r.Name == name));
         }
 
         /// <summary>Why the player's limits do not hold the program; null when they do. Found once.</summary>

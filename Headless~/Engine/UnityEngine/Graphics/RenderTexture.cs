@@ -69,6 +69,13 @@ namespace UnityEngine
                 return true;
             Gpu.RequireDevice($"RenderTexture.Create of '{name}'");
             string label = name.Length > 0 ? name : $"RenderTexture {width} x {height}";
+            if (description.enableRandomWrite && !SystemInfo.SupportsRandomWriteOnRenderTextureFormat(description.colorFormat))
+            {
+                string unsupported = $"RenderTexture '{label}': {Player.Limits.Title} has no random writes to {description.graphicsFormat}; ask " +
+                    $"SystemInfo.SupportsRandomWriteOnRenderTextureFormat first.";
+                GpuError.Report(unsupported, unsupported);
+                return false;
+            }
             if (description.graphicsFormat != GraphicsFormat.None)
                 color = CreateDevice(label, description.graphicsFormat, description.enableRandomWrite);
             if (description.depthStencilFormat != GraphicsFormat.None && dimension != TextureDimension.Tex3D)

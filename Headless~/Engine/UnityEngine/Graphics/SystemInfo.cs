@@ -99,7 +99,12 @@ namespace UnityEngine
         }
 
         public static bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format) =>
-            Compute && format != RenderTextureFormat.Depth && format != RenderTextureFormat.Shadowmap && IsKnown(format);
+            Compute && format != RenderTextureFormat.Depth && format != RenderTextureFormat.Shadowmap && IsKnown(format)
+            && (Player.Limits.WritesSmallTexels || !IsSmall(format));
+
+        // WebGPU, "Texture Format Capabilities", and OpenGL ES 3.1, table 8.27: what has no storage there.
+        static bool IsSmall(RenderTextureFormat format) => format is RenderTextureFormat.R8 or RenderTextureFormat.RG16 or RenderTextureFormat.R16
+            or RenderTextureFormat.RHalf or RenderTextureFormat.RGHalf or RenderTextureFormat.RGB111110Float;
 
         public static bool SupportsTextureFormat(TextureFormat format)
         {

@@ -28,6 +28,8 @@ namespace UnityEngine.Headless
         public int ConstantBytes = 64 * 1024;
         public long BufferBytes = long.MaxValue;
         public bool HasTypedBuffers = true;
+        /// <summary>Kernels write textures of one or two halves, and of 8 or 16 bits a channel; otherwise of four halves and of 32 bits alone.</summary>
+        public bool WritesSmallTexels = true;
 
         /// <summary>Shader model 5.0 and feature level 11_0: 128 views to read (8 to write are Unity's limit everywhere), 1,024 threads of
         /// which 64 along z, 32 KB.</summary>
@@ -67,7 +69,7 @@ namespace UnityEngine.Headless
             Name = "webgpu", Title = "WebGPU", Type = (GraphicsDeviceType)28,
             StorageBuffers = 8, StorageBuffersInGraphics = 8, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
                 Threads = 256, ThreadsZ = 64, GroupsharedBytes = 16384,
-            BufferBytes = 1 << 27, HasTypedBuffers = false,
+            BufferBytes = 1 << 27, HasTypedBuffers = false, WritesSmallTexels = false,
         };
 
         /// <summary>OpenGL ES 3.1 specification, "Implementation dependent values", the least ones.</summary>
@@ -75,7 +77,7 @@ namespace UnityEngine.Headless
         {
             Title = "OpenGL ES 3.1", Type = GraphicsDeviceType.OpenGLES3, IsHandheld = true,
             StorageBuffers = 4, StorageBuffersInGraphics = 0, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
-                Threads = 128, GroupsharedBytes = 16384, HasTypedBuffers = false,
+                Threads = 128, GroupsharedBytes = 16384, HasTypedBuffers = false, WritesSmallTexels = false,
         };
 
         /// <summary>Those that the command line names.</summary>

@@ -54,6 +54,8 @@ namespace UnityEngine.Headless
         public DeviceSampler? InlineSampler;
         /// <summary>For a sampler named sampler_X: "X", whose texture's own filter and wrap it takes.</summary>
         public string SamplerOf;
+        /// <summary>Of a sampler: the textures that the program reads through it; null where that is not known (FXC's bytecode).</summary>
+        public string[] SampledTextures;
         public ConstantLayout Constants;
     }
 

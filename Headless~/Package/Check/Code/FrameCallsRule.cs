@@ -8,11 +8,12 @@ using Host.Pipelines;
 
 namespace Host.Check
 {
-    /// <summary>The runtime assemblies call nothing that would stall a frame or fill the garbage collector.</summary>
+    /// <summary>The runtime assemblies call nothing that would stall a frame, fill the garbage collector, or take a texture's format for
+    /// granted.</summary>
     /// <remarks>Stricter than "not in per-frame paths", and so decidable: what may do so, and when, is written down.</remarks>
     sealed class FrameCallsRule : Rule
     {
-        const string AnyType = "*";
+        const string AnyType = "*", NotAsked = "does not ask whether the device has the format; use GpuTexture.Create";
 
         static readonly (string type, string member, string reason)[] Forbidden =
         {
@@ -38,6 +39,9 @@ namespace Host.Check
             ("Resources", "FindObjectsOfTypeAll", "walks everything that is loaded"),
             ("Component", "SendMessage", "finds methods by name"),
             ("Enumerable", AnyType, "LINQ allocates"),
+            ("RenderTexture", ".ctor", NotAsked),
+            ("RenderTexture", "GetTemporary", NotAsked),
+            ("CommandBuffer", "GetTemporaryRT", NotAsked),
         };
 
         // A method that is called once in a while, and why it may.
@@ -57,10 +61,11 @@ namespace Host.Check
             ("Readback.Complete", "WaitForCompletion", "its callers are in this list"),
             ("FluidRecorder.OnDisable", "WaitForCompletion",
                 "ends the file of a recorder that is disabled or destroyed while it records, as its documentation says; Stop does not wait"),
+            ("GpuTexture.Create", ".ctor", "it asks"),
             ("SnapshotCapture.End", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
         };
 
-        public override string Name => "code: the runtime calls nothing that waits for the GPU, walks the scene or allocates by LINQ";
+        public override string Name => "code: the runtime calls nothing that waits for the GPU, walks the scene, allocates by LINQ or takes a format for granted";
 
         public override Findings Examine(PackageTree package)
         {

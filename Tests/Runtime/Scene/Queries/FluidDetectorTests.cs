@@ -90,10 +90,12 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void The_volume_in_a_mesh_is_that_of_its_field_at_the_objects_pose_and_scale()
+        public void The_volume_in_a_mesh_is_that_of_its_field_at_the_objects_pose_and_scale(
+            [Values(SdfFormat.Half, SdfFormat.Float)] SdfFormat format)
         {
             MeshSdfSettings settings = MeshSdfSettings.Default;
             settings.resolution = 40;
+            settings.format = format;
             TriangleMesh block = TestMeshes.Box(new Vector3(0.6f, 0.5f, 0.4f), new Vector3(0.2f, 0f, 0f));
             SignedDistanceField box = SignedDistanceField.Create(MeshSdfBaker.Bake(block, settings));
             SignedDistanceField ball = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Sphere(0.4f, 24), settings));

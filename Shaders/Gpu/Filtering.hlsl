@@ -1,0 +1,31 @@
+// Filters by hand, as a linear sampler that clamps does: for textures of 32-bit floats, which Metal, WebGPU and many Androids do not
+// filter. Includes nothing.
+#ifndef RILL_FILTERING_INCLUDED
+#define RILL_FILTERING_INCLUDED
+
+// place: 0 to 1 over the texture.
+float LoadTrilinear(Texture3D<float> field, float3 place)
+{
+    uint3 size;
+    field.GetDimensions(size.x, size.y, size.z);
+    float3 at = clamp(place * size - 0.5, 0.0, size - 1.0);
+    int3 a = int3(at), b = min(a + 1, int3(size) - 1);
+    float3 part = at - a;
+    float4 row = lerp(
+        float4(field.Load(int4(a, 0)), field.Load(int4(a.x, b.y, a.z, 0)), field.Load(int4(a.xy, b.z, 0)), field.Load(int4(a.x, b.yz, 0))),
+        float4(field.Load(int4(b.x, a.yz, 0)), field.Load(int4(b.xy, a.z, 0)), field.Load(int4(b.x, a.y, b.z, 0)), field.Load(int4(b, 0))), part.x);
+    float2 plane = lerp(row.xz, row.yw, part.y);
+    return lerp(plane.x, plane.y, part.z);
+}
+
+// texel: from the corner of the first. Of those from low to high, both included.
+float4 LoadBilinear(Texture2DArray<float4> values, float2 texel, float2 low, float2 high, uint slice)
+{
+    float2 at = clamp(texel - 0.5, low, high);
+    int2 a = int2(at), b = min(a + 1, int2(high));
+    float2 part = at - a;
+    return lerp(lerp(values.Load(int4(a, slice, 0)), values.Load(int4(b.x, a.y, slice, 0)), part.x),
+        lerp(values.Load(int4(a.x, b.y, slice, 0)), values.Load(int4(b, slice, 0)), part.x), part.y);
+}
+
+#endif
