@@ -62,6 +62,7 @@ namespace Rill
         float memory;                           // of the water, s
         VirtualMassEstimate estimate;
         float level;                            // of the water, upwards, m
+        Vector3 levelShift;                     // of the fluid, when it was found
         bool levelIsKnown;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
@@ -140,6 +141,7 @@ namespace Rill
             if (g > 0f)
             {
                 Vector3 up = gravity / -g, measured = push;
+                FollowShift(readings[0].force.From, up);
                 float height = MeasureHeights(up);
                 FindLevel(told, fraction);
                 float fractionThen = levelIsKnown ? WetFraction(level, told, then: true) : fraction;
@@ -177,6 +179,15 @@ namespace Rill
             angularAcceleration = Limited(angularAcceleration, limit / math.max(reach, 1e-6f));
         }
 
+        // A fluid that is teleported takes its level along.
+        void FollowShift(FluidSimulation fluid, Vector3 up)
+        {
+            if (ReferenceEquals(fluid, null))
+                return;
+            level += Vector3.Dot(fluid.WorldShift - levelShift, up);
+            levelShift = fluid.WorldShift;
+        }
+
         // Forces and moments of all parts as they were measured, their volume, and means over it.
         void TakeForces(out float told, out Vector3 middle, out Vector3 slipThen, out Vector3 angularSlipThen)
         {
@@ -207,7 +218,7 @@ namespace Rill
                 ref Reading part = ref readings[i];
                 part.height = ColliderMeasures.Width(part.shape, up);
                 part.middle = Vector3.Dot(part.shape.end.position, up);
-                part.middleThen = Vector3.Dot(part.force.Motion.Position, up);
+                part.middleThen = Vector3.Dot(part.force.Motion.Position + part.force.ShiftSince, up);
                 bottom = math.min(bottom, part.middle - 0.5f * part.height);
                 top = math.max(top, part.middle + 0.5f * part.height);
             }

@@ -66,6 +66,7 @@ namespace Rill
         const float LeaveFraction = 0.5f, CalmFraction = 0.8f;
 
         FluidDetectorSample latest;
+        [NonSerialized] Vector3 latestShift;        // of the fluid, when it was asked for
         [NonSerialized] bool isNew, isEntered, isFilled, isImpact;
 
         /// <summary>A box, a sphere, a capsule or a mesh.</summary>
@@ -135,6 +136,8 @@ namespace Rill
             if (!IsAnswered)
                 return false;
             sample = latest;
+            if (latest.valid)
+                sample.position += Simulation.WorldShift - latestShift;
             sample.age = latest.valid ? AgeOf(latest.time) : 0f;
             return sample.valid;
         }
@@ -229,6 +232,7 @@ namespace Rill
             latest.step = frame.step;
             latest.time = frame.time;
             latest.position = pose.position;
+            latestShift = frame.shift;
             for (int phase = 0; phase < Queries.Phases; phase++)
             {
                 double volume = queries.DetectorSum(slot, index, 3 + phase);

@@ -18,10 +18,16 @@ namespace Rill
         /// <summary>The last of them, as <see cref="FluidSimulation.StepCount"/> counts.</summary>
         public readonly int Step;
 
+        readonly Vector3 shift;     // of the simulation, when Motion was followed
+
         /// <summary>N s.</summary>
         public Vector3 Impulse => Force * Duration;
 
-        public FluidForce(FluidSimulation from, Vector3 force, Vector3 torque, in RelativeMotion motion, float duration = 0f, int step = 0)
+        /// <summary>How far the simulation was teleported since, m.</summary>
+        public Vector3 ShiftSince => ReferenceEquals(From, null) ? Vector3.zero : From.WorldShift - shift;
+
+        public FluidForce(FluidSimulation from, Vector3 force, Vector3 torque, in RelativeMotion motion, float duration = 0f, int step = 0,
+            Vector3 shift = default)
         {
             From = from;
             Force = force;
@@ -29,6 +35,7 @@ namespace Rill
             Motion = motion;
             Duration = duration;
             Step = step;
+            this.shift = shift;
         }
     }
 }

@@ -102,7 +102,7 @@ namespace Rill
                 return false;
             }
             RigidPose pose = frame.Pose(transform.position, transform.rotation);
-            RigidPose first = follows ? lastPose : pose;
+            RigidPose first = follows && attached.WentAlong(lastPose, pose) ? lastPose : pose;
             start = RigidPose.Between(first, pose, from);
             end = RigidPose.Between(first, pose, to);
             if (to >= 1f)

@@ -16,6 +16,7 @@ namespace Rill
         [SerializeField] float radius = 0.1f;
 
         FluidProbeSample latest;
+        QueryFrame frame;       // of which it is
 
         /// <summary>Radius of the ball whose submerged fraction is given, m. Out-of-range values are clamped with a warning.</summary>
         public float Radius { get => radius; set { radius = value; Validate(); } }
@@ -39,6 +40,8 @@ namespace Rill
             if (!IsAnswered)
                 return false;
             sample = latest;
+            if (frame.spacing > 0f)
+                sample.Shift(Simulation.WorldShift - frame.shift, frame.up);
             sample.age = latest.step > 0 || latest.valid ? AgeOf(latest.time) : 0f;
             return sample.valid;
         }
@@ -47,11 +50,15 @@ namespace Rill
         {
             base.OnRestart();
             latest = default;
+            frame = default;
         }
 
         /// <param name="words">What came back, of this probe from <paramref name="at"/> on.</param>
         internal void SetResult(in QueryFrame frame, Vector3 position, bool isOutside, NativeArray<uint> words, int at)
-            => latest = QueryResults.Probe(frame, words, at, position, isOutside, radius);
+        {
+            this.frame = frame;
+            latest = QueryResults.Probe(frame, words, at, position, isOutside, radius);
+        }
 
         private protected override string ValidateValues()
         {

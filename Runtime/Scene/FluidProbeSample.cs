@@ -45,5 +45,16 @@ namespace Rill
         /// <summary>The height that <see cref="heightRate"/> makes of <see cref="height"/> until the frame in which the sample was asked
         /// for, m: without the lag, and wrong by what changed its course since.</summary>
         public float ExtrapolatedHeight => height + heightRate * age;
+
+        /// <param name="by">By which the box and its water were put elsewhere since, m.</param>
+        /// <param name="up">Against gravity, length 1; 0 without gravity.</param>
+        internal void Shift(Vector3 by, Vector3 up)
+        {
+            position += by;
+            if (!hasSurface)
+                return;
+            surfacePoint += by;
+            height += Vector3.Dot(by, up);
+        }
     }
 }

@@ -146,7 +146,8 @@ namespace Rill
         FluidProbeSample Sample(Asked of, int index, NativeArray<uint> words)
         {
             float4 place = of.points[index];
-            FluidProbeSample sample = QueryResults.Probe(of.frame, words, buffers.PointAt(index), (Vector3)place.xyz, place.w > 0f, radius);
+            Vector3 position = (Vector3)place.xyz + (fluid.WorldShift - of.frame.shift);
+            FluidProbeSample sample = QueryResults.Probe(of.frame, words, buffers.PointAt(index), position, place.w > 0f, radius);
             sample.age = AgeOf(of);
             return sample;
         }

@@ -107,5 +107,13 @@ namespace Rill
         /// <summary>Where <see cref="velocity"/> has carried <see cref="point"/> until the frame in which this was asked for, m: without
         /// the lag, and wrong by what changed its course since.</summary>
         public Vector3 ExtrapolatedPoint => point + velocity * age;
+
+        /// <param name="by">By which the box and its water were put elsewhere since, m.</param>
+        internal void Shift(Vector3 by)
+        {
+            ray.origin += by;
+            if (hit)
+                point += by;
+        }
     }
 }

@@ -18,6 +18,8 @@ namespace Rill
         public float density;
         /// <summary>Against gravity in world space, length 1; 0 without gravity.</summary>
         public Vector3 up;
+        /// <summary><see cref="FluidSimulation.WorldShift"/></summary>
+        public Vector3 shift;
     }
 
     /// <summary>Reads what came back of a question: from words in the box's frame to world space and SI units.</summary>

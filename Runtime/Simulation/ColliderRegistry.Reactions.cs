@@ -20,12 +20,14 @@ namespace Rill
         int takenCount;
         double takenImpulse;        // N s of a displacement of one particle by d
         Quaternion takenRotation;
+        Vector3 takenShift;         // of the fluid, when they were taken
         int takenStep;
 
         /// <summary>Records the handing over of the sums since the last.</summary>
         /// <param name="rotation">Of the domain, world space.</param>
-        /// <param name="step">The newest.</param>
-        public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, float spacing, Quaternion rotation, int step)
+        /// <param name="fluid">Whose steps they are.</param>
+        public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, float spacing, Quaternion rotation,
+            FluidSimulation fluid)
         {
             taken ??= new Taken[ColliderSet.Most];
             takenCount = Set.Count;
@@ -37,7 +39,8 @@ namespace Rill
                     taken[i].motion = entries[i].track.Take();
             }
             takenRotation = rotation;
-            takenStep = step;
+            takenStep = fluid.StepCount;
+            takenShift = fluid.WorldShift;
             double d = spacing;
             takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep
                 / VelocityExtrapolation.FractionAtOnce(input);
@@ -61,7 +64,8 @@ namespace Rill
                 reactions.Get(i, out double3 sum, out double3 moment);
                 var force = (Vector3)(float3)(sum * scale);
                 var torque = (Vector3)(float3)(moment * (scale * spacing * taken[i].arm));
-                owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[i].motion, reactions.Duration, takenStep));
+                owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[i].motion,
+                    reactions.Duration, takenStep, takenShift));
             }
             // What a listener changes, such as restarting the fluid, is of the next result.
             for (int i = 0; i < takenCount; i++)

@@ -71,7 +71,8 @@ namespace Rill
                 return;
             ToDomain(ref motion, steps.frame);
             int before = LastIndex(collider);
-            bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen));
+            bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen))
+                && steps.fluid.WentAlong(last[before].motion.seen, motion.seen);
             if (follows)
                 Follow(ref motion, last[before].motion, steps.clock);
             if (!IsNear(motion, steps.size))
@@ -99,6 +100,7 @@ namespace Rill
                 return;
             RigidPose pose = steps.frame.World(motion.end);
             entry.track = follows && last[before].motion.reacts ? last[before].track : ColliderTrack.At(pose);
+            entry.track.Teleport(steps.fluid);
             entry.track.Follow(pose, steps.duration, steps.substepTime);
         }
 

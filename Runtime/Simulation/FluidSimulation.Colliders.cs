@@ -69,7 +69,7 @@ namespace Rill
                 return null;
             reactions.Arrived ??= OnReactions;
             GetPose(out _, out Quaternion rotation);
-            colliders.RecordTake(commands, reactions, input, particleSpacing, rotation, StepCount);
+            colliders.RecordTake(commands, reactions, input, particleSpacing, rotation, this);
             return reactions;
         }
 

@@ -139,6 +139,7 @@ namespace Rill
                 spacing = particleSpacing,
                 density = material.density,
                 up = hasGravity ? -gravity.normalized : Vector3.zero,
+                shift = WorldShift,
             };
         }
 

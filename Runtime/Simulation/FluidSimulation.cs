@@ -359,7 +359,10 @@ namespace Rill
             CollectConnections();
             PrepareInput(duration);
             commands.Clear();
-            if (!TryRecordSteps(steps))
+            bool isRecorded = TryRecordSteps(steps);
+            collectedFrame = Frame;
+            isTeleported = false;
+            if (!isRecorded)
             {
                 AfterSteps?.Invoke(false);
                 return;

@@ -21,6 +21,11 @@ namespace Rill
         /// <summary>Particles of the newest move that were to be kept and had no room, as far as has come back.</summary>
         public int RefusedToKeep => Transferred(Leaving, TransferWord.Held);
 
+        /// <summary>What is kept outside goes along with a box that is put elsewhere.</summary>
+        /// <param name="from">Where the box was in world space, m, its lowest corner.</param>
+        /// <param name="to">Where it is now.</param>
+        public void TeleportKept(in RigidPose from, in RigidPose to) => kept?.Teleport(from, to);
+
         /// <summary>Moves the box and leaves the particles where they are in the world, at once: those outside are kept up to a number, and
         /// those kept that it then covers come back.</summary>
         /// <param name="from">Where the box was in world space, m, its lowest corner.</param>

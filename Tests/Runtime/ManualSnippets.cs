@@ -296,6 +296,15 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void ShiftOrigin(Transform root, Vector3 shift, FluidSimulation[] fluids)
+        {
+            #region Shift the origin of the world
+            root.position += shift;                         // fluids, colliders, bodies and cameras are below it
+            foreach (FluidSimulation fluid in fluids)
+                fluid.Teleport();
+            #endregion
+        }
+
         static void StartAgain(FluidSimulation fluid)
         {
             #region Pause and start again

@@ -18,6 +18,14 @@ namespace Rill
         /// <summary>At a place from which nothing is known of its motion.</summary>
         public static ColliderTrack At(in RigidPose pose) => new ColliderTrack { pose = pose };
 
+        /// <summary>Goes along with the box of a fluid that was teleported, if it was.</summary>
+        public void Teleport(FluidSimulation fluid)
+        {
+            RigidPose now = fluid.Teleported(pose);
+            positions += (now.position - pose.position) * time;
+            pose = now;
+        }
+
         /// <param name="next">Pose at the end of the steps, world space, m.</param>
         /// <param name="duration">Their fluid time, s.</param>
         /// <param name="substep">s.</param>

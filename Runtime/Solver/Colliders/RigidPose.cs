@@ -14,6 +14,10 @@ namespace Rill
             this.rotation = rotation;
         }
 
+        /// <summary>How far two poses are apart at most, of points within a reach.</summary>
+        public static float Distance(in RigidPose a, in RigidPose b, float reach)
+            => math.distance(a.position, b.position) + reach * math.length(ColliderTrack.RotationVector(a.rotation, b.rotation));
+
         public bool Equals(in RigidPose other) => position.Equals(other.position) && rotation.Equals(other.rotation);
 
         /// <summary>At a fraction of the way from one to another; at 1, and where they are the same, that one to the bit.</summary>

@@ -40,6 +40,15 @@ namespace Rill
 
         public bool HasTags => sets[0].HasTags;
 
+        /// <summary>They go along with a box that is put elsewhere.</summary>
+        /// <param name="from">Where the corner of that box was, world space, m.</param>
+        /// <param name="to">Where it is now.</param>
+        public void Teleport(in RigidPose from, in RigidPose to)
+        {
+            quaternion turn = math.mul(to.rotation, math.inverse(from.rotation));
+            Box = new RigidPose(to.position + math.rotate(turn, Box.position - from.position), math.mul(turn, Box.rotation));
+        }
+
         /// <summary>After the particles were listed again.</summary>
         public void Advance(in RigidPose box)
         {
