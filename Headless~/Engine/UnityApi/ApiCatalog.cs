@@ -23,10 +23,17 @@ namespace Host.UnityApi
         public IReadOnlyList<string> Unreadable => unreadable;
         public int MemberCount { get; private set; }
 
+        readonly string only;       // "." for all
+
+        /// <summary>Whether it has a say about what begins with the full name of a type.</summary>
+        public bool IsFor(string what) => only == "." || what.StartsWith(only, StringComparison.Ordinal);
+
         /// <param name="more">Packages whose types this version has too, or null.</param>
-        public ApiCatalog(UnityApiLists lists, string version, UnityApiLists more = null)
+        /// <param name="only">A package, "Unity.Mathematics", with its version: it is for types of that namespace alone. Null: for all.</param>
+        public ApiCatalog(UnityApiLists lists, string version, UnityApiLists more = null, (string Namespace, string Version)? only = null)
         {
-            Version = version;
+            Version = only == null ? version : $"{version} with {only.Value.Namespace} {only.Value.Version}";
+            this.only = only?.Namespace + ".";
             var members = new List<(ApiType type, ApiMember member)>();
             foreach (IGrouping<string, ApiLine> group in (more == null ? lists.In(version) : lists.In(version).Concat(more.In(version)))
                 .GroupBy(line => line.Type))

@@ -72,6 +72,17 @@ namespace Host.UnityApi
             return Read(packed, timeline);
         }
 
+        /// <summary>The oldest Unity.Mathematics that a list speaks of.</summary>
+        public const string OldestMathematics = "1.2.6";
+
+        /// <summary>These lists with the oldest Unity.Mathematics in place of the newest.</summary>
+        public UnityApiLists WithOldestMathematics()
+        {
+            using var later = new StreamReader(Resource($"mathematics-after-{OldestMathematics}.txt"));
+            HashSet<string> added = later.ReadToEnd().Split('\n').ToHashSet();
+            return new UnityApiLists(Versions, Packages, Lines.Where(line => !added.Contains($"{line.Type} | {line.Signature}")).ToList());
+        }
+
         static Stream Resource(string name) => typeof(UnityApiLists).Assembly.GetManifestResourceStream(name);
 
         /// <summary>What tools/pack-unity-api packs: the lists' names, then types, below each its members with the bits of the lists that

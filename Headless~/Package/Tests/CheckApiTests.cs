@@ -103,6 +103,34 @@ namespace Host.Tests
         public void A_fault_of_the_package_is_named(string unity, string package, string what, string why)
             => planted.Catches(Members(unity, package), "Rill.dll: ", what, why);
 
+        [TestCase("class X { float f(float x) => math.square(x); }", "Unity.Mathematics.math.square(float)")]
+        [TestCase("class X { AffineTransform f; }", "Unity.Mathematics.AffineTransform")]
+        public void What_the_lowest_Mathematics_lacks_is_named(string package, string what)
+        {
+            planted.Compile("Unity.Mathematics", "namespace Unity.Mathematics { public struct AffineTransform { } public static class math { " +
+                "public static float square(float x) => x * x; public static float abs(float x) => x; } }");
+            planted.Compile("Rill", "using Unity.Mathematics; class Y { float f(float x) => math.abs(x); } " + package);
+            planted.Catches(new UnityMembersRule(JustRill), "Rill.dll: " + what, "Unity 2022.3 with Unity.Mathematics 1.2.6 has no such");
+        }
+
+        [Test]
+        public void A_constant_that_the_lowest_Mathematics_lacks_is_named()
+        {
+            foreach (string name in PackageAssemblies.StandIns.Append("nunit.framework").Where(name => name != "Unity.Mathematics"))
+                planted.Bring(name);
+            planted.Compile("Unity.Mathematics", "namespace Unity.Mathematics { public static class math { public const float PI2 = 6f; } }");
+            planted.Write("Runtime/Planted.cs", "class X { float f = Unity.Mathematics.math.PI2; }");
+            planted.Catches(new SourceNamesRule(), "Runtime/Planted.cs:1", "math.PI2", "Unity.Mathematics 1.2.6");
+        }
+
+        [Test]
+        public void Another_lowest_Mathematics_than_the_one_compared_is_named()
+        {
+            planted.Compile("Rill", "class X { }");
+            planted.Write("package.json", "{ \"name\": \"com.x.y\", \"dependencies\": { \"com.unity.mathematics\": \"1.1.0\" } }");
+            planted.Catches(new UnityMembersRule(JustRill), "com.unity.mathematics 1.1.0", "1.2.6");
+        }
+
         [Test]
         public void An_assembly_that_is_not_there_is_named() => planted.Catches(new UnityMembersRule(JustRill), "Rill.dll is not in", "rill");
 

@@ -42,9 +42,9 @@ namespace Host.Check.Api
                 new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
             var constants = new HashSet<string>();
             int arguments = Examine(compilation, ConstantNames(PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings)),
-                UnityCatalogs.All, constants, findings);
+                UnityCatalogs.Supported, constants, findings);
             findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} " +
-                $"sources, against {string.Join(", ", UnityCatalogs.All.Select(unity => unity.Version))}";
+                $"sources, against {string.Join(", ", UnityCatalogs.Supported.Select(unity => unity.Version))}";
             return findings;
         }
 
@@ -161,7 +161,8 @@ namespace Host.Check.Api
 
         static void Report(Findings findings, IReadOnlyList<ApiCatalog> versions, SyntaxNode node, string what, Func<ApiCatalog, string> complain)
         {
-            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity)))
+            foreach (IGrouping<string, string> same in versions.Where(unity => unity.IsFor(what))
+                .Select(unity => (unity.Version, complaint: complain(unity)))
                 .Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
                 findings.Fault($"{Where(node.GetLocation())}: {what}: Unity {string.Join(", ", same)} {same.Key}");
         }

@@ -16,6 +16,16 @@ namespace Host.Check.Api
 
         public static IReadOnlyList<ApiCatalog> All => all.Value;
 
+        static readonly Lazy<ApiCatalog> oldest = new(() =>
+        {
+            UnityApiLists lists = UnityApiLists.Load();
+            return new ApiCatalog(lists.WithOldestMathematics(), lists.Versions[0], only: ("Unity.Mathematics", UnityApiLists.OldestMathematics));
+        });
+
+        /// <summary>What the package must compile with: every version, and the oldest with the lowest Unity.Mathematics that package.json
+        /// lets a project have.</summary>
+        public static IReadOnlyList<ApiCatalog> Supported => All.Append(oldest.Value).ToList();
+
         /// <param name="optional">Of packages that not every project has, or null.</param>
         public static IReadOnlyList<ApiCatalog> Make(UnityApiLists lists, UnityApiLists optional = null) =>
             lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalog(lists, version, optional)).ToList();

@@ -10,13 +10,15 @@ namespace Host.Check.Api
     /// obsolete.</summary>
     sealed class UnityMembersRule : Rule
     {
+        const string Mathematics = "com.unity.mathematics";
+
         readonly IReadOnlyList<string> names;
         readonly Func<IReadOnlyList<ApiCatalog>> lists;
 
         public UnityMembersRule(IReadOnlyList<string> assemblies = null, Func<IReadOnlyList<ApiCatalog>> lists = null)
         {
             names = assemblies ?? PackageAssemblies.Package;
-            this.lists = lists ?? (() => UnityCatalogs.All);
+            this.lists = lists ?? (() => UnityCatalogs.Supported);
         }
 
         public override string Name => "API: every Unity member exists in every version";
@@ -27,6 +29,11 @@ namespace Host.Check.Api
             IReadOnlyList<ApiCatalog> versions = lists();
             foreach (string line in UnityCatalogs.Unreadable(versions))
                 findings.Fault($"API lists: {line}: teach Headless~/Engine/UnityApi/SignatureParser.cs this form.");
+
+            if (package.Has("package.json") && PackageManifest.Read(package, findings)?.Dependencies.Find(d => d.Key == Mathematics).Value
+                is string lowest && lowest != UnityApiLists.OldestMathematics)
+                findings.Fault($"package.json lets projects have {Mathematics} {lowest}, and what is compared is " +
+                    $"{UnityApiLists.OldestMathematics}: make Headless~/Engine/data/unity-api/mathematics-after-{UnityApiLists.OldestMathematics}.txt over");
 
             var types = new HashSet<string>();
             var members = new HashSet<string>();
@@ -72,7 +79,8 @@ namespace Host.Check.Api
         static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalog> versions,
             Func<ApiCatalog, string> complain, Func<string, string, bool> isKnown, MemberReferenceHandle reference = default)
         {
-            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity)))
+            foreach (IGrouping<string, string> same in versions.Where(unity => unity.IsFor(what))
+                .Select(unity => (unity.Version, complaint: complain(unity)))
                 .Where(v => v.complaint != null && !(isKnown != null && isKnown(what, v.complaint)))
                 .GroupBy(v => v.complaint, v => v.Version))
                 findings.Fault($"{assembly.Name}.dll: {what}: Unity {string.Join(", ", same)} {same.Key}{User(assembly, reference)}");
