@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 
 namespace Rill.Samples
@@ -19,7 +18,7 @@ namespace Rill.Samples
         [Min(0f)]
         [SerializeField] float restartsAfter = 6f;
 
-        [NonSerialized] float over;
+        [System.NonSerialized] float over;
 
         /// <summary>Where it pours, m from the middle of the well.</summary>
         public float Aim { get => aim; set => aim = value; }

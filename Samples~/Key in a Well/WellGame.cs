@@ -1,4 +1,3 @@
-using System;
 using System.Collections;
 using UnityEngine;
 using UnityEngine.Events;
@@ -69,13 +68,13 @@ namespace Rill.Samples
         [SerializeField] UnityEvent lost = new UnityEvent();
 
         FluidSnapshot start;
-        [NonSerialized] FluidBuoyancy buoyancy;
-        [NonSerialized] Vector3 tapStart, keyStart;
-        [NonSerialized] float direction, held, waited;
-        [NonSerialized] bool isPouring, isPutBack;
+        [System.NonSerialized] FluidBuoyancy buoyancy;
+        [System.NonSerialized] Vector3 tapStart, keyStart;
+        [System.NonSerialized] float direction, held, waited;
+        [System.NonSerialized] bool isPouring, isPutBack;
 
         /// <summary>How the game stands.</summary>
-        [field: NonSerialized] public WellState State { get; private set; }
+        [field: System.NonSerialized] public WellState State { get; private set; }
 
         /// <summary>Called when a game begins.</summary>
         public UnityEvent Started => started;

@@ -3,7 +3,6 @@ using UnityEngine;
 namespace Rill.Samples
 {
     /// <summary>Lets a person play: A and D move the tap, Space pours, R starts again. The first key ends the demonstration.</summary>
-    /// <remarks>It reads Unity's Input Manager. With the Input System alone it does nothing: call the game from there.</remarks>
     public sealed class WellKeyboard : MonoBehaviour
     {
         [Tooltip("The game that is played.")]
@@ -32,9 +31,14 @@ namespace Rill.Samples
             pours = Input.GetKey(KeyCode.Space);
             restarts = Input.GetKeyDown(KeyCode.R);
             isPressed = Input.anyKeyDown;
+#elif RILL_INPUT_SYSTEM
+            var keys = UnityEngine.InputSystem.Keyboard.current;        // null where there is none
+            move = keys?.dKey.ReadValue() + keys?.rightArrowKey.ReadValue() - keys?.aKey.ReadValue() - keys?.leftArrowKey.ReadValue() ?? 0f;
+            pours = keys?.spaceKey.isPressed ?? false;
+            restarts = keys?.rKey.wasPressedThisFrame ?? false;
+            isPressed = keys?.anyKey.wasPressedThisFrame ?? false;
 #else
-            move = 0f;
-            pours = restarts = isPressed = false;
+            (move, pours, restarts, isPressed) = (0f, false, false, false);
 #endif
         }
     }

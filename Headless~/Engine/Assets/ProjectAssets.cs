@@ -70,6 +70,9 @@ namespace Host.Assets
             where type != null
             select new KeyValuePair<Type, int>(type, entry.ExecutionOrder);
 
+        /// <summary>Whether a file was asked for, and so made into objects.</summary>
+        public bool IsLoaded(string assetPath) => loaded.ContainsKey(assetPath);
+
         // ---- IAssetSource
 
         public Object LoadResource(string path, Type type) =>

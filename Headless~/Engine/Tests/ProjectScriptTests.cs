@@ -134,6 +134,15 @@ namespace Host.Tests
             Assert.That(Plan().Assemblies.Select(a => a.Name), Is.EqualTo(new[] { "Part" }));
         }
 
+        [Test]
+        public void A_reference_that_a_version_define_says_may_be_missing_is_no_complaint()
+        {
+            Define("Assets/Part", "Part", "\"references\": [ \"Studio.Input\" ], \"versionDefines\": [ { \"name\": \"com.studio.input\", " +
+                "\"expression\": \"\", \"define\": \"STUDIO_INPUT\" } ]");
+            Write("Assets/Part/A.cs", "");
+            Assert.That(Plan().Notes, Is.Empty);
+        }
+
         [TestCase("1.2.0", "", true)]
         [TestCase("1.2.0", "1.2.0", true)]
         [TestCase("1.1.9", "1.2.0", false)]

@@ -16,6 +16,8 @@ namespace Host.Check
             new ScriptNamesRule(),
             new ReferencesRule(),
             new ScriptFieldsRule(),
+            new PipelineMaterialsRule(),
+            new SceneSettingsRule(),
             new RootRule(),
             new TarballRule(),
             new TestProjectRule(),

@@ -255,6 +255,36 @@ namespace Host.Tests
             planted.Catches(new SampleScriptsRule(), what, why);
         }
 
+        const string Game = "Samples~/Key in a Well/Rill.Samples.KeyInAWell.asmdef",
+            GameTests = "Samples~/Key in a Well/Tests/Rill.Samples.KeyInAWell.Tests.asmdef";
+
+        [TestCase(Game, "    \"defineConstraints\": [\n        \"RILL_PHYSICS\"\n    ]", "    \"defineConstraints\": []", "refers to Rill.Physics",
+            "com.unity.modules.physics", TestName = "A_sample_that_does_not_ask_for_a_module_is_named")]
+        [TestCase(GameTests, "com.unity.test-framework", "com.unity.other", "refers to nunit.framework.dll", "com.unity.test-framework",
+            TestName = "A_sample_s_tests_that_do_not_ask_for_the_framework_are_named")]
+        [TestCase(GameTests, "        \"UNITY_INCLUDE_TESTS\",\n", "", "refers to Rill.Testing", "players lack",
+            TestName = "A_sample_s_tests_that_players_would_compile_are_named")]
+        [TestCase(Game, "com.unity.inputsystem", "com.unity.other", "refers to Unity.InputSystem", "no version define",
+            TestName = "A_sample_that_does_not_ask_for_a_package_is_named")]
+        [TestCase(Game, "\"Rill.Physics\",", "\"Gadgets\", \"Rill.Physics\",", "refers to Gadgets", "nothing is known",
+            TestName = "A_sample_that_refers_to_what_is_not_known_is_named")]
+        [TestCase("Samples~/Key in a Well/WellKeyboard.cs", "keys?.spaceKey", "keys?.spacebarKey", "WellKeyboard.cs:37", "spacebarKey",
+            TestName = "A_branch_of_a_sample_that_does_not_compile_is_named")]
+        public void A_fault_in_how_a_sample_is_compiled_is_named(string file, string text, string with, string what, string why)
+        {
+            using (var copy = new PackageCopy())
+                copy.Catches(new SampleScriptsRule(), () => copy.Replace(file, text, with), what, why);
+        }
+
+        [Test]
+        public void A_loose_script_of_a_sample_that_needs_a_module_is_named()
+        {
+            using (var copy = new PackageCopy())
+                copy.Catches(new SampleScriptsRule(), () => copy["Samples~/Column/Push.cs"] = "using UnityEngine; " +
+                    "public sealed class Push : MonoBehaviour { public Rigidbody body; void Start() => body.AddForce(Vector3.up); }",
+                    "Samples~/Column/Push.cs", "com.unity.modules.physics", "Give the scripts an .asmdef");
+        }
+
         [Test]
         public void A_constant_of_what_is_not_known_is_named()
         {

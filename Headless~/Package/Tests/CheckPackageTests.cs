@@ -8,7 +8,7 @@ namespace Host.Tests
     /// <summary>Each rule about the package's files sees the fault that it exists for.</summary>
     public class CheckPackageTests
     {
-        const string Scene = "Samples~/Dam Break/DamBreak.unity", Manifest = "package.json";
+        const string Scene = "Samples~/Dam Break/DamBreak.unity", Bodies = "Samples~/Floating Bodies/FloatingBodies.unity", Manifest = "package.json";
 
         PackageCopy copy;
 
@@ -106,6 +106,11 @@ namespace Host.Tests
             () => copy.Replace("Tests/Runtime/Rill.Tests.asmdef", "UNITY_INCLUDE_TESTS", "OTHER"), "Rill.Tests.asmdef",
             "UNITY_INCLUDE_TESTS");
 
+        [Test]
+        public void A_test_assembly_that_does_not_ask_for_the_framework_is_named() =>
+            copy.Catches(new AssemblyDefinitionsRule(), () => copy.Replace("Tests/Physics/Rill.Physics.Tests.asmdef", "com.unity.test-framework",
+            "com.unity.other"), "Rill.Physics.Tests.asmdef", "com.unity.test-framework");
+
         [TestCase("UNITY_INCLUDE_TESTS || RILL_TESTING", "OTHER", "every player contains it")]
         [TestCase("UNITY_INCLUDE_TESTS || RILL_TESTING", "UNITY_INCLUDE_TESTS", "testables")]
         public void Assertions_that_players_contain_or_projects_lack_are_named(string what, string with, string why) =>
@@ -151,6 +156,45 @@ namespace Host.Tests
         public void A_stored_field_that_the_class_lacks_is_named()
             => copy.Catches(new ScriptFieldsRule(), () => copy.Replace(Scene, "particleSpacing:", "particleDistance:"), "particleDistance",
             "FluidSimulation");
+
+        [TestCase("10303", "f", "Default-Material.mat")]
+        [TestCase("10306", "f", "Default-Line.mat")]
+        public void A_built_in_material_is_named(string id, string guid, string what) =>
+            copy.Catches(new PipelineMaterialsRule(), () => copy.Replace(Bodies, MaterialOf("Ball"),
+            $"{{fileID: {id}, guid: 0000000000000000{guid}000000000000000, type: 0}}"), "FloatingBodies.unity(", "MeshRenderer", what, "pink");
+
+        [Test]
+        public void A_material_with_a_built_in_shader_is_named() =>
+            copy.Catches(new PipelineMaterialsRule(), () => copy.Replace("Samples~/Floating Bodies/Ball.mat",
+            copy["Samples~/Floating Bodies/Ball.mat"].Split('\n').First(line => line.Contains("m_Shader")).Trim(),
+            "m_Shader: {fileID: 46, guid: 0000000000000000f000000000000000, type: 0}"), "Ball.mat(", "Standard", "pink");
+
+        [Test]
+        public void A_renderer_without_a_material_is_named() =>
+            copy.Catches(new PipelineMaterialsRule(), () => copy.Replace(Bodies, MaterialOf("Plank"), "{fileID: 0}"), "FloatingBodies.unity(",
+            "MeshRenderer lacks a material");
+
+        [TestCase("HDRenderPipeline")]
+        [TestCase("UniversalPipeline")]
+        public void A_material_whose_shader_lacks_a_pipeline_is_named(string pipeline) =>
+            copy.Catches(new PipelineMaterialsRule(), () => copy.Replace("Samples~/Waterspout/ParticleGlints.shader",
+            $"\"RenderPipeline\" = \"{pipeline}\"", "\"RenderPipeline\" = \"Other\""), "Glints.mat(", "ParticleGlints.shader",
+            "no SubShader for " + pipeline);
+
+        [TestCase("--- !u!157 &3", "--- !u!156 &3", "LightmapSettings")]
+        [TestCase("--- !u!196 &4", "--- !u!195 &4", "NavMeshSettings")]
+        [TestCase("m_GIWorkflowMode: 1", "m_GIWorkflowMode: 0", "baked as the scene is opened")]
+        public void A_scene_without_its_settings_is_named(string what, string with, string why)
+            => copy.Catches(new SceneSettingsRule(), () => copy.Replace(Scene, what, with), "DamBreak.unity", why);
+
+        [TestCase(" (887be4894c44)", "")]
+        [TestCase("m_EditorVersionWithRevision: 2022.3.22f1", "m_EditorVersionWithRevision: 2022.3.21f1")]
+        public void A_test_project_whose_editor_the_Hub_cannot_offer_is_told(string what, string with)
+            => copy.Catches(new TestProjectRule(), () => copy.Replace("TestProject~/ProjectSettings/ProjectVersion.txt", what, with),
+            "ProjectVersion.txt", "m_EditorVersionWithRevision");
+
+        string MaterialOf(string body) => "{fileID: 2100000, guid: " + copy[$"Samples~/Floating Bodies/{body}.mat.meta"].Split('\n')
+            .First(line => line.StartsWith("guid: ")).Substring(6) + ", type: 2}";
 
         [Test]
         public void A_file_that_only_developers_need_is_not_shipped()

@@ -29,6 +29,8 @@ namespace Host.Assets
 
         public static bool IsKnown(long fileId) => Names.ContainsKey(fileId);
 
+        public static bool IsMesh(long fileId) => Names.TryGetValue(fileId, out var name) && name.EndsWith(".fbx", StringComparison.Ordinal);
+
         public static string NameOf(long fileId) => Names.TryGetValue(fileId, out var name) ? $"'{name}'" : $"object {fileId}";
 
         /// <summary>Null when the engine has none.</summary>

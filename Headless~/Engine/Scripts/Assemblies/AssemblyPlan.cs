@@ -245,8 +245,13 @@ namespace Host.Scripts.Assemblies
                 var target = Find(reference);
                 if (name != null && provided.Contains(name) || target != null && provided.Contains(target.Name))
                     Hosted(assembly, definition, target?.Name ?? name);
-                else if (target == null) Notes.Add($"{definition.Entry.Path} refers to the assembly {Shown(reference)}, which is not " +
-                    $"in the project: the scripts that use it will not compile");
+                else if (target == null)
+                {
+                    // One that tells by a version define whether a package is there does without.
+                    if (definition.VersionDefines.All(define => packages.VersionOf(define.Resource) != null))
+                        Notes.Add($"{definition.Entry.Path} refers to the assembly {Shown(reference)}, which is not in the project: the scripts " +
+                            $"that use it will not compile");
+                }
                 else if (planned.TryGetValue(target, out var other)) assembly.References.Add(other);
                 else if (WhyNot(target, DefinesOf(target)) is string reason) Notes.Add($"{definition.Entry.Path} refers to " +
                     $"{target.Name}, which {reason}: {(tests ? "it is not compiled here" : "a player has it not")}");

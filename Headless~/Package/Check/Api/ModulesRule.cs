@@ -69,11 +69,14 @@ namespace Host.Check.Api
             return findings;
         }
 
-        // Each module with the first type of it; a type that the list lacks is a fault.
-        static IEnumerable<(string Module, ApiTypeName Type)> Uses(CompiledAssembly assembly, UnityModules modules, Findings findings)
+        /// <summary>Each module with the first type of it; a type that the list lacks is a fault.</summary>
+        /// <param name="unlisted">An assembly whose types the list does not have.</param>
+        internal static IEnumerable<(string Module, ApiTypeName Type)> Uses(CompiledAssembly assembly, UnityModules modules, Findings findings,
+            string unlisted = null)
         {
             var first = new SortedDictionary<string, ApiTypeName>(StringComparer.Ordinal);
-            foreach ((string from, ApiTypeName type) in assembly.TypesUsed.Where(use => UnityMembersRule.IsUnity(use.Assembly)))
+            foreach ((string from, ApiTypeName type) in assembly.TypesUsed.Where(use => UnityMembersRule.IsUnity(use.Assembly)
+                && use.Assembly != unlisted))
             {
                 string module;
                 if (type.Path[0] == "UnityEditor")

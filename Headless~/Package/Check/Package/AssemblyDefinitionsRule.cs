@@ -58,6 +58,8 @@ namespace Host.Check
             {
                 Must(definition.OverrideReferences && definition.PrecompiledReferences.Contains("nunit.framework.dll"),
                     "a test assembly needs \"overrideReferences\" with nunit.framework.dll, or it does not compile");
+                Must(definition.NeedsPresent("com.unity.test-framework"), "a test assembly needs a version define of com.unity.test-framework and " +
+                    "its symbol among the constraints, or a project without the framework that embeds the package does not compile");
                 foreach (string runner in new[] { "UnityEngine.TestRunner", "UnityEditor.TestRunner" })
                     Must(definition.References.Contains(runner), $"a test assembly needs a reference to {runner}");
             }

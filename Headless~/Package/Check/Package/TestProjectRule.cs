@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 
 namespace Host.Check
 {
@@ -13,6 +14,8 @@ namespace Host.Check
         // 2022.3 carries 1.1; the tests are written for 1.4.
         const string Framework = "com.unity.test-framework";
         static readonly Version MinFramework = new(1, 4);
+        // The same version twice.
+        static readonly Regex Revision = new(@"m_EditorVersion: (\S+)\s+m_EditorVersionWithRevision: \1 \([0-9a-f]{12}\)\s*$");
 
         public override string Name => "package: the test project opens and runs the tests";
 
@@ -30,6 +33,9 @@ namespace Host.Check
             string version = package.Read(EditorVersion);
             if (!version.Contains($"m_EditorVersion: {manifest.Unity}."))
                 findings.Fault($"{EditorVersion} names another editor than package.json's {manifest.Unity}");
+            if (!Revision.IsMatch(version))
+                findings.Fault($"{EditorVersion} has no m_EditorVersionWithRevision as in \"2022.3.22f1 (887be4894c44)\", by which the Hub " +
+                    "offers that editor");
             try
             {
                 using JsonDocument json = JsonDocument.Parse(package.Read(Manifest));
