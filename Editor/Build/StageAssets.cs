@@ -16,6 +16,9 @@ namespace Rill.Editor
         [InitializeOnLoadMethod]
         static void Install() => StageShader.EditorFind = Find;
 
-        static StageShader Find(string stage) => AssetDatabase.LoadAssetAtPath<StageShader>($"{Folder}/{stage}.asset");
+        /// <summary>Path of a stage's asset, as one of the project.</summary>
+        public static string PathOf(string stage) => $"{Folder}/{stage}.asset";
+
+        static StageShader Find(string stage) => AssetDatabase.LoadAssetAtPath<StageShader>(PathOf(stage));
     }
 }

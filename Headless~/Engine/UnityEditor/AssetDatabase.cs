@@ -168,6 +168,11 @@ namespace UnityEditor
             return found.ToArray();
         }
 
+        /// <summary>Paths that version control does not give to write: for tests.</summary>
+        internal static readonly HashSet<string> Locked = new HashSet<string>();
+
+        public static bool MakeEditable(string path) => !Locked.Contains(path);
+
         public static void Refresh() { }
         public static void SaveAssets() { }
         public static void SaveAssetIfDirty(Object obj) => EditorUtility.ClearDirty(obj);

@@ -124,18 +124,31 @@ namespace Host.Tests
         }
     }
 
-    /// <summary>Prefabs of a project with the package, as they are when a build begins.</summary>
+    /// <summary>Prefabs of a project with the package, as they are when a build begins, and after the menu's command.</summary>
     public class PrefabBuildTests : AssetFixture
     {
-        const string Prefab = "Assets/Tap.prefab";
+        const string Prefab = "Assets/Tap.prefab", Emitter = "Runtime/Scene/FluidEmitter.cs";
         static readonly string Package = PackageFolder.Path;
 
+        [TearDown]
+        public void Unlock() => AssetDatabase.Locked.Clear();
+
         [Test]
-        public void A_prefab_without_the_stages_that_it_uses_is_saved_with_them()
+        public void A_build_names_a_prefab_without_the_stages_that_it_uses_and_writes_nothing()
         {
-            ProjectAssets project = Project("Assets", "  lifetime: 2\n", "Runtime/Scene/FluidEmitter.cs");
-            LogAssert.Expect(LogType.Log, "Rill: the prefab Assets/Tap.prefab now refers to the stages that it uses: Emitters, Drains.");
+            Project("Assets", "  lifetime: 2\n", Emitter);
+            LogAssert.Expect(LogType.Warning, new Regex("^Rill: the prefab Assets/Tap.prefab uses stages that its file does not refer to.*: " +
+                "Emitters, Drains. Run Tools > Rill > Update Prefabs and build again.$"));
             Build();
+            Assert.That(PrefabUtility.Saved, Is.Empty);
+        }
+
+        [Test]
+        public void The_menu_saves_a_prefab_with_the_stages_that_it_uses()
+        {
+            ProjectAssets project = Project("Assets", "  lifetime: 2\n", Emitter);
+            LogAssert.Expect(LogType.Log, "Rill: the prefab Assets/Tap.prefab now refers to the stages Emitters, Drains.");
+            Update();
             Assert.That(PrefabUtility.Saved, Is.EqualTo(new[] { Prefab }));
             IUsesStages emitter = project.LoadAtPath<FluidEmitter>(Prefab);
             Assert.That(emitter.StageReferences.Stages.Select(stage => stage.name), Is.EqualTo(new[] { "Emitters", "Drains" }));
@@ -145,30 +158,61 @@ namespace Host.Tests
         public void A_prefab_that_refers_to_its_stages_is_left_alone()
         {
             Project("Assets",
-                $"  shaders:\n    stages:\n    - {{fileID: 11400000, guid: {Guid("Runtime/Stages/Emitters.asset")}, type: 2}}\n",
-                "Runtime/Scene/FluidEmitter.cs");
+                $"  shaders:\n    stages:\n    - {{fileID: 11400000, guid: {Guid("Runtime/Stages/Emitters.asset")}, type: 2}}\n", Emitter);
             Build();
+            LogAssert.Expect(LogType.Log, "Rill: each prefab refers to the stages that it uses.");
+            Update();
             Assert.That(PrefabUtility.Saved, Is.Empty);
         }
 
         [Test]
-        public void A_prefab_of_other_scripts_is_left_alone()
+        public void A_prefab_of_other_scripts_is_left_alone_and_not_even_loaded()
         {
-            Project("Assets", "  size: 2\n", null);
+            ProjectAssets project = Project("Assets", "  size: 2\n", null);
             Build();
             Assert.That(PrefabUtility.Saved, Is.Empty);
+            Assert.That(project.IsLoaded(Prefab), Is.False);
         }
 
         [Test]
-        public void A_prefab_that_cannot_be_written_is_an_error_with_the_remedy()
+        public void A_prefab_that_has_another_in_it_is_not_saved_for_the_stages_of_that_one()
         {
-            Project("Packages/com.other", "", "Runtime/Scene/FluidEmitter.cs");
-            LogAssert.Expect(LogType.Error, new Regex(
-                "^Rill: the prefab Packages/com.other/Tap.prefab uses stages that it does not refer to " +
-                "\\(Emitters\\).*FluidShaders.*Preloaded Assets"));
+            Project("Assets", "", Emitter, Nesting);
+            LogAssert.Expect(LogType.Warning, new Regex("the prefab Assets/Kitchen.prefab uses stages"));
+            LogAssert.Expect(LogType.Warning, new Regex("the prefab Assets/Tap.prefab uses stages"));
             Build();
+            LogAssert.Expect(LogType.Log, "Rill: the prefab Assets/Tap.prefab now refers to the stages Emitters.");
+            // The host writes no files: the one around it lacks the stages still.
+            LogAssert.Expect(LogType.Log, "Rill: the prefab Assets/Kitchen.prefab now refers to the stages Emitters.");
+            Update();
+            Assert.That(PrefabUtility.Saved, Is.EqualTo(new[] { Prefab, "Assets/Kitchen.prefab" }), "that one first");
+        }
+
+        [Test]
+        public void A_prefab_around_another_that_has_its_stages_needs_none()
+        {
+            Project("Assets",
+                $"  shaders:\n    stages:\n    - {{fileID: 11400000, guid: {Guid("Runtime/Stages/Emitters.asset")}, type: 2}}\n", Emitter, Nesting);
+            Build();
+        }
+
+        [TestCase("Packages/com.other", false)]
+        [TestCase("Assets", true)]
+        public void A_prefab_that_cannot_be_written_is_named_with_the_remedy(string folder, bool isLocked)
+        {
+            Project(folder, "", Emitter);
+            if (isLocked)
+                AssetDatabase.Locked.Add(Prefab);
+            LogAssert.Expect(LogType.Warning, new Regex($"^Rill: the prefab {folder}/Tap.prefab lacks the stages Emitters, and its file cannot be " +
+                "written. .*FluidShaders.*Preloaded Assets"));
+            Update();
             Assert.That(PrefabUtility.Saved, Is.Empty);
         }
+
+        // A prefab that is nothing but an instance of the other.
+        const string Nesting = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!1001 &100\nPrefabInstance:\n  m_ObjectHideFlags: 0\n" +
+            "  serializedVersion: 2\n  m_Modification:\n    m_TransformParent: {fileID: 0}\n    m_Modifications: []\n    m_RemovedComponents: []\n" +
+            "  m_SourcePrefab: {fileID: 100100000, guid: e0000000000000000000000000000009, type: 3}\n";
 
         static void Build()
         {
@@ -177,12 +221,21 @@ namespace Host.Tests
             new PrefabBuildStep().OnPreprocessBuild(null);
         }
 
-        // A prefab of one object with one component, in a folder beside the package.
-        ProjectAssets Project(string folder, string fields, string script)
+        static void Update()
+        {
+            EditorInitializers.Run();
+            PrefabUtility.Saved.Clear();
+            PrefabBuildStep.UpdatePrefabs();
+        }
+
+        // A prefab of one object with one component, in a folder beside the package, and one around it.
+        ProjectAssets Project(string folder, string fields, string script, string around = null)
         {
             TemporaryProject files = Temporary()
                 .Write("Assets/Tap.prefab", TemporaryProject.SceneText(fields, script == null ? TemporaryProject.PartGuid : Guid(script)),
                 "e0000000000000000000000000000009");
+            if (around != null)
+                files.Write("Assets/Kitchen.prefab", around, "e0000000000000000000000000000010");
             var mounts = new List<MountedFolder> { new("Packages/com.rill.fluids", Package), new(folder, Path.Combine(files.Root, "Assets")) };
             var project = new ProjectAssets(mounts, new[] { typeof(FluidEmitter).Assembly, typeof(AssetFixture).Assembly }, strict: true);
             Play(project, files.Root);
