@@ -92,6 +92,7 @@ namespace Host.Check.Api
             return root.DescendantNodes().OfType<IdentifierNameSyntax>().Where(name => name.Parent switch
             {
                 NameColonSyntax colon => colon.Parent is ArgumentSyntax,
+                NameEqualsSyntax => false,      // of an alias, or an attribute's argument
                 MemberAccessExpressionSyntax access when access.Name == name => constants.Contains(name.Identifier.ValueText),
                 QualifiedNameSyntax qualified when qualified.Right == name => constants.Contains(name.Identifier.ValueText),
                 _ => unqualified && constants.Contains(name.Identifier.ValueText),
