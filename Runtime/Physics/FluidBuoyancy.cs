@@ -19,7 +19,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Rigidbody))]
-    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems
+    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IAppliesSettings
     {
         const float PatienceTime = 5f;          // s without a fluid before that is logged
 
@@ -50,18 +50,18 @@ namespace Rill
         [NonSerialized] Rigidbody body;
         [NonSerialized] float waited;
         [NonSerialized] bool problemIsKnown;
-        [NonSerialized] string clamped;         // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
 
         /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it
         /// displaces, 0.25 to 16.</summary>
-        public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
+        public float VirtualMass { get => virtualMass; set { virtualMass = value; Changed(); } }
 
         /// <summary>Fraction of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
-        public float Damping { get => damping; set { damping = value; OnValidate(); } }
+        public float Damping { get => damping; set { damping = value; Changed(); } }
 
         /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its center of mass, and by turning it, to its farthest
         /// points.</summary>
-        public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
+        public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; Changed(); } }
 
         /// <summary>Fraction of the body that was under water in the newest steps that are known, 0 to 1.</summary>
         public float SubmergedFraction => floating.SubmergedFraction;
@@ -93,16 +93,22 @@ namespace Rill
             floating.Reset();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
             problemIsKnown = false;
-            if (!Validate(out clamped))
-                Debug.LogWarning($"Rill: FluidBuoyancy '{name}': {clamped}", this);
+            Validate(out string problem);
+            clamped.Set(problem);
         }
+
+        void IAppliesSettings.ApplySettings() => clamped.Log(this);
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             foreach (FluidCollider collider in GetComponentsInChildren<FluidCollider>())
                 if (collider.enabled && IsOf(GetComponent<Rigidbody>(), collider) && collider.Describe(out ColliderMotion shape) == null
                     && Problem(shape, FloatingBody.VolumeOf(shape, collider.Field)) is string problem)

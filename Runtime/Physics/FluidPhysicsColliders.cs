@@ -19,7 +19,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidSimulation))]
-    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages, IRunsInEditMode
+    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         const int FirstFound = 64, MaxFound = 4096;
 
@@ -56,7 +56,7 @@ namespace Rill
         [NonSerialized] int round;
         [NonSerialized] bool tooManyIsKnown, listens;
         [NonSerialized] FluidSimulation fluid;
-        [NonSerialized] string clamped;         // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
 
         /// <summary>Layers whose colliders hold the water.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
@@ -68,16 +68,16 @@ namespace Rill
         public List<MeshField> MeshFields { get => meshFields; set => meshFields = value ?? new List<MeshField>(); }
 
         /// <summary>Fraction of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
-        public float Friction { get => friction; set { friction = value; OnValidate(); } }
+        public float Friction { get => friction; set { friction = value; Changed(); } }
 
         /// <summary>Fraction of the velocity into the surface that is given back, 0 to 1.</summary>
-        public float Bounciness { get => bounciness; set { bounciness = value; OnValidate(); } }
+        public float Bounciness { get => bounciness; set { bounciness = value; Changed(); } }
 
         /// <summary>Whether the colliders count as water to the density of what touches them.</summary>
         public bool ContributesDensity { get => contributesDensity; set => contributesDensity = value; }
 
         /// <summary>Impulse of one reading from which it is a hit, N s, 0.000001 to 1e9. The next can come below half of it.</summary>
-        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; OnValidate(); } }
+        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; Changed(); } }
 
         /// <summary>Water has come to a collider. Told two or three frames late, as all contacts are; forces are read back while somebody
         /// listens.</summary>
@@ -156,7 +156,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(colliderLayers == 0
                 ? "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." : null);
             problems.AddIfAny(tooManyIsKnown ? TooManyProblem : null);
@@ -214,11 +214,20 @@ namespace Rill
         /// <summary>Calls who listens.</summary>
         internal void Tell(ContactChange change, in FluidContact contact) => contacts.Raise(change, contact);
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
+            Validate(out string problem);
+            clamped.Set(problem);
+        }
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
             shaders.Follow(StageSet.Colliders);
-            if (!Validate(out clamped))
-                Debug.LogWarning($"Rill: FluidPhysicsColliders '{name}': {clamped}", this);
         }
 
         int Ask(Vector3 center, Quaternion rotation, Vector3 size, float spacing)

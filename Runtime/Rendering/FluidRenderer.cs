@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Draws something of the <see cref="FluidSimulation"/> on the same object with a shader of the package.</summary>
     [RequireComponent(typeof(FluidSimulation))]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public abstract class FluidRenderer : MonoBehaviour, IUsesStages, IRunsInEditMode
+    public abstract class FluidRenderer : MonoBehaviour, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
@@ -20,6 +20,7 @@ namespace Rill
         [NonSerialized] Material shaderMaterial;
         [NonSerialized] Matrix4x4 domainToWorld;
         [NonSerialized] int drawnFrame = -2;
+        [NonSerialized] ClampedSettings clamped;
 
         /// <param name="castShadows">What a new component of this kind has.</param>
         private protected FluidRenderer(ShadowCastingMode castShadows) => this.castShadows = castShadows;
@@ -68,8 +69,13 @@ namespace Rill
         /// <summary>When it is disabled, whether it could begin or not.</summary>
         private protected virtual void End() { }
 
-        /// <summary>When its settings were changed in the inspector or loaded.</summary>
-        private protected virtual void Validate() { }
+        /// <summary>Puts every value into its range, when settings were changed or loaded.</summary>
+        /// <returns>What was wrong and what it became; null if nothing was.</returns>
+        private protected virtual string ValidateValues() => null;
+
+        private protected string ClampedProblem => clamped.Problem;
+
+        private protected void Changed() => ChangedSettings.Apply(this);
 
         /// <summary>For a draw with these properties: the box is what can be seen of it.</summary>
         private protected RenderParams Parameters(MaterialPropertyBlock properties)
@@ -175,9 +181,13 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void IAppliesSettings.CheckSettings() => clamped.Set(ValidateValues());
+
+        void IAppliesSettings.ApplySettings()
         {
-            Validate();
+            clamped.Log(this);
             shaders.Follow(Stage);
         }
 

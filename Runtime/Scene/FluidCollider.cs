@@ -17,7 +17,7 @@ namespace Rill
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
-    public sealed class FluidCollider : MonoBehaviour, IFluidCollider, IHasProblems, IUsesStages, IRunsInEditMode
+    public sealed class FluidCollider : MonoBehaviour, IFluidCollider, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         [Tooltip("What the collider looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
@@ -65,7 +65,7 @@ namespace Rill
         readonly List<ContactWatch> watches = new List<ContactWatch>();        // one beside each of forces
         ColliderPlace place = ColliderPlace.Origin;
         [NonSerialized] bool problemIsKnown;
-        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
 
         /// <summary>Shape of the collider.</summary>
         public ColliderShape Shape { get => shape; set => shape = value; }
@@ -95,10 +95,10 @@ namespace Rill
         public bool InsideOut { get => insideOut; set => insideOut = value; }
 
         /// <summary>Fraction of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
-        public float Friction { get => friction; set { friction = value; OnValidate(); } }
+        public float Friction { get => friction; set { friction = value; Changed(); } }
 
         /// <summary>Fraction of the velocity into the surface that is given back, 0 to 1.</summary>
-        public float Bounciness { get => bounciness; set { bounciness = value; OnValidate(); } }
+        public float Bounciness { get => bounciness; set { bounciness = value; Changed(); } }
 
         /// <summary>Whether the solid counts as water to the density of what touches it.</summary>
         public bool ContributesDensity { get => contributesDensity; set => contributesDensity = value; }
@@ -107,7 +107,7 @@ namespace Rill
         public bool MeasuresForce { get => measuresForce; set => measuresForce = value; }
 
         /// <summary>Impulse of one reading from which it is a hit, N s, 0.000001 to 1e9. The next can come below half of it.</summary>
-        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; OnValidate(); } }
+        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; Changed(); } }
 
         /// <summary>Water has come to it. Told two or three frames late, as all contacts are; forces are read back while somebody listens.</summary>
         public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
@@ -213,7 +213,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             bool heightsComeWithPlay = shape == ColliderShape.HeightField && heights == null && !Application.isPlaying;
             problems.AddIfAny(heightsComeWithPlay ? null : Describe(out _));
         }
@@ -331,12 +331,21 @@ namespace Rill
         // In the Editor, where the component was added or reset.
         void Reset() => ColliderFit.Fit(this);
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
-            shaders.Follow(StageSet.Colliders);
             problemIsKnown = false;
-            if (!Validate(out clamped))
-                Debug.LogWarning($"Rill: FluidCollider '{name}': {clamped}", this);
+            Validate(out string problem);
+            clamped.Set(problem);
+        }
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
+            shaders.Follow(StageSet.Colliders);
         }
 
         string DescribeHeights(ref ColliderMotion motion, ref RigidPose pose)

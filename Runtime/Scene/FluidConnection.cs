@@ -14,7 +14,7 @@ namespace Rill
     /// and lifetime, and gets a new id. Where the capacity of its new fluid is full, it stays where it is and waits.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Connection"), Icon(PackagePaths.Icon), ManualPage("control.md")]
-    public sealed class FluidConnection : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode
+    public sealed class FluidConnection : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         /// <summary>Spacings that the boxes overlap by at least: two support radii, for what is felt of the other fluid.</summary>
         public const float MinOverlap = 4f;
@@ -114,7 +114,11 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void IAppliesSettings.CheckSettings() { }
+
+        void IAppliesSettings.ApplySettings()
         {
             shaders.Follow(StageSet.Transfer);
             if (attachedFirst != first || attachedSecond != second)

@@ -72,24 +72,24 @@ namespace Rill
         /// <summary>A box, a sphere, a capsule or a mesh.</summary>
         public DetectorShape Shape { get => shape; set => shape = value; }
         /// <summary>Size of the box, m.</summary>
-        public Vector3 Size { get => size; set { size = value; Validate(); } }
+        public Vector3 Size { get => size; set { size = value; Changed(); } }
         /// <summary>Radius of the sphere or capsule, m. Out-of-range values are clamped with a warning.</summary>
-        public float Radius { get => radius; set { radius = value; Validate(); } }
+        public float Radius { get => radius; set { radius = value; Changed(); } }
         /// <summary>Height of the capsule from end to end, m. Out-of-range values are clamped with a warning.</summary>
-        public float Height { get => height; set { height = value; Validate(); } }
+        public float Height { get => height; set { height = value; Changed(); } }
 
         /// <summary>Signed distance field of the mesh; null for none.</summary>
         public SignedDistanceField Field { get => field; set => field = value; }
 
         /// <summary>Fill from which water has entered; it has left below half of it. Out-of-range values are clamped with a warning.</summary>
-        public float EnterFill { get => enterFill; set { enterFill = value; Validate(); } }
+        public float EnterFill { get => enterFill; set { enterFill = value; Changed(); } }
         /// <summary>Fill from which the shape counts as filled. Out-of-range values are clamped with a warning.</summary>
-        public float FillLevel { get => fillLevel; set { fillLevel = value; Validate(); } }
+        public float FillLevel { get => fillLevel; set { fillLevel = value; Changed(); } }
         /// <summary>By how much the fill has to fall below the level until the shape counts as emptied. Out-of-range values are clamped
         /// with a warning.</summary>
-        public float Hysteresis { get => hysteresis; set { hysteresis = value; Validate(); } }
+        public float Hysteresis { get => hysteresis; set { hysteresis = value; Changed(); } }
         /// <summary>Mean speed of the water from which it counts as an impact, m/s. Out-of-range values are clamped with a warning.</summary>
-        public float ImpactSpeed { get => impactSpeed; set { impactSpeed = value; Validate(); } }
+        public float ImpactSpeed { get => impactSpeed; set { impactSpeed = value; Changed(); } }
 
         /// <summary>Called when water has entered, in the frame in which the result comes. <see cref="Latest"/> is then of that state.</summary>
         public UnityEvent Entered => entered;

@@ -48,11 +48,11 @@ namespace Rill
         /// <summary>A box or a sphere.</summary>
         public DrainShape Shape { get => shape; set => shape = value; }
         /// <summary>Size of the box, m.</summary>
-        public Vector3 Size { get => size; set { size = value; Validate(); } }
+        public Vector3 Size { get => size; set { size = value; Changed(); } }
         /// <summary>Radius of the sphere, m.</summary>
-        public float Radius { get => radius; set { radius = value; Validate(); } }
+        public float Radius { get => radius; set { radius = value; Changed(); } }
         /// <summary>Most volume taken out, m³/s; 0 for all that gets in. Out-of-range values are clamped with a warning.</summary>
-        public float RateLimit { get => rateLimit; set { rateLimit = value; Validate(); } }
+        public float RateLimit { get => rateLimit; set { rateLimit = value; Changed(); } }
         /// <summary>Emitter of the same fluid that lets the particles in again; null for none.</summary>
         public FluidEmitter RecycleTo { get => recycleTo; set => recycleTo = value; }
 

@@ -110,38 +110,38 @@ namespace Rill
         float3 takenAlong;          // velocity of its own that the fluid took along in the last step, d/s, in the domain's frame
 
         /// <summary>Where the fluid comes from.</summary>
-        public EmitterShape Shape { get => shape; set { shape = value; Validate(); } }
+        public EmitterShape Shape { get => shape; set { shape = value; Changed(); } }
         /// <summary>Closed stream, spray or fill.</summary>
-        public EmitterMode Mode { get => mode; set { mode = value; Validate(); } }
+        public EmitterMode Mode { get => mode; set { mode = value; Changed(); } }
         /// <summary>Size of the box, m.</summary>
-        public Vector3 Size { get => size; set { size = value; Validate(); } }
+        public Vector3 Size { get => size; set { size = value; Changed(); } }
         /// <summary>Radius of the sphere or disc, m.</summary>
-        public float Radius { get => radius; set { radius = value; Validate(); } }
+        public float Radius { get => radius; set { radius = value; Changed(); } }
         /// <summary>Mesh whose surface emits.</summary>
-        public Mesh Mesh { get => mesh; set { mesh = value; Validate(); } }
+        public Mesh Mesh { get => mesh; set { mesh = value; Changed(); } }
         /// <summary>Volume let in, m³/s. Out-of-range values are clamped with a warning.</summary>
-        public float Rate { get => rate; set { rate = value; Validate(); } }
+        public float Rate { get => rate; set { rate = value; Changed(); } }
         /// <summary>Speed at which the fluid leaves, m/s. Out-of-range values are clamped with a warning.</summary>
-        public float Speed { get => speed; set { speed = value; Validate(); } }
+        public float Speed { get => speed; set { speed = value; Changed(); } }
         /// <summary>Largest angle between a particle's velocity and the axis, degrees.</summary>
-        public float Spread { get => spread; set { spread = value; Validate(); } }
+        public float Spread { get => spread; set { spread = value; Changed(); } }
         /// <summary>
         /// Fraction of the object's own velocity that the fluid takes along, 0 to 1: of its path in the simulation's box since the last
         /// steps over the time between, and of its turning at the outlet. At most 1000 m/s; nothing after
         /// <see cref="FluidPart.Teleport"/>. Out-of-range values are clamped with a warning.
         /// </summary>
         /// <remarks>1 by default: as from a real nozzle, whose jet leaves at rest density however it moves.</remarks>
-        public float InheritVelocity { get => inheritVelocity; set { inheritVelocity = value; Validate(); } }
+        public float InheritVelocity { get => inheritVelocity; set { inheritVelocity = value; Changed(); } }
         /// <summary>Whether it begins by itself, with the fluid.</summary>
         public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
         /// <summary>Fluid time from its start until it lets fluid in, s.</summary>
-        public float Delay { get => delay; set { delay = value; Validate(); } }
+        public float Delay { get => delay; set { delay = value; Changed(); } }
         /// <summary>Fluid time during which it lets fluid in, s; 0 for ever.</summary>
-        public float Duration { get => duration; set { duration = value; Validate(); } }
+        public float Duration { get => duration; set { duration = value; Changed(); } }
         /// <summary>Number of the particles' look, 0 to 7: of the surface's phase looks, or of the particle renderer's phase colors.</summary>
-        public int Phase { get => phase; set { phase = value; Validate(); } }
+        public int Phase { get => phase; set { phase = value; Changed(); } }
         /// <summary>Fluid time after which its particles are removed, s; 0 for never.</summary>
-        public float Lifetime { get => lifetime; set { lifetime = value; Validate(); } }
+        public float Lifetime { get => lifetime; set { lifetime = value; Changed(); } }
 
         /// <summary>Whether it lets fluid in now: started, past its delay and within its duration.</summary>
         public bool IsEmitting => isOn && isActiveAndEnabled && clock.Time >= delay && clock.Time < End;

@@ -12,7 +12,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Follow"), Icon(PackagePaths.Icon), ManualPage("control.md")]
     [RequireComponent(typeof(FluidSimulation)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder - 10)]
-    public sealed class FluidFollow : MonoBehaviour, IHasProblems, IUsesStages
+    public sealed class FluidFollow : MonoBehaviour, IHasProblems, IUsesStages, IAppliesSettings
     {
         const float DefaultDistance = 4f;
 
@@ -45,7 +45,7 @@ namespace Rill
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         [NonSerialized] FluidSimulation fluid;
-        [NonSerialized] string clamped;
+        [NonSerialized] ClampedSettings clamped;
         [NonSerialized] bool said;
 
         /// <summary>What the middle of the box follows; not an object below the fluid.</summary>
@@ -53,7 +53,7 @@ namespace Rill
 
         /// <summary>How far the target gets from the middle of the box before it moves, particle spacings, 1 to 10,000. Out-of-range values
         /// are clamped with a warning.</summary>
-        public float Distance { get => distance; set { distance = value; OnValidate(); } }
+        public float Distance { get => distance; set { distance = value; Changed(); } }
 
         /// <summary>Whether the box stays where it is along the world's x.</summary>
         public bool LockX { get => lockX; set => lockX = value; }
@@ -65,10 +65,10 @@ namespace Rill
         public bool LockZ { get => lockZ; set => lockZ = value; }
 
         /// <summary>What happens to particles that the box leaves behind, apart from those that are handed over.</summary>
-        public LeavingParticles Leaving { get => leaving; set { leaving = value; OnValidate(); } }
+        public LeavingParticles Leaving { get => leaving; set { leaving = value; Changed(); } }
 
         /// <summary>The fluid that gets the particles left behind that lie in its box; null for none.</summary>
-        public FluidSimulation HandOverTo { get => handOverTo; set { handOverTo = value; OnValidate(); } }
+        public FluidSimulation HandOverTo { get => handOverTo; set { handOverTo = value; Changed(); } }
 
         /// <summary>A volume that is filled again after each move, as far as there is room; null for none.</summary>
         public FluidVolume Refill { get => refill; set { refill = value; said = false; } }
@@ -95,7 +95,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(TargetProblem);
             problems.AddIfAny(HandOverProblem);
             problems.AddIfAny(RefillProblem);
@@ -109,14 +109,22 @@ namespace Rill
 
         void OnDisable() => shaders.Release();
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
             said = false;
+            string problem = null;
+            Limit.Clamp("distance", ref distance, 1f, 10000f, DefaultDistance, ref problem);
+            clamped.Set(problem);
+        }
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
             shaders.Follow(UsedStages);
-            clamped = null;
-            Limit.Clamp("distance", ref distance, 1f, 10000f, DefaultDistance, ref clamped);
-            if (clamped != null)
-                Debug.LogWarning($"Rill: FluidFollow '{name}': {clamped}", this);
         }
 
         void LateUpdate()

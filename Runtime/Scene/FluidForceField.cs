@@ -85,17 +85,17 @@ namespace Rill
         /// <summary>What it does.</summary>
         public ForceFieldKind Kind { get => kind; set => kind = value; }
         /// <summary>Acceleration, m/s², or a wind's speed, m/s. Out-of-range values are clamped with a warning.</summary>
-        public float Strength { get => strength; set { strength = value; Validate(); } }
+        public float Strength { get => strength; set { strength = value; Changed(); } }
         /// <summary>Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first.</summary>
-        public float Drag { get => drag; set { drag = value; Validate(); } }
+        public float Drag { get => drag; set { drag = value; Changed(); } }
         /// <summary>How the strength falls towards the bounds.</summary>
         public ForceFieldFalloff Falloff { get => falloff; set => falloff = value; }
         /// <summary>What bounds the field.</summary>
         public ForceFieldBounds Bounds { get => bounds; set => bounds = value; }
         /// <summary>Radius of the sphere, m.</summary>
-        public float Radius { get => radius; set { radius = value; Validate(); } }
+        public float Radius { get => radius; set { radius = value; Changed(); } }
         /// <summary>Size of the box, m.</summary>
-        public Vector3 Size { get => size; set { size = value; Validate(); } }
+        public Vector3 Size { get => size; set { size = value; Changed(); } }
 
         /// <summary>Largest acceleration that it asks for, m/s².</summary>
         internal float MaxAcceleration => kind == ForceFieldKind.Wind ? 0f : math.abs(strength);

@@ -8,7 +8,7 @@ namespace Rill
 {
     /// <summary>Something in the scene that acts on one <see cref="FluidSimulation"/> while it is enabled.</summary>
     /// <remarks>On the simulation's object, below it, or anywhere with a reference to it. Follows position and rotation.</remarks>
-    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode
+    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         [Tooltip("Fluid that this acts on. None: the one on this object or the nearest above it.")]
         [SerializeField] FluidSimulation simulation;
@@ -19,7 +19,7 @@ namespace Rill
         RigidPose lastPose;         // at the end of the last steps, in the domain's frame
         [NonSerialized] bool follows;               // whether it came from there
         [NonSerialized] int said;           // bit p: problem p was logged and is still there
-        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
 
         /// <summary>The fluid that this acts on; null while there is none or this is disabled. Setting null means the nearest above it.</summary>
         public FluidSimulation Simulation
@@ -60,7 +60,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(PoseProblem);
             FluidSimulation fluid = attached != null ? attached : Wanted;
             problems.AddIfAny(fluid == null ? NoSimulationProblem : attached != null && Number < 0 ? TooManyProblem : null);
@@ -135,17 +135,12 @@ namespace Rill
             lastPose = record.last.Pose;
         }
 
-        private protected void Validate()
-        {
-            clamped = ValidateValues();
-            if (clamped != null)
-                Say(clamped);
-        }
+        private protected void Changed() => ChangedSettings.Apply(this);
 
         void OnEnable()
         {
             shaders.Hold();
-            Validate();
+            Changed();
             Attach();
         }
 
@@ -155,9 +150,13 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void IAppliesSettings.CheckSettings() => clamped.Set(ValidateValues());
+
+        void IAppliesSettings.ApplySettings()
         {
-            Validate();
+            clamped.Log(this);
             shaders.Follow(UsedStages);
             if (attached != null && simulation != null && simulation != attached)
                 Reattach();

@@ -19,7 +19,7 @@ namespace Rill
         QueryFrame frame;       // of which it is
 
         /// <summary>Radius of the ball whose submerged fraction is given, m. Out-of-range values are clamped with a warning.</summary>
-        public float Radius { get => radius; set { radius = value; Validate(); } }
+        public float Radius { get => radius; set { radius = value; Changed(); } }
 
         /// <summary>The newest sample, whether it is valid or not.</summary>
         public FluidProbeSample Latest

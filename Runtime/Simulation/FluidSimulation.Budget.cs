@@ -23,7 +23,7 @@ namespace Rill
             {
                 saidTooSmall &= value.mode == budget.mode && value.FrameMilliseconds == budget.FrameMilliseconds;
                 budget = value;
-                OnValidate();
+                Changed();
             }
         }
 

@@ -33,11 +33,11 @@ namespace Rill
 
         /// <summary>Distance from a camera to the box beyond which the camera does not count, m; 0 for however far. Out-of-range values are
         /// clamped with a warning.</summary>
-        public float CullingDistance { get => cullingDistance; set { cullingDistance = value; OnValidate(); } }
+        public float CullingDistance { get => cullingDistance; set { cullingDistance = value; Changed(); } }
 
         /// <summary>Fraction of the time, and so of the steps, that passes while a fluid is slowed, 0.01 to 1. Out-of-range values are
         /// clamped with a warning.</summary>
-        public float CulledRate { get => culledRate; set { culledRate = value; OnValidate(); } }
+        public float CulledRate { get => culledRate; set { culledRate = value; Changed(); } }
 
         /// <summary>Whether no camera saw the box in the last frame, so that the fluid was slowed or paused. False with
         /// <see cref="FluidCullingMode.AlwaysSimulate"/>.</summary>

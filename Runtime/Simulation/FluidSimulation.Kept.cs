@@ -17,7 +17,7 @@ namespace Rill
 
         /// <summary>Most particles that <see cref="Recenter"/> keeps outside the box where it is told to, 1 to 16,777,216. Acts when it first
         /// keeps some, and after a <see cref="Restart"/>. Out-of-range values are clamped with a warning.</summary>
-        public int KeptCapacity { get => keptCapacity; set { keptCapacity = value; OnValidate(); } }
+        public int KeptCapacity { get => keptCapacity; set { keptCapacity = value; Changed(); } }
 
         /// <summary>Particles that are kept outside the box, as far as the GPU has told: two or three frames ago.</summary>
         public int KeptParticleCount => pbf != null ? pbf.KeptCount : 0;

@@ -8,12 +8,12 @@ namespace Rill
     // What is wrong, in the words in which it is logged.
     public sealed partial class FluidSimulation
     {
-        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
         [NonSerialized] string failure;     // what stopped it
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             if (pbf == null)
             {
                 problems.AddIfAny(DeviceProblem ?? NoPoseProblem ?? LayoutProblem ?? failure);

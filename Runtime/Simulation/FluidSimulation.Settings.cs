@@ -17,10 +17,10 @@ namespace Rill
 
         /// <summary>Fixed steps in a second of fluid time, 10 to 1000. Acts from the next step on. Out-of-range values are clamped with a
         /// warning.</summary>
-        public float StepRate { get => stepRate; set { stepRate = value; OnValidate(); } }
+        public float StepRate { get => stepRate; set { stepRate = value; Changed(); } }
 
         /// <summary>Steps that one frame takes at most, 1 to 16. Acts in the next frame. Out-of-range values are clamped with a warning.</summary>
-        public int MaxStepsPerFrame { get => maxStepsPerFrame; set { maxStepsPerFrame = value; OnValidate(); } }
+        public int MaxStepsPerFrame { get => maxStepsPerFrame; set { maxStepsPerFrame = value; Changed(); } }
 
         /// <summary>Of the small offsets from the lattice with which fluid is filled in. Acts at the next <see cref="Restart"/> or fill.</summary>
         public int Seed { get => seed; set => seed = value; }

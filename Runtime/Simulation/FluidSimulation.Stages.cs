@@ -17,7 +17,7 @@ namespace Rill
         [NonSerialized] string missingProblem;
 
         /// <summary>Shaders that a build with this fluid contains. Of use in the Editor alone: a player has those that it was built with.</summary>
-        public ShadersInBuild ShadersInBuild { get => shadersInBuild; set { shadersInBuild = value; OnValidate(); } }
+        public ShadersInBuild ShadersInBuild { get => shadersInBuild; set { shadersInBuild = value; Changed(); } }
 
         StageReferences IUsesStages.StageReferences => shaders;
 

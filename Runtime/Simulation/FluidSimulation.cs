@@ -19,7 +19,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Simulation"), Icon(PackagePaths.Icon), ManualPage("concepts.md")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(ExecutionOrder)]
-    public sealed partial class FluidSimulation : MonoBehaviour, IHasProblems
+    public sealed partial class FluidSimulation : MonoBehaviour, IHasProblems, IAppliesSettings
     {
         /// <summary>When it steps, in LateUpdate: what scripts of a lower order and animations move in a frame acts on the fluid in that
         /// frame.</summary>
@@ -96,13 +96,13 @@ namespace Rill
         public bool Inertial { get => inertial; set => inertial = value; }
 
         /// <summary>What the solver spends on a step. Out-of-range values are clamped with a warning.</summary>
-        public SolverSettings Settings { get => solver; set { solver = value; OnValidate(); } }
+        public SolverSettings Settings { get => solver; set { solver = value; Changed(); } }
 
         /// <summary>What the fluid is. Out-of-range values are clamped with a warning.</summary>
-        public FluidMaterial Material { get => material; set { material = value; OnValidate(); } }
+        public FluidMaterial Material { get => material; set { material = value; Changed(); } }
 
         /// <summary>Acceleration in world space, m/s². One that is not finite becomes the default, with a warning.</summary>
-        public Vector3 Gravity { get => gravity; set { gravity = value; OnValidate(); } }
+        public Vector3 Gravity { get => gravity; set { gravity = value; Changed(); } }
 
         /// <summary>Steps between measurements; 0 for none.</summary>
         public int StatisticsInterval { get => statisticsInterval; set => statisticsInterval = Math.Max(value, 0); }
@@ -229,7 +229,8 @@ namespace Rill
             }
             FollowTransform();
 
-            ValidateSettings();
+            CheckSettings();
+            clamped.Log(this);
             bool resumes = TryResume();
             shaders.Hold();
             if (resumes)
@@ -278,12 +279,21 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
             failure = null;     // what it was of may have changed
-            ValidateSettings();
-            shaders.Follow(UsedStages);
+            CheckSettings();
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
+        }
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
+            shaders.Follow(UsedStages);
             if (!keepStateOnDisable)
                 ReleaseKept();
         }
@@ -489,7 +499,7 @@ namespace Rill
         // one step's, and its cost would come as a hitch.
         float GravityStep => (gravity.magnitude + StrongestField) * FixedStep * FixedStep / particleSpacing;
 
-        void ValidateSettings()
+        void CheckSettings()
         {
             solver.Validate(out string problem);
             material.Validate(out string materialProblem);
@@ -501,9 +511,7 @@ namespace Rill
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
             ValidateCulling(ref problem);
             ValidateKept(ref problem);
-            clamped = problem;
-            if (problem != null)
-                Debug.LogWarning($"Rill: FluidSimulation '{name}': {problem}", this);
+            clamped.Set(problem);
         }
 
         bool Matches(SolverLayout layout)

@@ -34,7 +34,7 @@ namespace Rill
             held = null;
         }
 
-        /// <summary>Of OnValidate, which setters call too: <see cref="Update"/> where other groups are wanted than at the last call.</summary>
+        /// <summary>Of changed settings: <see cref="Update"/> where other groups are wanted than at the last call.</summary>
         public void Follow(StageSet wanted)
         {
             if (wanted == followed)

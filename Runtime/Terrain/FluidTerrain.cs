@@ -15,7 +15,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
-    public sealed class FluidTerrain : MonoBehaviour, IHasProblems, IRunsInEditMode
+    public sealed class FluidTerrain : MonoBehaviour, IHasProblems, IRunsInEditMode, IAppliesSettings
     {
         [Tooltip("Part of the terrain that the fluid can reach, as fractions of its sides from 0 to 1. A smaller part is exact in " +
             "large terrains and costs less memory.")]
@@ -23,14 +23,14 @@ namespace Rill
 
         [NonSerialized] FluidCollider fluidCollider;
         TerrainHeights heights;
-        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
         [NonSerialized] string refusal;     // why the newest heights were not taken
         [NonSerialized] ColliderShape shapeBefore;
         [NonSerialized] bool holesAreKnown;
 
         /// <summary>Part of the terrain that the fluid can reach, as fractions of its sides along x and z, 0 to 1. After a change call
         /// <see cref="Refresh"/>.</summary>
-        public Rect Part { get => part; set { part = value; OnValidate(); } }
+        public Rect Part { get => part; set { part = value; Changed(); } }
 
         /// <summary>Clamps what is out of range.</summary>
         /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
@@ -87,17 +87,23 @@ namespace Rill
                 Refresh();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
-            if (!Validate(out clamped))
-                Debug.LogWarning($"Rill: FluidTerrain '{name}': {clamped}", this);
+            Validate(out string problem);
+            clamped.Set(problem);
         }
+
+        void IAppliesSettings.ApplySettings() => clamped.Log(this);
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => true;
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(refusal);
             problems.AddIfAny(holesAreKnown ? TerrainHeights.HolesProblem : null);
         }

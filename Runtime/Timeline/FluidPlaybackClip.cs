@@ -8,14 +8,16 @@ namespace Rill
 {
     /// <summary>Part of a recording on a <see cref="FluidPlaybackTrack"/>, with the Timeline's <i>Clip In</i> and
     /// <i>Speed Multiplier</i>.</summary>
-    public sealed class FluidPlaybackClip : PlayableAsset, ITimelineClipAsset
+    public sealed class FluidPlaybackClip : PlayableAsset, ITimelineClipAsset, IAppliesSettings
     {
         [Tooltip("Time of the recording with which the clip begins, s since its first frame, 0 or more. Clip In is added to it.")]
         [SerializeField] double begin;
 
+        [NonSerialized] ClampedSettings clamped;
+
         /// <summary>Time of the recording with which the clip begins, s since its first frame, 0 or more; the clip's own Clip In is
         /// added to it. Out-of-range values are clamped with a warning.</summary>
-        public double Begin { get => begin; set { begin = value; OnValidate(); } }
+        public double Begin { get => begin; set { begin = value; Changed(); } }
 
         /// <summary>That it can be trimmed at its start and played faster or slower.</summary>
         public ClipCaps clipCaps => ClipCaps.ClipIn | ClipCaps.SpeedMultiplier;
@@ -30,14 +32,17 @@ namespace Rill
         /// <summary>Makes a playable that stands for the clip. The track does the rest.</summary>
         public override Playable CreatePlayable(PlayableGraph graph, GameObject owner) => Playable.Create(graph);
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
-            if (begin >= 0.0 && !double.IsInfinity(begin))
-                return;
-            Debug.LogWarning(Invariant($"Rill: FluidPlaybackClip '{name}': begin {begin} is no time since the first frame, 0 s or more; ") +
-                "0 is used.",
-                this);
-            begin = 0.0;
+            bool isTime = begin >= 0.0 && !double.IsInfinity(begin);
+            clamped.Set(isTime ? null : Invariant($"begin {begin} is no time since the first frame, 0 s or more; 0 is used."));
+            begin = isTime ? begin : 0.0;
         }
+
+        void IAppliesSettings.ApplySettings() => clamped.Log(this);
     }
 }

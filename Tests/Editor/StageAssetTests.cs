@@ -73,6 +73,7 @@ namespace Rill.Editor.Tests
             var serialized = new SerializedObject(target);
             set(serialized.FindProperty(path));
             serialized.ApplyModifiedProperties();
+            SettingsQueue.Apply();
         }
 
         static string[] Stored(IUsesStages user) => Array.ConvertAll(user.StageReferences.Stages, stage => stage.name);

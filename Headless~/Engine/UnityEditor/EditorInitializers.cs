@@ -14,6 +14,7 @@ namespace UnityEditor
         /// <summary>For what is loaded, and for what will be.</summary>
         public static void Run()
         {
+            PlayerLoop.UpdateEditor = EditorTick.Call;
             AppDomain.CurrentDomain.AssemblyLoad -= OnLoad;
             AppDomain.CurrentDomain.AssemblyLoad += OnLoad;
             foreach (Assembly assembly in AppDomain.CurrentDomain.GetAssemblies())

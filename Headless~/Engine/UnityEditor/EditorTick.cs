@@ -8,12 +8,18 @@ namespace UnityEditor
     {
         const float FrameTime = 1f / 60f;
 
-        public static void Run()
+        /// <summary>The calls alone, without the player loop.</summary>
+        public static void Call()
         {
             EditorApplication.update?.Invoke();
             EditorApplication.CallbackFunction once = EditorApplication.delayCall;
             EditorApplication.delayCall = null;     // what these ask for comes at the next
             once?.Invoke();
+        }
+
+        public static void Run()
+        {
+            Call();
             if (!EditMode.IsLoopQueued)
                 return;
             EditMode.IsLoopQueued = false;

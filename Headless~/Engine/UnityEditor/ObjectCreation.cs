@@ -93,6 +93,11 @@ namespace UnityEditor.SceneManagement
     {
         internal static PrefabStage Current;
 
+        public static event System.Action<GameObject> prefabSaving;
+
+        /// <summary>As the Editor does before it saves an open prefab.</summary>
+        internal static void SaySaving(GameObject root) => prefabSaving?.Invoke(root);
+
         public GameObject prefabContentsRoot { get; internal set; }
     }
 

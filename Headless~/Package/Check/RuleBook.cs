@@ -30,6 +30,7 @@ namespace Host.Check
             new FrameCallsRule(),
             new StaticsRule(),
             new ReloadFieldsRule(),
+            new UnsafeMomentsRule(),
             new LineLengthRule(),
             new CultureRule(),
             new ModulesRule(),

@@ -38,21 +38,20 @@ namespace Rill
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
 
         MaterialPropertyBlock properties;
-        [NonSerialized] string clamped;         // what the newest validation changed
 
         /// <summary>How much foam there is and how long it lasts. Out-of-range values are clamped with a warning. Another budget takes away
         /// what is there.</summary>
-        public FoamSettings Settings { get => settings; set { settings = value; Validate(); } }
+        public FoamSettings Settings { get => settings; set { settings = value; Changed(); } }
 
         /// <summary>Radius of the largest particle, m, 0 to 10; 0 for a hundredth of the scene's depth. One that is out of range is clamped
         /// with a warning.</summary>
-        public float Radius { get => radius; set { radius = value; Validate(); } }
+        public float Radius { get => radius; set { radius = value; Changed(); } }
 
         /// <summary>Its color in white light.</summary>
         public Color Color { get => color; set => color = value; }
 
         /// <summary>How much one particle covers of what is behind its middle, 0 to 1.</summary>
-        public float Opacity { get => opacity; set { opacity = value; Validate(); } }
+        public float Opacity { get => opacity; set { opacity = value; Changed(); } }
 
         /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
         public Color Ambient { get => ambient; set => ambient = value; }
@@ -95,22 +94,20 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(ClampedProblem);
             if (settings.referenceSpeed == 0f && TryGetComponent(out FluidSimulation simulation) && simulation.Gravity == Vector3.zero)
                 problems.Add("makes no foam: without gravity the scene has no speed of its own. Set Reference Speed to that of its " +
                     "fast water, m/s, and Reference Depth to its size, m.");
         }
 
-        private protected override void Begin() => Validate();
+        private protected override void Begin() => Changed();
 
-        private protected override void Validate()
+        private protected override string ValidateValues()
         {
             settings.Validate(out string problem);
             Limit.Clamp("radius", ref radius, 0f, MaxRadius, 0f, ref problem);
             Limit.Clamp("opacity", ref opacity, 0f, 1f, 0.6f, ref problem);
-            clamped = problem;
-            if (problem != null)
-                Debug.LogWarning($"Rill: FluidFoam '{name}': {problem}", this);
+            return problem;
         }
 
         private protected override void Draw()

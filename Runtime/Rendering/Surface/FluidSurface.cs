@@ -74,14 +74,14 @@ namespace Rill
         public SurfacePreset Preset { get => preset; set { preset = value; ApplyPreset(); } }
 
         /// <summary>How it treats light. Setting it makes the preset Custom; values out of range are brought back with a warning.</summary>
-        public SurfaceLook Look { get => look; set { preset = SurfacePreset.Custom; look = value; Validate(); } }
+        public SurfaceLook Look { get => look; set { preset = SurfacePreset.Custom; look = value; Changed(); } }
 
         /// <summary>
         /// Looks of phases 1 to 3, which emitters give: what they absorb and scatter; index of refraction and roughness are those of
         /// <see cref="Look"/>.
         /// A phase beyond those that are here has the last. Empty: all phases have <see cref="Look"/>. More than 3 are left out with a warning.
         /// </summary>
-        public SurfaceLook[] PhaseLooks { get => phaseLooks; set { phaseLooks = value ?? Array.Empty<SurfaceLook>(); Validate(); } }
+        public SurfaceLook[] PhaseLooks { get => phaseLooks; set { phaseLooks = value ?? Array.Empty<SurfaceLook>(); Changed(); } }
 
         /// <summary>What the surface costs on the screen.</summary>
         public SurfaceQuality Quality { get => quality; set => quality = value; }
@@ -240,31 +240,30 @@ namespace Rill
             BuiltInSurfaces.Describe(description);
         }
 
-        private protected override void Validate()
+        private protected override string ValidateValues()
         {
             ApplyPreset();
             look.Validate(out string problem);
-            if (problem != null)
-                Debug.LogWarning($"Rill: FluidSurface '{name}': {problem}", this);
-            ValidatePhases();
+            ValidatePhases(ref problem);
+            return problem;
         }
 
-        void ValidatePhases()
+        void ValidatePhases(ref string problem)
         {
             if (phaseLooks.Length >= PhaseFrame.MaxPhases)
             {
-                Debug.LogWarning(Invariant($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first ") +
-                    Invariant($"{PhaseFrame.MaxPhases - 1} can be told apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are ") +
-                    Invariant($"removed; give emitters phases up to {PhaseFrame.MaxPhases - 1}."), this);
+                Limit.Append(ref problem, Invariant($"of {phaseLooks.Length} phase looks only the first {PhaseFrame.MaxPhases - 1} can be told ") +
+                    Invariant($"apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are removed; give emitters phases up to ") +
+                    Invariant($"{PhaseFrame.MaxPhases - 1}."));
                 Array.Resize(ref phaseLooks, PhaseFrame.MaxPhases - 1);
             }
             for (int i = 0; i < phaseLooks.Length; i++)
             {
                 if (phaseLooks[i].Equals(default(SurfaceLook)))
                     phaseLooks[i] = SurfaceLook.Water;      // an element that was just added
-                phaseLooks[i].Validate(out string problem);
-                if (problem != null)
-                    Debug.LogWarning(Invariant($"Rill: FluidSurface '{name}', look of phase {i + 1}: {problem}"), this);
+                phaseLooks[i].Validate(out string ofPhase);
+                if (ofPhase != null)
+                    Limit.Append(ref problem, Invariant($"look of phase {i + 1}: {ofPhase}"));
             }
         }
 

@@ -17,7 +17,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Bone Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(SkinnedMeshRenderer))]
-    public sealed class FluidBoneColliders : MonoBehaviour, IHasProblems
+    public sealed class FluidBoneColliders : MonoBehaviour, IHasProblems, IAppliesSettings
     {
         const int MaxVertices = 100000;
         const string CapsuleName = "Fluid Capsule";
@@ -35,18 +35,18 @@ namespace Rill
 
         [SerializeField, HideInInspector] List<FluidCollider> capsules = new List<FluidCollider>();
 
-        [NonSerialized] string clamped;     // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
         [NonSerialized] string refusal;     // why the newest fit made nothing
 
         /// <summary>From which weight on a vertex belongs to a bone, 0.05 to 1. Counts at the next <see cref="Fit"/>, as all settings
         /// here.</summary>
-        public float MinWeight { get => minWeight; set { minWeight = value; OnValidate(); } }
+        public float MinWeight { get => minWeight; set { minWeight = value; Changed(); } }
 
         /// <summary>Vertices that a bone must carry to get a capsule, 4 to 100,000.</summary>
-        public int MinVertices { get => minVertices; set { minVertices = value; OnValidate(); } }
+        public int MinVertices { get => minVertices; set { minVertices = value; Changed(); } }
 
         /// <summary>Fraction of a bone's surface that its capsule shall hold, 0.5 to 1.</summary>
-        public float Coverage { get => coverage; set { coverage = value; OnValidate(); } }
+        public float Coverage { get => coverage; set { coverage = value; Changed(); } }
 
         /// <summary>The capsules that the newest fit made, below their bones. One that was destroyed since is null.</summary>
         public IReadOnlyList<FluidCollider> Capsules => capsules;
@@ -89,7 +89,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(refusal);
             problems.AddIfAny(refusal == null && capsules.Count == 0 ? "it has fitted no capsules. Choose Fit to Bones." : null);
         }
@@ -97,11 +97,17 @@ namespace Rill
         // In the Editor, where the component was added or reset. The inspector says what was refused.
         void Reset() => TryFit();
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
-            if (!Validate(out clamped))
-                Debug.LogWarning($"Rill: FluidBoneColliders '{name}': {clamped}", this);
+            Validate(out string problem);
+            clamped.Set(problem);
         }
+
+        void IAppliesSettings.ApplySettings() => clamped.Log(this);
 
         int TryFit()
         {

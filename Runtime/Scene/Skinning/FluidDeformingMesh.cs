@@ -18,7 +18,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Deforming Mesh"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider))]
-    public sealed class FluidDeformingMesh : MonoBehaviour, IDeformingShape, IHasProblems, IUsesStages, IRunsInEditMode
+    public sealed class FluidDeformingMesh : MonoBehaviour, IDeformingShape, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         /// <summary>Fewest and most voxels along the longest side.</summary>
         public const int MinResolution = 16, MaxResolution = 64;
@@ -53,7 +53,7 @@ namespace Rill
         DeformingField field;
         SdfGrid grid;
         [NonSerialized] Bounds box, limits;     // that the grid holds, and may hold, in the mesh's frame, m
-        [NonSerialized] string clamped;         // what the newest validation changed
+        [NonSerialized] ClampedSettings clamped;
         [NonSerialized] string refusal;         // why there is no mesh
         [NonSerialized] ColliderShape shapeBefore;
         [NonSerialized] int lastFrame = -1, framesOfBake, framesOfLast, framesSince;
@@ -62,19 +62,19 @@ namespace Rill
         [NonSerialized] bool isStale, isTooWide;
 
         /// <summary>Voxels along the longest side of the box around the mesh, 16 to 64. With another the field is made again.</summary>
-        public int Resolution { get => resolution; set { resolution = value; OnValidate(); } }
+        public int Resolution { get => resolution; set { resolution = value; Changed(); } }
 
         /// <summary>Triangles that a frame may bake, 100 to 10,000,000.</summary>
-        public int TrianglesPerFrame { get => trianglesPerFrame; set { trianglesPerFrame = value; OnValidate(); } }
+        public int TrianglesPerFrame { get => trianglesPerFrame; set { trianglesPerFrame = value; Changed(); } }
 
         /// <summary>Space kept around the mesh for its next poses, as a fraction of its longest side, 0 to 1.</summary>
-        public float Margin { get => margin; set { margin = value; OnValidate(); } }
+        public float Margin { get => margin; set { margin = value; Changed(); } }
 
         /// <summary>How inside is told from outside.</summary>
-        public MeshSdfSign Sign { get => sign; set { sign = value; OnValidate(); } }
+        public MeshSdfSign Sign { get => sign; set { sign = value; Changed(); } }
 
         /// <summary>Thickness of the shell that an open mesh becomes, m; 0 for two voxels.</summary>
-        public float ShellThickness { get => shellThickness; set { shellThickness = value; OnValidate(); } }
+        public float ShellThickness { get => shellThickness; set { shellThickness = value; Changed(); } }
 
         /// <summary>Side of a voxel, m; 0 while there is no mesh.</summary>
         public float VoxelSize => mesh != null ? grid.VoxelSize : 0f;
@@ -181,7 +181,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(refusal);
             problems.AddIfAny(isTooWide ? TooWideProblem : null);
             problems.AddIfAny(mesh != null ? mesh.Problem : refusal == null ? DeformedMesh.ProblemOf(this) : null);
@@ -216,12 +216,21 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
-            shaders.Follow(StageSet.MeshBaking);
-            if (!Validate(out clamped))
-                Debug.LogWarning($"Rill: FluidDeformingMesh '{name}': {clamped}", this);
+            Validate(out string problem);
+            clamped.Set(problem);
             isStale = mesh != null && taken != (resolution, margin, sign, shellThickness);
+        }
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
+            shaders.Follow(StageSet.MeshBaking);
         }
 
         // Of this frame: a bake goes on, or begins where the mesh has moved.

@@ -18,7 +18,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Playback"), Icon(PackagePaths.Icon), ManualPage("state.md")]
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
-    public sealed partial class FluidPlayback : MonoBehaviour, IUsesStages, IHasProblems, IRunsInEditMode
+    public sealed partial class FluidPlayback : MonoBehaviour, IUsesStages, IHasProblems, IRunsInEditMode, IAppliesSettings
     {
         const float MaxSpeed = 100f;
         const double Tolerance = 1e-5;      // s: by which a time that is meant to be a frame's may fall short of it
@@ -45,7 +45,8 @@ namespace Rill
         [NonSerialized] FluidSimulation simulation;
         RecordingReader reader;
         FrameReadAhead frames;
-        [NonSerialized] string opened, problem, clamped;
+        [NonSerialized] string opened, problem;
+        [NonSerialized] ClampedSettings clamped;
         [NonSerialized] double time;
         [NonSerialized] bool hasJumped, goesBack;
         PbfSolver shownSolver;      // which the shown frame is in
@@ -116,7 +117,7 @@ namespace Rill
 
         /// <summary>Seconds of the recording in a second of the game, -100 to 100; below 0 it plays backwards. Out-of-range values are
         /// clamped with a warning.</summary>
-        public float Speed { get => speed; set { speed = value; OnValidate(); } }
+        public float Speed { get => speed; set { speed = value; Changed(); } }
 
         /// <summary>Whether it begins again at its end.</summary>
         public bool Loop { get => loop; set => loop = value; }
@@ -203,7 +204,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(problem);
         }
 
@@ -261,12 +262,20 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
-            clamped = null;
-            Limit.Clamp("speed", ref speed, -MaxSpeed, MaxSpeed, 1f, ref clamped);
-            if (clamped != null)
-                Debug.LogWarning($"Rill: FluidPlayback '{name}': {clamped}", this);
+            string outOfRange = null;
+            Limit.Clamp("speed", ref speed, -MaxSpeed, MaxSpeed, 1f, ref outOfRange);
+            clamped.Set(outOfRange);
+        }
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
             shaders.Follow(StageSet.Recording);
         }
 

@@ -20,7 +20,7 @@ namespace Rill
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public sealed class FluidRecorder : MonoBehaviour, IUsesStages, IHasProblems
+    public sealed class FluidRecorder : MonoBehaviour, IUsesStages, IHasProblems, IAppliesSettings
     {
         const int MinBuffers = 4, MaxBuffers = 64, DefaultBuffers = 12;
         const float MaxRate = 1000f;
@@ -57,7 +57,8 @@ namespace Rill
         RecordingWriter writer;
         RecordingHeader header;
         PbfSolver solver;
-        [NonSerialized] string path, problem, clamped;
+        [NonSerialized] string path, problem;
+        [NonSerialized] ClampedSettings clamped;
         [NonSerialized] double startTime;
         [NonSerialized] long lastFrame;
         [NonSerialized] int lastStep, buffers;
@@ -67,10 +68,10 @@ namespace Rill
 
         /// <summary>Frames that are recorded for a second of fluid time, 1/s, 0 to 1,000; 0 for every step. Out-of-range values are clamped
         /// with a warning.</summary>
-        public float Rate { get => rate; set { rate = value; OnValidate(); } }
+        public float Rate { get => rate; set { rate = value; Changed(); } }
 
         /// <summary>Frames that may wait for the disk, 4 to 64; of the next recording. Out-of-range values are clamped with a warning.</summary>
-        public int BufferedFrames { get => bufferedFrames; set { bufferedFrames = value; OnValidate(); } }
+        public int BufferedFrames { get => bufferedFrames; set { bufferedFrames = value; Changed(); } }
 
         /// <summary>Whether frames are being recorded.</summary>
         [field: NonSerialized] public bool IsRecording { get; private set; }
@@ -140,7 +141,7 @@ namespace Rill
 
         void IHasProblems.ListProblems(List<string> problems)
         {
-            problems.AddIfAny(clamped);
+            problems.AddIfAny(clamped.Problem);
             problems.AddIfAny(problem);
         }
 
@@ -170,13 +171,21 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate()
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void Changed() => ChangedSettings.Apply(this);
+
+        void IAppliesSettings.CheckSettings()
         {
-            clamped = null;
-            Limit.Clamp("rate", ref rate, 0f, MaxRate, 0f, ref clamped);
-            Limit.Clamp("buffered frames", ref bufferedFrames, MinBuffers, MaxBuffers, ref clamped);
-            if (clamped != null)
-                Debug.LogWarning($"Rill: FluidRecorder '{name}': {clamped}", this);
+            string outOfRange = null;
+            Limit.Clamp("rate", ref rate, 0f, MaxRate, 0f, ref outOfRange);
+            Limit.Clamp("buffered frames", ref bufferedFrames, MinBuffers, MaxBuffers, ref outOfRange);
+            clamped.Set(outOfRange);
+        }
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
             shaders.Follow(StageSet.Recording);
         }
 

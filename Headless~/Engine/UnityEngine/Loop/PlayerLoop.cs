@@ -9,6 +9,8 @@ namespace UnityEngine.Headless
     {
         /// <summary>Cameras draw here.</summary>
         public static Action Render;
+        /// <summary>The Editor's update, which in play mode comes before each frame.</summary>
+        public static Action UpdateEditor;
         /// <summary>Between Update and LateUpdate, as Unity's DirectorUpdateAnimationBegin.</summary>
         public static Action PlayDirectors;
         /// <summary>Asynchronous read-backs arrive here.</summary>
@@ -25,6 +27,8 @@ namespace UnityEngine.Headless
 
         public static void Frame(float deltaTime)
         {
+            if (!EditMode.IsOn)
+                Guarded(UpdateEditor);
             Time.Clock.BeginFrame(deltaTime);
             SceneManager.RunRequests();
             Guarded(BeginFrame);

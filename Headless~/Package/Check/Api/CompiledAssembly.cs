@@ -13,9 +13,10 @@ namespace Host.Check.Api
     /// <summary>A method that code calls, or takes as a delegate.</summary>
     /// <param name="Arguments">Of a generic method.</param>
     /// <param name="Constrained">The type whose method is called where the code names that of a base: of int for object.ToString. Null: that.</param>
+    /// <param name="IsPointer">The code makes a delegate of it.</param>
     /// <param name="Constant">A small number that the code pushes just before: the last argument. Null: something else.</param>
     sealed record CompiledCall(EntityHandle Handle, CompiledMember Method, IReadOnlyList<ApiTypeName> Arguments, ApiTypeName Constrained,
-        int? Constant);
+        int? Constant, bool IsPointer = false);
 
     /// <summary>A compiled assembly and what it takes from others.</summary>
     sealed class CompiledAssembly : IDisposable
@@ -91,7 +92,7 @@ namespace Host.Check.Api
             {
                 if (op.OperandType == OperandType.InlineMethod
                     && Call((EntityHandle)MetadataTokens.Handle(operand), constrained, constant) is { } call)
-                    yield return call;
+                    yield return op == OpCodes.Ldftn || op == OpCodes.Ldvirtftn ? call with { IsPointer = true } : call;
                 constant = op.Value >= OpCodes.Ldc_I4_0.Value && op.Value <= OpCodes.Ldc_I4_8.Value ? op.Value - OpCodes.Ldc_I4_0.Value : null;
                 constrained = op == OpCodes.Constrained ? CompiledTypeNames.Of(Metadata, (EntityHandle)MetadataTokens.Handle(operand)) : null;
             }

@@ -11,10 +11,35 @@ namespace Host.Check.Api
     /// <summary>A type that one of the package's assemblies defines.</summary>
     sealed record PackageType(CompiledAssembly Assembly, TypeDefinitionHandle Handle)
     {
+        IReadOnlyList<PackageMethod> methods;
+
         public TypeDefinition Definition => Assembly.Metadata.GetTypeDefinition(Handle);
         public ApiTypeName Name { get; } = CompiledTypeNames.Of(Assembly.Metadata, Handle);
+        public IReadOnlyList<PackageMethod> Methods => methods ??= Definition.GetMethods().Select(handle => new PackageMethod(this, handle)).ToList();
         public string Text(StringHandle name) => Assembly.Metadata.GetString(name);
         public override string ToString() => Name.ToString();
+    }
+
+    /// <summary>A method of such a type.</summary>
+    sealed class PackageMethod
+    {
+        public readonly PackageType Type;
+        public readonly MethodDefinition Definition;
+        public readonly CompiledMember Member;
+
+        public PackageMethod(PackageType type, MethodDefinitionHandle handle)
+        {
+            Type = type;
+            Definition = type.Assembly.Metadata.GetMethodDefinition(handle);
+            Member = type.Assembly.Member(type.Name, Definition);
+        }
+
+        public string Name => Member.Name;
+        /// <summary>Of an explicit implementation, the interface's name for it.</summary>
+        public string ShortName => Name[0] == '.' ? Name : Name.Substring(Name.LastIndexOf('.') + 1);
+        public bool IsVirtual => (Definition.Attributes & System.Reflection.MethodAttributes.Virtual) != 0;
+
+        public override string ToString() => $"{Type}.{Name}";
     }
 
     /// <summary>The types of all of the package's assemblies together, those of its adapters for render pipelines included.</summary>
@@ -48,6 +73,21 @@ namespace Host.Check.Api
         {
             for (; type != null; type = BaseOf(type) is { } parent ? Find(parent) : null)
                 yield return type;
+        }
+
+        /// <summary>Whether a type derives from another or implements it, as an interface.</summary>
+        public bool DerivesFrom(PackageType type, ApiTypeName other)
+        {
+            foreach (PackageType inherited in Lineage(type))
+            {
+                if (inherited.Name.Key == other.Key || BaseOf(inherited)?.Key == other.Key)
+                    return true;
+                foreach (InterfaceImplementationHandle handle in inherited.Definition.GetInterfaceImplementations())
+                    if (CompiledTypeNames.Of(inherited.Assembly.Metadata, inherited.Assembly.Metadata.GetInterfaceImplementation(handle).Interface).Key
+                        == other.Key)
+                        return true;
+            }
+            return false;
         }
 
         /// <summary>The first class that is not the package's: null for an interface.</summary>
