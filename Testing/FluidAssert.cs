@@ -19,6 +19,9 @@ namespace Rill.Testing
         /// <summary>Frames of a game at 1,000 Hz beside a fluid at 10 steps a second, and some.</summary>
         const int MaxFramesWithoutStep = 300;
 
+        /// <summary>Fluid time for which water stays calm that has settled, s.</summary>
+        const double CalmTime = 0.25;
+
         /// <summary>Measures the fluid now, and waits for the GPU.</summary>
         /// <exception cref="ArgumentNullException">There is no fluid.</exception>
         /// <exception cref="InvalidOperationException">The fluid does not run, or has taken no step yet.</exception>
@@ -67,13 +70,13 @@ namespace Rill.Testing
         }
 
         /// <summary>
-        /// Lets the scene play until the water is calm, for a test that returns IEnumerator:
+        /// Lets the scene play until the water is calm and stays so for a quarter of a second, for a test that returns IEnumerator:
         /// <c>yield return FluidAssert.Settles(fluid, within: 5f);</c>
         /// </summary>
-        /// <param name="within">Fluid time that it may take from now on, s; above 0.</param>
+        /// <param name="within">Fluid time from now on in which it has to become calm, s; above 0.</param>
         /// <param name="volume">How far <see cref="FluidStatistics.volumeRatio"/> may be from 1, at least 0; infinite where the water does
         /// not fill the floor of its box.</param>
-        /// <param name="noise">Jitter below which water is calm, m/s; above 0.</param>
+        /// <param name="noise">Calm water has no more than this of jitter and of rms speed, m/s; above 0.</param>
         /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
         /// <exception cref="FluidAssertionException">It is not calm in that time, or is not of its rest volume then; the message names the
         /// fastest particles.</exception>
@@ -86,7 +89,7 @@ namespace Rill.Testing
             if (!(volume >= 0f))
                 throw Limit.OutOfRange(nameof(volume), volume, "The volume's tolerance has to be at least 0.");
             if (!(noise > 0f))
-                throw Limit.OutOfRange(nameof(noise), noise, "The jitter of calm water has to be above 0 m/s.");
+                throw Limit.OutOfRange(nameof(noise), noise, "The noise of calm water has to be above 0 m/s.");
             return Settle(fluid, within, volume, noise);
         }
 
@@ -147,7 +150,8 @@ namespace Rill.Testing
             double start = fluid.FluidTime;
             int framesWithoutStep = 0;
             FluidStatistics now = default;
-            while (fluid.FluidTime - start < within)
+            double calmSince = double.PositiveInfinity;
+            while (fluid.FluidTime - start < within || !double.IsInfinity(calmSince))
             {
                 int step = fluid.StepCount;
                 yield return null;
@@ -158,12 +162,15 @@ namespace Rill.Testing
                 if (framesWithoutStep > 0)
                     Fail(fluid, now, "it cannot settle, since time stands still: " + (fluid.Paused ? "it is paused."
                         : Invariant($"{framesWithoutStep} frames without a step. Look at Time.timeScale.")));
-                if (now.jitter <= noise && Math.Abs(now.volumeRatio - 1f) <= volume)
+                // Water that begins to fall, or turns back, is slow for a moment too.
+                bool isCalm = now.jitter <= noise && now.speed <= noise && Math.Abs(now.volumeRatio - 1f) <= volume;
+                calmSince = isCalm ? Math.Min(calmSince, fluid.FluidTime) : double.PositiveInfinity;
+                if (fluid.FluidTime - calmSince >= CalmTime)
                     yield break;
             }
             string size = float.IsInfinity(volume) ? ""
                 : Invariant($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
-            Fail(fluid, now, Invariant($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + "."
+            Fail(fluid, now, Invariant($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s and rms speed {now.speed:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + "."
                 + NameFastest(fluid));
         }
 

@@ -22,7 +22,7 @@ namespace Rill.Editor
             yield return ("Speed", Invariant($"rms {statistics.speed:F2}, jitter {statistics.jitter:F3}, most {statistics.speedMax:F2} ") +
                 "m/s");
             yield return ("Energy", Invariant($"{statistics.Energy:G4} J"));
-            yield return ("Neighbors", Invariant($"mean {statistics.neighborsMean:F1}, over the list {statistics.neighborOverflow:N0}"));
+            yield return ("Neighbors", Invariant($"mean {statistics.neighborsMean:F1}, most {statistics.neighborsMax}, over the list {statistics.neighborOverflow:N0}"));
             if (statistics.viscosityChange > 0f)
                 yield return ("Dynamic viscosity", Invariant($"last pass changed a velocity by {statistics.viscosityChange:G2} m/s at ") +
                     "most");
@@ -35,7 +35,7 @@ namespace Rill.Editor
         {
             if (statistics.neighborOverflow > 0)
                 yield return Invariant($"{statistics.neighborOverflow:N0} particles had more neighbors than their list holds (up to ") +
-                    Invariant($"{statistics.maxNeighbors}). Raise the neighbor capacity.");
+                    Invariant($"{statistics.neighborOverflowMax}). Raise the neighbor capacity.");
             if (statistics.refused > 0)
                 yield return Invariant($"{statistics.refused:N0} particles did not fit. Raise the capacity.");
             if (statistics.nonFinite > 0)

@@ -1,4 +1,5 @@
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -16,6 +17,11 @@ namespace Rill
 
         /// <summary>Last step of the reading, as <see cref="FluidSimulation.StepCount"/> counts; two or three frames ago.</summary>
         public readonly int Step;
+
+        /// <summary>Returns what happened in one line, with units.</summary>
+        public override string ToString() => Invariant($"'{NameOf(Collider)}' in '{NameOf(Fluid)}', impulse {Impulse:0.000} N s, step {Step}");
+
+        static string NameOf(Object named) => named != null ? named.name : "destroyed";
 
         internal FluidContact(Component collider, in FluidForce force)
         {

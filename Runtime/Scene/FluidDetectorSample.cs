@@ -36,6 +36,10 @@ namespace Rill
         /// <param name="phase">As an emitter gives it, 0 to 7.</param>
         /// <exception cref="System.ArgumentOutOfRangeException">No phase has this number.</exception>
         public float VolumeOf(int phase) => phases[phase];
+
+        /// <summary>Returns what was found in one line, with units.</summary>
+        public override string ToString() => !valid ? "not measured"
+            : Invariant($"{volume:0.#####} m³, {fill:P0} full, velocity {velocity:0.00} m/s, step {step}, {age:0.000} s old");
     }
 
     /// <summary>A volume for each phase, m³: an array that is no object.</summary>

@@ -1,4 +1,5 @@
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -45,6 +46,16 @@ namespace Rill
         /// <summary>The height that <see cref="heightRate"/> makes of <see cref="height"/> until the frame in which the sample was asked
         /// for, m: without the lag, and wrong by what changed its course since.</summary>
         public float ExtrapolatedHeight => height + heightRate * age;
+
+        /// <summary>Returns what was found in one line, with units.</summary>
+        public override string ToString()
+        {
+            if (!valid)
+                return "not measured";
+            string water = hasVelocity ? Invariant($"density {density:0.00} of rest, velocity {velocity:0.00} m/s") : "no water near";
+            string surface = hasSurface ? Invariant($"surface at {height:0.000} m, {depth:0.000} m above") : "no surface";
+            return Invariant($"at {position:0.000} m, step {step}, {age:0.000} s old: ") + water + ", " + surface;
+        }
 
         /// <param name="by">By which the box and its water were put elsewhere since, m.</param>
         /// <param name="up">Against gravity, length 1; 0 without gravity.</param>

@@ -108,6 +108,10 @@ namespace Rill
         /// the lag, and wrong by what changed its course since.</summary>
         public Vector3 ExtrapolatedPoint => point + velocity * age;
 
+        /// <summary>Returns what was hit in one line, with units.</summary>
+        public override string ToString() => !valid ? "not measured" : !hit ? startsInWater ? "no hit, starts in water" : "no hit"
+            : Invariant($"hit at {point:0.000} m after {distance:0.000} m, step {step}, {age:0.000} s old");
+
         /// <param name="by">By which the box and its water were put elsewhere since, m.</param>
         internal void Shift(Vector3 by)
         {

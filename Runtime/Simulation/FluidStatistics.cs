@@ -1,5 +1,6 @@
 using Unity.Collections;
 using Unity.Mathematics;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -10,7 +11,7 @@ namespace Rill
     public struct FluidStatistics
     {
         /// <summary>words that <see cref="Quantity"/> numbers</summary>
-        [GenerateHlsl("Statistics")] internal const int QuantityCount = 21;
+        [GenerateHlsl("Statistics")] internal const int QuantityCount = 22;
 
         internal const int BlockSize = QuantityCount + 2 + ParticleBuffers.CounterCount;
 
@@ -44,6 +45,8 @@ namespace Rill
             MaxSpeedSquared,
             /// <summary>and 19, 20: largest x, y, z</summary>
             Furthest,
+            /// <summary>most neighbors of a particle</summary>
+            NeighborsMax = Furthest + 3,
         }
 
         /// <summary>Fixed step since the last reset that was measured; 0 is the state before the first.</summary>
@@ -75,8 +78,8 @@ namespace Rill
         public int nonFinite;
         /// <summary>Particles that had more neighbors than their list holds, in the last substep.</summary>
         public int neighborOverflow;
-        /// <summary>Most neighbors of such a particle; 0 without one.</summary>
-        public int maxNeighbors;
+        /// <summary>Most entries that such a particle's list would have needed; 0 without one.</summary>
+        public int neighborOverflowMax;
         /// <summary>Particles more than 0.1 d beyond where the walls let a center go.</summary>
         public int escaped;
         /// <summary>Particles closer than 0.05 d to another.</summary>
@@ -98,8 +101,10 @@ namespace Rill
         public float speed;
         /// <summary>Largest speed of a particle, m/s.</summary>
         public float speedMax;
-        /// <summary>Mean number of neighbors of a particle.</summary>
+        /// <summary>Mean number of neighbors of a particle, within the support radius.</summary>
         public float neighborsMean;
+        /// <summary>Largest number of neighbors of a particle, within the support radius.</summary>
+        public int neighborsMax;
         /// <summary>Center of mass in the domain's frame, m.</summary>
         public float3 centerOfMass;
         /// <summary>Largest coordinate of a particle along each axis, m.</summary>
@@ -127,6 +132,11 @@ namespace Rill
         /// <summary>Kinetic and potential energy together; what an elastic fluid has stored in its stretch is not counted.</summary>
         public float Energy => kineticEnergy + potentialEnergy;
 
+        /// <summary>Returns the main figures in one line, with units.</summary>
+        public override string ToString() => Invariant($"step {step} at {time:0.###} s: {particles} particles, density error {densityError:P2} (") +
+            Invariant($"99.9 % below {densityError999:P1}, max {densityErrorMax:P0}), volume {volumeRatio:0.000} of rest, ") +
+            Invariant($"speed rms {speed:0.000}, jitter {jitter:0.000}, max {speedMax:0.000} m/s");
+
         /// <param name="block">As Statistics.compute writes it.</param>
         internal static FluidStatistics From(NativeArray<uint> block, SolverLayout layout, float density, float3 gravity, float fixedStep)
         {
@@ -153,11 +163,11 @@ namespace Rill
                 // and those that the next sort leaves out: of what was removed since, it was taken back in advance
                 nonFinite = Counter(block, ParticleCounter.NonFinite) + Counter(block, ParticleCounter.Alive) - (int)count,
                 neighborOverflow = Counter(block, ParticleCounter.Overflow),
-                maxNeighbors = Counter(block, ParticleCounter.MaxNeighbors),
+                neighborOverflowMax = Counter(block, ParticleCounter.MaxNeighbors),
                 escaped = (int)Value(block, Quantity.Escaped),
                 coincident = (int)Value(block, Quantity.CoincidentPairs),
                 densityError = Value(block, Quantity.DensityError) * perParticle,
-                densityError999 = math.asfloat(block[QuantityCount]),
+                densityError999 = math.min(math.asfloat(block[QuantityCount]), Value(block, Quantity.MaxError)),      // of a bin, its upper end
                 densityErrorMax = Value(block, Quantity.MaxError),
                 interiorError = Value(block, Quantity.InteriorError) / math.max(Value(block, Quantity.Interior), 1f),
                 volumeRatio = 2f * meanPosition.y * box.x * box.z / math.max(count * d * d * d, 1e-30f),
@@ -165,6 +175,7 @@ namespace Rill
                 speed = d * math.sqrt(Value(block, Quantity.SpeedSquared) * perParticle),
                 speedMax = d * math.sqrt(Value(block, Quantity.MaxSpeedSquared)),
                 neighborsMean = Value(block, Quantity.Neighbors) * perParticle,
+                neighborsMax = (int)Value(block, Quantity.NeighborsMax),
                 centerOfMass = meanPosition,
                 furthest = Vector(block, Quantity.Furthest) * d,
                 momentum = meanVelocity * (count * mass),

@@ -17,9 +17,9 @@ namespace Rill
         readonly CommandBuffer commands = new CommandBuffer { name = "Rill.ParticleReadback" };
         Readback readback;
         ParticleCopyLayout layout;
-        ParticleFields fields;
+        ParticleFields fields, copied;      // asked for, and in the copy
         int capacity, count;
-        bool hasData, isWaiting, isDisposed;
+        bool hasData, isWaiting, isDisposed, hasMarked;
         ReadbackOutcome outcome;
         FluidSimulation fluid;
         PbfSolver solver;
@@ -105,7 +105,10 @@ namespace Rill
         internal void Request(FluidSimulation of, ParticleFields wanted)
         {
             PbfSolver from = of.Solver;
-            Reserve(from.Layout.Capacity, wanted);
+            // Which particles a script has removed since the last step, only their positions tell.
+            hasMarked = from.HasMarked;
+            Reserve(from.Layout.Capacity, hasMarked ? wanted | ParticleFields.Positions : wanted);
+            fields = wanted;
             (fluid, solver, generation) = (of, from, from.Generation);
             (askedStep, askedTime) = (of.StepCount, of.FluidTime);
             commands.Clear();
@@ -122,7 +125,7 @@ namespace Rill
         // For another capacity or other fields the copy is another buffer; what it held is gone.
         void Reserve(int particles, ParticleFields wanted)
         {
-            if (readback != null && capacity == particles && fields == wanted)
+            if (readback != null && capacity == particles && copied == wanted)
                 return;
             hasData = false;
             readback?.Dispose();
@@ -130,7 +133,7 @@ namespace Rill
             var next = new ParticleCopyLayout(wanted, particles);
             readback = new Readback(GpuBuffer.Structured<uint>("Rill.ParticleCopy", next.Words)) { Arrived = onArrived };
             BufferClear.Now(readback.Buffer);
-            (layout, capacity, fields) = (next, particles, wanted);
+            (layout, capacity, copied) = (next, particles, wanted);
         }
 
         void OnArrived()
@@ -142,8 +145,35 @@ namespace Rill
             if (!isSame)
                 return;
             count = (int)readback.Latest[0];
+            if (hasMarked)
+                LeaveOutMarked();
             Step = askedStep;
             Time = askedTime;
+        }
+
+        void LeaveOutMarked()
+        {
+            NativeArray<uint> words = readback.Latest;
+            int there = 0;
+            for (int i = 0; i < count; i++)
+            {
+                if (!math.isfinite(math.asfloat(words[layout.PositionsAt + 3 * i])))
+                    continue;
+                Move(words, layout.PositionsAt, 3, i, there);
+                Move(words, layout.VelocitiesAt, 3, i, there);
+                Move(words, layout.IdsAt, 1, i, there);
+                Move(words, layout.PhasesAt, 1, i, there);
+                there++;
+            }
+            count = there;
+        }
+
+        static void Move(NativeArray<uint> words, int at, int size, int from, int to)
+        {
+            if (at == ParticleCopyLayout.Missing || from == to)
+                return;
+            for (int word = 0; word < size; word++)
+                words[at + size * to + word] = words[at + size * from + word];
         }
 
         // A request that ended without a result is one that the device failed.

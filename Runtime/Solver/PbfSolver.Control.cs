@@ -14,7 +14,7 @@ namespace Rill
         uint markedAfter;       // 1 more than the steps after which particles were marked as removed; 0 for never
 
         /// <summary>Whether particles are marked as removed that the next sort leaves out.</summary>
-        bool HasMarked => markedAfter == stepIndex + 1;
+        public bool HasMarked => markedAfter == stepIndex + 1;
 
         ParticleEdits Edits => edits ??= new ParticleEdits();
 

@@ -27,19 +27,29 @@ namespace Rill
             ReadOnlySpan<float4> from = contents.Values<float4>(SnapshotSection.Positions),
                 moving = contents.Values<float4>(SnapshotSection.Velocities);
             ReadOnlySpan<uint> tags = contents.Values<uint>(SnapshotSection.Tags);
-            int count = from.Length;
+            ReadOnlySpan<uint> named = contents.Values<uint>(SnapshotSection.Ids);
+            int count = 0;
+            foreach (float4 position in from)
+                count += IsThere(position) ? 1 : 0;
             var positions = new float3[count];
             var velocities = new float3[count];
             var densities = new float[count];
             var phases = new byte[count];
-            for (int i = 0; i < count; i++)
+            var ids = new uint[count];
+            for (int i = 0, to = 0; i < from.Length; i++)
             {
-                positions[i] = frame.World(new RigidPose(from[i].xyz, quaternion.identity)).position;
-                velocities[i] = rotation * (Vector3)(moving[i].xyz * spacing);
-                densities[i] = moving[i].w * density;
-                phases[i] = tags.Length > 0 ? (byte)(tags[i] >> ParticleTags.PhaseShift) : (byte)0;
+                if (!IsThere(from[i]))
+                    continue;
+                positions[to] = frame.World(new RigidPose(from[i].xyz, quaternion.identity)).position;
+                velocities[to] = rotation * (Vector3)(moving[i].xyz * spacing);
+                densities[to] = moving[i].w * density;
+                phases[to] = tags.Length > 0 ? (byte)(tags[i] >> ParticleTags.PhaseShift) : (byte)0;
+                ids[to++] = named[i];
             }
-            return new ParticleFrame(positions, velocities, densities, phases, contents.Values<uint>(SnapshotSection.Ids).ToArray(), time);
+            return new ParticleFrame(positions, velocities, densities, phases, ids, time);
         }
+
+        // One that a script has removed since the last step is marked by a position that is not finite, and is left out by the next.
+        static bool IsThere(float4 position) => math.all(math.isfinite(position.xyz));
     }
 }

@@ -2,7 +2,7 @@
 #ifndef RILL_GENERATED_STATISTICS_INCLUDED
 #define RILL_GENERATED_STATISTICS_INCLUDED
 
-static const uint kQuantityCount = 21;    // words that Quantity numbers
+static const uint kQuantityCount = 22;    // words that Quantity numbers
 
 // What is measured: sums, then maxima.
 static const uint kCount = 0;
@@ -20,6 +20,7 @@ static const uint kNeighbors = 15;
 static const uint kMaxError = 16;    // the first maximum
 static const uint kMaxSpeedSquared = 17;
 static const uint kFurthest = 18;    // and 19, 20: largest x, y, z
+static const uint kNeighborsMax = 21;    // most neighbors of a particle
 
 static const uint kBins = 4096;    // of C+ between 0 and kMaxBin, finer towards 0: bin ~ sqrt(C+)
 static const float kEscapedBeyond = 0.1;    // d: how far beyond the walls and inside colliders a particle counts as escaped

@@ -16,7 +16,7 @@ namespace Rill.Editor.Tests
             var statistics = new FluidStatistics
             {
                 particles = 900, added = 500, emitted = 450, drained = 40, nonFinite = 10, refused = 7,
-                blocked = 6, waiting = 5, densityError = 0.0123f, neighborOverflow = 3, maxNeighbors = 80
+                blocked = 6, waiting = 5, densityError = 0.0123f, neighborOverflow = 3, neighborOverflowMax = 80
             };
             string all = string.Join("\n", StatisticsSummary.Rows(statistics, 1000).Select(row => $"{row.label}: {row.text}"));
             foreach (string text in new[] { "900 of ", "added 500", "emitted 450", "drained 40", "not finite 10", "refused 7", "no room 6",

@@ -4,7 +4,8 @@ namespace Rill
     /// that is not in it.</summary>
     readonly struct ParticleCopyLayout
     {
-        const int Missing = unchecked((int)ParticleAccess.NotCopied);
+        /// <summary>First word of a field that is not copied.</summary>
+        public const int Missing = unchecked((int)ParticleAccess.NotCopied);
 
         public readonly int PositionsAt, VelocitiesAt, IdsAt, PhasesAt;
 

@@ -40,6 +40,7 @@ namespace Rill.Tests.Reference
         public double Speed => Math.Sqrt(velocities.Average(v => math.dot(v, v)));
         public double SpeedMax => velocities.Max(v => math.length(v));
         public double NeighborsMean => neighbors.Average(near => (double)near.Length);
+        public int NeighborsMax => neighbors.Max(near => near.Length);
 
         public int Escaped => points.Count(p => math.any(p < 0.4) || math.any(p > box - 0.4));
         public int Coincident => Enumerable.Range(0, points.Length).Count(i => neighbors[i].Any(j => math.distance(points[i], points[j]) < 0.05));

@@ -55,6 +55,35 @@ namespace Rill.Tests
             }
         }
 
+        // Between steps what was removed is only marked.
+        [Test]
+        public void What_was_removed_since_the_last_step_is_in_no_reading_of_the_particles([Values] bool byTheBox)
+        {
+            using (SourceScene scene = Basin().Step(5))
+            using (var readback = new ParticleReadback())
+            {
+                ParticleState before = scene.Read();
+                bool IsLeft(float4 position) => byTheBox ? position.y > 1f : position.x > 5f;
+                uint[] left = Enumerable.Range(0, before.Count).Where(i => IsLeft(before.positions[i])).Select(i => before.ids[i]).ToArray();
+                scene.Fluid.Paused = true;
+                if (byTheBox)
+                    scene.Fluid.Recenter(new Vector3(0f, Spacing, 0f));
+                else
+                    scene.Fluid.RemoveInside(FluidShape.Box(new Vector3(-0.25f, 0f, 0f), new Vector3(0.5f, 1f, 0.5f)));
+                ParticleFrame frame = null;
+                scene.Fluid.RequestFrame((found, problem) => frame = found);
+                scene.Fluid.RequestParticles(readback, ParticleFields.Velocities | ParticleFields.Ids);
+                AsyncGPUReadback.WaitAllRequests();
+                Compare.Same("ids of the file", frame.Ids, left);
+                Assert.That(frame.Positions.All(p => math.all(math.isfinite(p))) && frame.Velocities.All(v => math.all(math.isfinite(v))));
+                Compare.Same("ids of the readback", readback.Ids.ToArray(), left);
+                Assert.That(readback.Velocities.ToArray().All(v => math.all(math.isfinite(v))));
+                Assert.That(() => readback.Positions, Throws.InvalidOperationException, "they were not asked for");
+                FluidStatistics statistics = scene.Fluid.MeasureNow();
+                Assert.That((statistics.particles, statistics.nonFinite), Is.EqualTo((left.Length, 0)));
+            }
+        }
+
         [Test]
         public void A_sphere_a_capsule_and_a_turned_box_remove_exactly_the_particles_whose_center_is_inside([Values(0, 1, 2)] int kind,
             [Values(false, true)] bool sleeps)

@@ -177,6 +177,36 @@ namespace Rill.Tests
             Assert.That(fluid.FluidTime, Is.GreaterThan(0.0));
         }
 
+        // At first the water has no jitter: all of it falls alike. Nor has it speed yet.
+        [UnityTest]
+        public IEnumerator A_dam_that_begins_to_break_has_not_settled()
+        {
+            FluidSimulation fluid = Fluid("Dam", new Vector3(1f, 0.6f, 0.5f), 0.05f, 2000, new Vector3(0.4f, 0.4f, 0.5f));
+            yield return FailToSettle(FluidAssert.Settles(fluid, within: 0.3f));
+            Assert.That(unsettled, Does.Match(@"has not settled in 0\.3 s: jitter \d\.\d+ m/s and rms speed [1-9]?\d?\.?\d+ m/s of 0\.050"));
+            Assert.That(fluid.MeasureNow().speed, Is.GreaterThan(0.2f));
+        }
+
+        [UnityTest]
+        public IEnumerator Water_that_is_slow_for_a_moment_has_not_settled()
+        {
+            FluidSimulation fluid = Pool();
+            yield return FluidAssert.Settles(fluid, within: 4f, noise: 0.1f);
+            double calm = fluid.FluidTime;
+            Assert.That(calm, Is.GreaterThan(0.25), "it is watched for a quarter of a second");
+            yield return FluidAssert.Settles(fluid, within: 0.01f, noise: 0.2f);
+            Assert.That(fluid.FluidTime - calm, Is.EqualTo(0.25).Within(0.05), "also where it is calm from the first");
+        }
+
+        [UnityTest]
+        public IEnumerator Calm_water_of_another_volume_than_asked_for_fails_by_its_volume()
+        {
+            FluidSimulation fluid = Pool();
+            yield return FluidAssert.Settles(fluid, within: 4f, noise: 0.1f);
+            yield return FailToSettle(FluidAssert.Settles(fluid, within: 0.5f, volume: 1e-6f, noise: 0.1f));
+            Assert.That(unsettled, Does.Match(@"volume \d\.\d+ of its rest volume, 1\.000 to 1\.000 asked for"));
+        }
+
         [UnityTest]
         public IEnumerator Water_that_still_moves_has_not_settled_and_the_message_has_the_figures()
         {

@@ -68,10 +68,10 @@ namespace Rill.Tests
             {
                 FluidStatistics first = fluid.Step().MeasureWhole();
                 Assert.That(first.neighborOverflow, Is.EqualTo(1000));
-                Assert.That(first.maxNeighbors, Is.EqualTo(999));
+                Assert.That(first.neighborOverflowMax, Is.EqualTo(999));
                 FluidStatistics last = fluid.Step(60).MeasureWhole();
                 Assert.That(last.neighborOverflow, Is.Zero);
-                Assert.That(last.maxNeighbors, Is.Zero);
+                Assert.That(last.neighborOverflowMax, Is.Zero);
                 Assert.That(last.densityError999, Is.LessThan(0.2f));
             }
         }

@@ -33,6 +33,8 @@ namespace Rill.Tests
             AssertNear("speed", actual.speed, expected.Speed * d, 1e-5);
             AssertNear("largest speed", actual.speedMax, expected.SpeedMax * d, 1e-5);
             AssertNear("neighbors", actual.neighborsMean, expected.NeighborsMean, 1e-4);
+            Assert.That(actual.neighborsMax, Is.EqualTo(expected.NeighborsMax));
+            Assert.That(actual.densityError999, Is.LessThanOrEqualTo(actual.densityErrorMax));
             AssertNear("volume ratio", actual.volumeRatio, expected.VolumeRatio, 1e-5);
             AssertNear("kinetic energy", actual.kineticEnergy, 0.5 * mass * count * Math.Pow(expected.Speed * d, 2), 1e-5);
             AssertNear("potential energy", actual.potentialEnergy, 9.81 * mass * count * expected.CenterOfMass.y * d, 1e-5);
@@ -141,7 +143,7 @@ namespace Rill.Tests
                 Assert.That(overflow, Is.GreaterThan(100u));
                 FluidStatistics statistics = fluid.Measure();
                 Assert.That(statistics.neighborOverflow, Is.EqualTo(overflow));
-                Assert.That(statistics.maxNeighbors, Is.EqualTo(most).And.GreaterThan(16));
+                Assert.That(statistics.neighborOverflowMax, Is.EqualTo(most).And.GreaterThan(16));
             }
         }
 
