@@ -17,11 +17,13 @@ namespace Rill.Editor
                 Undo.RecordObject(what, Name);
         }
 
-        public void Created(GameObject what)
+        public void Created(Object what)
         {
             if (!Application.isPlaying)
                 Undo.RegisterCreatedObjectUndo(what, Name);
         }
+
+        public bool MayDestroy(GameObject what) => !PrefabUtility.IsPartOfPrefabInstance(what);
 
         public void Destroy(Object what)
         {

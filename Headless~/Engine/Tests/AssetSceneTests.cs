@@ -3,8 +3,11 @@ using Fixtures;
 using Host.Assets;
 using NUnit.Framework;
 using Unity.Mathematics;
+using UnityEditor;
 using UnityEngine;
 using UnityEngine.SceneManagement;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace Host.Tests
 {
@@ -268,6 +271,38 @@ namespace Host.Tests
             var tip = Get<Transform>(scene, "Everything/Nozzle of the scene/Tip");
             Assert.That(tip.GetComponents<Part>().Select(p => p.size), Is.EqualTo(new[] { 33f }), "3 was removed, 33 added");
             Assert.That(Get<Transform>(scene, "Everything/Nozzle of the scene/Added child").localPosition.z, Is.EqualTo(9));
+        }
+
+        [Test]
+        public void What_is_inside_of_a_prefab_instance_is_neither_destroyed_nor_moved_in_edit_mode()
+        {
+            UnityEngine.Headless.EditMode.IsOn = true;
+            GameObject rig = Get<Part>(scene, "Rig of the scene").gameObject, tip = Get<Part>(scene, "Rig of the scene/Left Nozzle/Tip").gameObject;
+            GameObject added = Get<Transform>(scene, "Everything/Nozzle of the scene/Added child").gameObject;
+            const string refusal = "Destroying a GameObject inside a Prefab instance is not allowed.";
+            Assert.That(PrefabUtility.IsPartOfPrefabInstance(rig) && PrefabUtility.IsPartOfPrefabInstance(tip.GetComponent<Part>()));
+            Assert.That(PrefabUtility.IsPartOfPrefabInstance(added) || PrefabUtility.IsAddedGameObjectOverride(tip), Is.False);
+            Assert.That(PrefabUtility.IsAddedGameObjectOverride(added));
+            Assert.That(() => Object.DestroyImmediate(tip), Throws.InvalidOperationException.With.Message.EqualTo(refusal));
+            Assert.That(() => Undo.DestroyObjectImmediate(tip.transform.parent.gameObject), Throws.InvalidOperationException);
+            LogAssert.Expect(LogType.Error, "Setting the parent of a transform which resides in a Prefab instance is not possible (GameObject: 'Tip').");
+            tip.transform.SetParent(null);
+            Assert.That(tip.transform.parent != null);
+            Object.DestroyImmediate(tip.GetComponent<Part>());
+            Assert.That(tip.GetComponent<Part>() == null, "a component is an override");
+            Object.DestroyImmediate(added);
+            Assert.That(added == null, "what was added goes");
+            Object.DestroyImmediate(rig);
+            Assert.That(tip == null, "with the whole instance");
+        }
+
+        [Test]
+        public void What_is_inside_of_a_prefab_instance_goes_in_play_mode()
+        {
+            GameObject tip = Get<Part>(scene, "Rig of the scene/Left Nozzle/Tip").gameObject;
+            Assert.That(PrefabUtility.IsPartOfPrefabInstance(tip), Is.False);
+            Object.DestroyImmediate(tip);
+            Assert.That(tip == null);
         }
 
         [Test]

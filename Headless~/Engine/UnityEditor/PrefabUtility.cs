@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor
@@ -24,8 +25,34 @@ namespace UnityEditor
         public static bool IsPartOfImmutablePrefab(Object componentOrGameObject)
             => AssetDatabase.GetAssetPath(componentOrGameObject).StartsWith("Packages/", StringComparison.Ordinal);
 
-        /// <summary>The host expands instances where they stand: there is nothing to ask.</summary>
-        public static bool IsPartOfPrefabInstance(Object componentOrGameObject) => false;
+        /// <summary>In edit mode: play mode knows no prefabs. What was added to an instance is no part of it.</summary>
+        public static bool IsPartOfPrefabInstance(Object componentOrGameObject)
+            => EditMode.IsOn && componentOrGameObject != null && componentOrGameObject.PrefabInstance != 0;
+
+        /// <summary>Whether it was put below a part of an instance, which has no such child in its prefab.</summary>
+        public static bool IsAddedGameObjectOverride(GameObject gameObject)
+            => !IsPartOfPrefabInstance(gameObject) && gameObject.transform.parent is Transform parent && parent != null
+            && IsPartOfPrefabInstance(parent);
+
+        /// <summary>A copy of a prefab that remains an instance of it.</summary>
+        public static Object InstantiatePrefab(Object assetComponentOrGameObject)
+        {
+            Object made = Object.Instantiate(assetComponentOrGameObject);
+            made.name = assetComponentOrGameObject.name;
+            Connect(made is Component component ? component.gameObject : (GameObject)made);
+            return made;
+        }
+
+        /// <summary>Makes all of a tree one instance.</summary>
+        internal static void Connect(GameObject root)
+        {
+            foreach (Transform part in root.GetComponentsInChildren<Transform>(true))
+            {
+                part.gameObject.PrefabInstance = root.GetInstanceID();
+                foreach (Component component in part.GetComponents<Component>())
+                    component.PrefabInstance = root.GetInstanceID();
+            }
+        }
 
         public static void RecordPrefabInstancePropertyModifications(Object targetObject) { }
     }

@@ -67,9 +67,15 @@ namespace Rill
             return count;
         }
 
-        /// <summary>Destroys the capsules that it made.</summary>
+        /// <summary>Destroys the capsules that it made. In an instance of a prefab that has them, the Editor keeps their objects: those
+        /// remain without a collider, and the next <see cref="Fit"/> uses them again.</summary>
         public void Clear()
         {
+            if (ClosedPrefabProblem is string problem)
+            {
+                Debug.LogError($"Rill: FluidBoneColliders '{name}' removes nothing: {problem}", this);
+                return;
+            }
             Undo?.Changing(this);
             foreach (FluidCollider capsule in capsules)
                 Destroy(capsule);
@@ -109,11 +115,15 @@ namespace Rill
 
         void IAppliesSettings.ApplySettings() => clamped.Log(this);
 
+        // Unity lets nobody add to a prefab or take from it where it lies: it has no scene there.
+        string ClosedPrefabProblem => gameObject.scene.IsValid() ? null
+            : "it is in a prefab that is not open. Open the prefab, or place it in a scene, and choose it there.";
+
         int TryFit()
         {
             var renderer = GetComponent<SkinnedMeshRenderer>();
             Transform[] bones = renderer.bones;
-            refusal = SkinProblems.Of(renderer, bones);
+            refusal = ClosedPrefabProblem ?? SkinProblems.Of(renderer, bones);
             if (refusal != null)
                 return 0;
             var points = new BonePoints(renderer.sharedMesh, bones.Length, minWeight);
@@ -176,20 +186,36 @@ namespace Rill
 
         static FluidCollider Make(Transform bone)
         {
-            var made = new GameObject(CapsuleName) { layer = bone.gameObject.layer };
-            made.transform.SetParent(bone, false);
+            GameObject made = FindEmpty(bone);
+            bool isNew = made == null;
+            if (isNew)
+            {
+                made = new GameObject(CapsuleName) { layer = bone.gameObject.layer };
+                made.transform.SetParent(bone, false);
+            }
             var capsule = made.AddComponent<FluidCollider>();
-            Undo?.Created(made);
+            Undo?.Created(isNew ? made : (UnityEngine.Object)capsule);
             return capsule;
         }
+
+        // What a capsule left in an instance of a prefab.
+        static GameObject FindEmpty(Transform bone)
+        {
+            for (int i = 0; i < bone.childCount; i++)
+                if (bone.GetChild(i).name == CapsuleName && IsPlain(bone.GetChild(i), 1))
+                    return bone.GetChild(i).gameObject;
+            return null;
+        }
+
+        static bool IsPlain(Transform one, int components) => one.childCount == 0 && one.GetComponents<Component>().Length == components;
 
         static void Destroy(FluidCollider capsule)
         {
             if (capsule == null)
                 return;
             // An object that the user has put more on keeps what is not ours.
-            bool isPlain = capsule.transform.childCount == 0 && capsule.GetComponents<Component>().Length == 2;
-            UnityEngine.Object gone = isPlain ? (UnityEngine.Object)capsule.gameObject : capsule;
+            bool goesWhole = IsPlain(capsule.transform, 2) && (Undo == null || Undo.MayDestroy(capsule.gameObject));
+            UnityEngine.Object gone = goesWhole ? (UnityEngine.Object)capsule.gameObject : capsule;
             if (Undo != null)
                 Undo.Destroy(gone);
             else

@@ -6,7 +6,10 @@ namespace Rill
     interface IFitUndo
     {
         void Changing(Object what);
-        void Created(GameObject what);
+        void Created(Object what);
         void Destroy(Object what);
+
+        /// <summary>False for a part of a prefab's instance: the Editor lets its components be removed, and not itself.</summary>
+        bool MayDestroy(GameObject what);
     }
 }

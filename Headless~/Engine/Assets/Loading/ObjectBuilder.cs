@@ -109,6 +109,7 @@ namespace Host.Assets
             transform.localScale = BuiltInValues.Vector3(transformDocument.Fields["m_LocalScale"], Vector3.one);
             result.Objects[document.FileId] = gameObject;
             result.Objects[transformDocument.FileId] = transform;
+            gameObject.PrefabInstance = transform.PrefabInstance = InstanceOf(document);
 
             foreach (var component in ComponentsOf(document)) MakeComponent(component, gameObject);
             foreach (var child in ChildrenOf(transformDocument)) MakeTree(child, transform);
@@ -152,8 +153,11 @@ namespace Host.Assets
             }
             var component = ObjectFactory.AddComponent(owner, type);
             if (component is Behaviour behavior) behavior.SetEnabledSilently(document.Fields.Bool("m_Enabled", true));
+            component.PrefabInstance = InstanceOf(document);
             Made(document, component);
         }
+
+        static long InstanceOf(UnityDocument document) => document.Origin?.Instance ?? 0;
 
         /// <summary>An object without a GameObject: an asset of its own, or a scene's settings.</summary>
         void MakeFree(UnityDocument document)

@@ -43,9 +43,15 @@ namespace UnityEngine.Headless
 
         public static void Now(Object o, bool assetsToo)
         {
+            if (o is GameObject part && Object.IsAlive(part) && IsInsidePrefabInstance(part))
+                throw new InvalidOperationException("Destroying a GameObject inside a Prefab instance is not allowed.");
             if (Object.IsAlive(o) && Allowed(o, assetsToo))
                 Destroy(o);
         }
+
+        /// <summary>Whether a prefab has the GameObject below another, so that edit mode keeps it there. Play mode knows no prefabs.</summary>
+        internal static bool IsInsidePrefabInstance(GameObject part) => EditMode.IsOn && part.SceneOf != null && part.PrefabInstance != 0
+            && part.TransformOf.ParentOf is Transform parent && parent.Owner.PrefabInstance == part.PrefabInstance;
 
         static bool Allowed(Object o, bool assetsToo)
         {

@@ -27,6 +27,9 @@ namespace UnityEngine
             set { ThrowIfDestroyed(); NameOf = value ?? ""; }
         }
 
+        /// <summary>The instance of a prefab that this is a part of, in a scene; 0 for what is not, or was added to one.</summary>
+        [NonSerialized] internal long PrefabInstance;
+
         /// <summary>Components answer with their GameObject's name.</summary>
         internal virtual string NameOf { get => objectName; set => objectName = value; }
 

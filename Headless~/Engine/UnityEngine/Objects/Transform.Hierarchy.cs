@@ -68,6 +68,13 @@ namespace UnityEngine
                 return;
             }
 
+            if (Destruction.IsInsidePrefabInstance(Owner))
+            {
+                Debug.LogError("Setting the parent of a transform which resides in a Prefab instance is not possible "
+                    + $"(GameObject: '{NameOf}').", this);
+                return;
+            }
+
             Matrix4x4 worldBefore = localToWorldMatrix;
             Quaternion rotationBefore = rotation;
             bool wasActive = Owner.activeInHierarchy;
