@@ -181,7 +181,7 @@ namespace Rill
         // All parts that one fluid told of, at the first of them.
         void AddFluid(FluidSimulation fluid, int first)
         {
-            if (fluid == null || !fluid.isActiveAndEnabled)
+            if (fluid == null || !fluid.IsRunning)
                 return;         // it has ended
             for (int i = 0; i < first; i++)
                 if (parts[i].collider.TryGetForceOf(fluid, out _))

@@ -18,7 +18,7 @@ namespace Rill
         /// <summary>Lets the fluid act on the body, at a fixed step.</summary>
         public void Carry(FluidSimulation fluid)
         {
-            if (Body == null || Body.isKinematic || !fluid.isActiveAndEnabled)
+            if (Body == null || Body.isKinematic || !fluid.IsRunning)
                 return;
             FloatingBody.Smooth(Body);
             floating.Begin(Body, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);

@@ -135,7 +135,7 @@ namespace Rill
             bool known = false;
             foreach (FluidForce part in forces)
             {
-                if (part.From == null || !part.From.isActiveAndEnabled)
+                if (part.From == null || !part.From.IsRunning)
                     continue;
                 force += part.Force;
                 torque += part.Torque;

@@ -28,14 +28,5 @@ namespace Rill
 
         // Neither the stored pause counts there nor which camera sees it.
         static float RateInEditMode(float frameTime) => frameTime > 0f ? 1f : 0f;
-
-        // What is wrong with a fluid that is simulated without Play is no reason to store it as disabled.
-        void TurnOff()
-        {
-            if (IsInEditMode)
-                Release();
-            else
-                enabled = false;
-        }
     }
 }

@@ -8,7 +8,7 @@ namespace Rill
     {
         [NonSerialized] Vector3 lastPlace;
         [NonSerialized] Quaternion lastTurn = Quaternion.identity;
-        [NonSerialized] bool poseIsLost;
+        [NonSerialized] bool poseIsLost, isNowhere;      // isNowhere: it could not begin
 
         /// <summary>Position and rotation of this object; the last finite ones while a component of them is not finite.</summary>
         internal void GetPose(out Vector3 position, out Quaternion rotation)

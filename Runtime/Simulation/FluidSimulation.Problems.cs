@@ -35,7 +35,7 @@ namespace Rill
 
         string NoPoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null
             : Invariant($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and ") +
-            "rotation to numbers and enable it again.";
+            "rotation to numbers.";
 
         string LostPoseProblem => Invariant($"its transform is not finite (position {transform.position}, rotation ") +
             Invariant($"{transform.rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of ") +

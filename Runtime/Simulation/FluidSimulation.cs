@@ -167,14 +167,19 @@ namespace Rill
             return true;
         }
 
-        /// <summary>Removes all particles, fills the volumes again, or takes the start state, and sets fluid time to 0.</summary>
+        /// <summary>Removes all particles, fills the volumes again, or takes the start state, and sets fluid time to 0. A fluid that is off
+        /// for a problem tries to begin again, and logs what is wrong if it still is.</summary>
         /// <exception cref="InvalidOperationException">Called in a pass of <see cref="BeforeStep"/>.</exception>
         public void Restart()
         {
             ThrowInPass();
             ReleaseKept();
             if (pbf == null)
+            {
+                if (failure != null && isActiveAndEnabled)
+                    OnEnable();
                 return;
+            }
             pbf.Clear();
             clock = default;
             StepCount = 0;
@@ -210,10 +215,10 @@ namespace Rill
         void OnEnable()
         {
             failure = null;
+            layoutChanged = false;
             isTooViscous = saidTooViscous = false;
             if (HasNoGraphics)
             {
-                layoutChanged = false;
                 LogNoGraphics();
                 return;
             }
@@ -222,7 +227,8 @@ namespace Rill
                 Fail(missing);
                 return;
             }
-            if (NoPoseProblem != null)
+            isNowhere = NoPoseProblem != null;
+            if (isNowhere)
             {
                 Fail(NoPoseProblem);
                 return;
@@ -251,7 +257,6 @@ namespace Rill
                 return;
             }
             commands = new CommandBuffer { name = "Rill" };
-            layoutChanged = false;
             Restart();
         }
 
@@ -285,9 +290,8 @@ namespace Rill
 
         void IAppliesSettings.CheckSettings()
         {
-            failure = null;     // what it was of may have changed
+            layoutChanged |= failure != null || pbf != null && !Matches(pbf.Layout);      // what it failed of may have changed
             CheckSettings();
-            layoutChanged |= pbf != null && !Matches(pbf.Layout);
         }
 
         void IAppliesSettings.ApplySettings()
@@ -313,7 +317,7 @@ namespace Rill
         {
             colliders.TellLeft(this);
             CheckReadbacks();
-            if (layoutChanged)
+            if (layoutChanged || isNowhere && NoPoseProblem == null)
             {
                 Release();
                 OnEnable();
@@ -540,12 +544,13 @@ namespace Rill
             colliders.Jumped = true;
         }
 
-        // Says what is wrong and stops this component, and nothing else in the scene.
+        // Logs what is wrong and stops, and nothing else in the scene. The component stays enabled: once its settings have changed, the fluid
+        // begins again.
         void Fail(string problem)
         {
             failure = problem;
             Debug.LogError($"Rill: FluidSimulation '{name}' is off: {problem}", this);
-            TurnOff();
+            Release();
         }
     }
 }

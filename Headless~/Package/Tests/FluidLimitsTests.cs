@@ -158,7 +158,7 @@ namespace Host.Tests
                 "\\(SystemInfo.maxComputeBufferInputsCompute\\). Run on"));
             FluidSimulation simulation = FluidSceneTests.Build("everything off");
             PlayerLoop.Frame(FrameTime);
-            Assert.That(simulation.enabled, Is.False);
+            Assert.That(simulation.IsRunning, Is.False);
             Assert.That(Problems(simulation).Single(), Does.Contain("this device has 7"));
             Assert.That(BufferStorage.Live, Is.Empty);
         }

@@ -53,7 +53,7 @@ namespace Rill.Tests
                 ".* Preloaded Assets"));
             fluid.gameObject.SetActive(true);
             yield return Frames(3);
-            Assert.That(!fluid.enabled && !fluid.IsRunning);
+            Assert.That(fluid.IsRunning, Is.False);
             LogAssert.NoUnexpectedReceived();
         }
 
