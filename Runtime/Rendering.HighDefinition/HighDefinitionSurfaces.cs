@@ -43,15 +43,13 @@ namespace Rill.HighDefinition
             if (!seen.frameSettings.IsEnabled(FrameSettingsField.CustomPass))
                 return;
             SurfaceVolume volume = volumes.Find(camera);
-            FluidViews views = ViewsOf(seen, volume);
-            FluidViews.Light? main = views.light;
+            FluidViews views = ViewsOf(seen);
             bool any = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
                 FluidSurface surface = FluidSurface.Active[i];
                 if (!surface.Prepare(views))
                     continue;
-                views.light = surface.Sun != null ? LightOf(surface.Sun) : main;
                 surface.Submit(views, null);
                 any = true;
             }
@@ -60,14 +58,13 @@ namespace Rill.HighDefinition
             if (volume == null)
                 return;
             volume.IsOn = any;
-            if (any)
-                volume.Pass.Prepare(views);
+            volume.Pass.Prepare(views);
         }
 
-        static void End(ScriptableRenderContext context, Camera camera) => volumes.Find(camera)?.Pass.Invalidate();
+        static void End(ScriptableRenderContext context, Camera camera) => volumes.Find(camera)?.Pass.End();
 
         // Of HDRP's textures, which are as large as the largest camera needs, this one uses the first texels.
-        static FluidViews ViewsOf(HDCamera seen, SurfaceVolume volume)
+        static FluidViews ViewsOf(HDCamera seen)
         {
             seen.camera.TryGetComponent(out HDAdditionalCameraData data);
             FluidViews views = FluidViews.Of(seen.camera, data == null || data.xrRendering);
@@ -76,15 +73,7 @@ namespace Rill.HighDefinition
             views.sceneSize = new Vector2(views.width, views.height);
             views.sceneIsArray = TextureXR.useTexArray;
             views.needsMotion = seen.frameSettings.IsEnabled(FrameSettingsField.MotionVectors);
-            // That of the frame before: the draw is submitted before HDRP finds the camera's lights.
-            if (volume != null && volume.Pass.ToLight != Vector3.zero)
-                views.light = new FluidViews.Light(volume.Pass.ToLight, volume.Pass.LightColor);
-            else if (RenderSettings.sun is Light sun && sun != null && sun.isActiveAndEnabled)
-                views.light = LightOf(sun);
             return views;
         }
-
-        static FluidViews.Light LightOf(Light light)
-            => new FluidViews.Light(-light.transform.forward, SurfacePass.IlluminanceOf(light, light.color.linear * light.intensity));
     }
 }

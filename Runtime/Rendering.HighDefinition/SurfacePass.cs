@@ -11,13 +11,7 @@ namespace Rill.HighDefinition
     sealed class SurfacePass : CustomPass
     {
         FluidViews views;
-        [NonSerialized] bool isReady;
-
-        /// <summary>Towards the brightest directional light that the camera saw last, world, unit; zero before it was first drawn.</summary>
-        [field: NonSerialized] public Vector3 ToLight { get; private set; }
-
-        /// <summary>Of that light, linear, lux.</summary>
-        [field: NonSerialized] public Color LightColor { get; private set; }
+        [NonSerialized] int frame, begun, multiPassFrame = -1;
 
         public SurfacePass()
         {
@@ -26,31 +20,45 @@ namespace Rill.HighDefinition
             targetColorBuffer = targetDepthBuffer = TargetBuffer.None;
         }
 
-        /// <summary>For the camera of these views, in this frame.</summary>
+        /// <summary>For the camera of these views, in this frame. HDRP begins all that it draws before it draws the first: where a camera begins
+        /// again before it has ended, its eyes are drawn one after the other.</summary>
         public void Prepare(in FluidViews camera)
         {
             views = camera;
-            isReady = true;
+            if (frame != Time.frameCount)
+                (frame, begun) = (Time.frameCount, 0);
+            if (++begun > 1)
+                multiPassFrame = Time.frameCount;
+            if (multiPassFrame == Time.frameCount)
+                views.eyes = 1;
         }
 
-        /// <summary>The camera has been drawn, or does not see the water.</summary>
-        public void Invalidate()
-        {
-            views = default;
-            isReady = false;
-        }
+        /// <summary>The camera has been drawn.</summary>
+        public void End() => begun = Mathf.Max(begun - 1, 0);
 
         /// <inheritdoc/>
         protected override void Execute(CustomPassContext ctx)
         {
-            FindLight(ctx.cameraCullingResults);
-            if (!isReady)
-                return;
-            isReady = false;
+            SetMatrices(ctx.hdCamera);
+            FluidViews.Light main = BrightestOf(ctx.cameraCullingResults);
             for (int i = 0; i < FluidSurface.Active.Count; i++)
-                FluidSurface.Active[i].Record(ctx.cmd, views);
+            {
+                FluidSurface surface = FluidSurface.Active[i];
+                views.light = surface.Sun != null ? LightOf(surface.Sun) : main;
+                surface.Record(ctx.cmd, views);
+            }
             if (views.needsMotion)
                 DrawMotion(ctx);
+        }
+
+        // HDRP jitters them once the camera has begun, for antialiasing and upscaling. What it hands to the device is a projection with z
+        // and y as that takes them.
+        void SetMatrices(HDCamera camera)
+        {
+            if (views.eyes > 1)
+                return;
+            views.SetEye(0, camera.mainViewConstants.viewMatrix * Matrix4x4.Translate(-camera.mainViewConstants.worldSpaceCameraPos),
+                GL.GetGPUProjectionMatrix(Matrix4x4.identity, true).inverse * camera.mainViewConstants.projMatrix);
         }
 
         // HDRP has drawn its own motion vectors by now, and reads them after the transparent draws.
@@ -65,23 +73,24 @@ namespace Rill.HighDefinition
         /// <summary>Lux. A light without HDRP's component has the Built-in pipeline's unit, of which HDRP makes π lux (14.0,
         /// GpuLightsBuilder.Jobs.cs).</summary>
         /// <param name="color">Linear, intensity applied.</param>
-        public static Color IlluminanceOf(Light light, Color color) => light.TryGetComponent(out HDAdditionalLightData _) ? color : color * Mathf.PI;
+        static Color IlluminanceOf(Light light, Color color) => light.TryGetComponent(out HDAdditionalLightData _) ? color : color * Mathf.PI;
+
+        static FluidViews.Light LightOf(Light light)
+            => new FluidViews.Light(-light.transform.forward, IlluminanceOf(light, light.color.linear * light.intensity));
 
         // HDRP binds its lights in buffers whose layout differs from version to version.
-        void FindLight(CullingResults culled)
+        static FluidViews.Light BrightestOf(CullingResults culled)
         {
-            ToLight = Vector3.up;
-            LightColor = Color.clear;
+            var brightest = new FluidViews.Light(Vector3.up, Color.clear);
             foreach (VisibleLight light in culled.visibleLights)
             {
                 if (light.lightType != LightType.Directional)
                     continue;
                 Color color = IlluminanceOf(light.light, light.finalColor);
-                if (color.maxColorComponent <= LightColor.maxColorComponent)
-                    continue;
-                ToLight = -light.localToWorldMatrix.GetColumn(2);
-                LightColor = color;
+                if (color.maxColorComponent > brightest.Color.maxColorComponent)
+                    brightest = new FluidViews.Light(-light.localToWorldMatrix.GetColumn(2), color);
             }
+            return brightest;
         }
     }
 }

@@ -118,31 +118,31 @@ namespace Rill
         /// <summary>Replaces the pipeline's main light; null to keep it.</summary>
         private protected static void SetSun(MaterialPropertyBlock properties, Light sun)
         {
-            if (sun != null)
-                SetSun(properties, -sun.transform.forward, ShaderColor(sun.color) * sun.intensity, true);
-            else
-                // where the pipeline's is not read it shines from above
-                SetSun(properties, new Vector3(0.3f, 0.9f, -0.3f).normalized, Vector4.one, false);
-        }
-
-        /// <param name="direction">World, unit, towards the light.</param>
-        /// <param name="color">In the project's own color space, intensity applied.</param>
-        /// <param name="isChosen">Whether it replaces the pipeline's; else it shines where that is not read.</param>
-        private protected static void SetSun(MaterialPropertyBlock properties, Vector3 direction, Vector4 color, bool isChosen)
-        {
-            properties.SetVector(Ids.SunDirection, new Vector4(direction.x, direction.y, direction.z, isChosen ? 1f : 0f));
+            SunOf(sun, out Vector4 direction, out Vector4 color);
+            properties.SetVector(Ids.SunDirection, direction);
             properties.SetVector(Ids.SunColor, color);
         }
 
-        /// <summary>Turns a keyword of this renderer's shader on or off.</summary>
-        private protected void SetKeyword(string name, bool isOn)
+        /// <summary>As MainLight.hlsl reads it.</summary>
+        /// <param name="sun">Replaces the pipeline's; null: it shines from above where the pipeline's is not read.</param>
+        private protected static void SunOf(Light sun, out Vector4 direction, out Vector4 color)
         {
-            if (isOn == shaderMaterial.IsKeywordEnabled(name))
+            direction = sun != null ? -sun.transform.forward : new Vector3(0.3f, 0.9f, -0.3f).normalized;
+            direction.w = sun != null ? 1f : 0f;
+            color = sun != null ? ShaderColor(sun.color) * sun.intensity : Vector4.one;
+        }
+
+        /// <summary>Turns a keyword of what this renderer draws with on or off.</summary>
+        /// <param name="instead">Of the material that is drawn with; null: its own.</param>
+        private protected void SetKeyword(string name, bool isOn, Material instead = null)
+        {
+            Material drawn = instead != null ? instead : shaderMaterial;
+            if (isOn == drawn.IsKeywordEnabled(name))
                 return;
             if (isOn)
-                shaderMaterial.EnableKeyword(name);
+                drawn.EnableKeyword(name);
             else
-                shaderMaterial.DisableKeyword(name);
+                drawn.DisableKeyword(name);
         }
 
         /// <summary>A color as shaders without declared properties need it: in the project's own color space.</summary>

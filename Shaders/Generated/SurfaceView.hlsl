@@ -2,6 +2,39 @@
 #ifndef RILL_GENERATED_SURFACE_VIEW_INCLUDED
 #define RILL_GENERATED_SURFACE_VIEW_INCLUDED
 
-static const uint kRaysOfEye = 6;    // vectors of each eye in _SurfaceRays
+// What every pass and draw of a fluid's surface reads of one camera. In a buffer, written as the camera's commands are recorded: a draw is submitted before that, and only then are the camera's matrices final.
+cbuffer RillSurfaceView
+{
+    float4 _SurfaceClipX[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
+    float4 _SurfaceClipY[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
+    float4 _SurfaceClipZ[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
+    float4 _SurfaceClipW[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
+    float4 _RayOrigin[2];    // of each eye: where a ray through the middle of the picture starts, world, and its change along x and y of the picture
+    float4 _RayOriginX[2];    // of each eye: where a ray through the middle of the picture starts, world, and its change along x and y of the picture
+    float4 _RayOriginY[2];    // of each eye: where a ray through the middle of the picture starts, world, and its change along x and y of the picture
+    float4 _RayDirection[2];    // where it goes, 1 m along the view, and the change of that
+    float4 _RayDirectionX[2];    // where it goes, 1 m along the view, and the change of that
+    float4 _RayDirectionY[2];    // where it goes, 1 m along the view, and the change of that
+    float4 _SurfaceDepths[2];    // of each eye: device depth = x + y / z with perspective, x + y z without; z, m, along the view. z: 1 without
+    float4 _SceneDepths[2];    // of each eye, the scene's: device depth = x + dot(zw, picture) + y / z or y z; zw 0 where the near plane is straight
+    float4 _NearPlanes[2];    // of each eye: a point of the world is in front of it where the product with (point, 1) is above 0; (0, 0, 0, 1) where it is straight
+    float4 _SurfaceSize;    // width and height of the surface's textures, texels, and one over them
+    float4 _PictureBounds;    // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes; all 0: nothing is drawn
+    float4 _SceneSize;    // xy: width and height of what is in use of the scene's depth, texels; 0: all
+    float4 _Absorption;    // rgb 1/m
+    float4 _Scattering;    // rgb color, linear; w 1/m
+    float4 _PhaseAbsorption[4];    // the same of each phase, where hasPhases is 1
+    float4 _PhaseScattering[4];    // the same of each phase, where hasPhases is 1
+    float4 _SurfaceOptics;    // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
+    float4 _FoamColor;    // linear
+    float4 _SunDirection;    // world, towards the light; w 1 where a light was chosen, 0 to take the pipeline's
+    float4 _SunColor;    // linear, intensity applied
+    float4 _ShadowReceived;    // x the stamp of this camera and frame, y cascades, z 1 where they are spheres; w unused
+    float4 _ShadowLight;    // xyz towards the light whose shadow it is
+    float _ReceiveShadows;    // 1 or 0
+    float _HasPhases;    // 1 where each phase has a look of its own, else 0: a keyword would double the variants
+    float _ReflectionStrength;    // factor of what is mirrored
+    float _SurfacePadding;    // fills the last 16 bytes
+};
 
 #endif

@@ -2,15 +2,13 @@
 // the user's own where RILL_OWN_REFLECTION is on. Includes nothing of Unity's; see View.hlsl.
 //
 //   _ReflectionCube      of the user's own; linear. In HDRP, whose light has units: nits
-//   _ReflectionStrength  factor
+//   _ReflectionStrength  factor, see SurfaceView.hlsl
 #ifndef RILL_ENVIRONMENT_INCLUDED
 #define RILL_ENVIRONMENT_INCLUDED
 
 #include "View.hlsl"
 
 static const float kReflectionLevels = 6.0;     // mips over which a probe goes from a mirror to matt, in every pipeline
-
-float _ReflectionStrength;
 
 #if defined(RILL_OWN_REFLECTION)
 TextureCube _ReflectionCube;

@@ -6,7 +6,6 @@
 #define RILL_FOAM_LAYER_INCLUDED
 
 Texture2DArray<float4> _SurfaceFoam;
-float4 _FoamColor;          // linear
 
 struct FoamLayer
 {

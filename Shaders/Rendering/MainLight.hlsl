@@ -8,9 +8,11 @@
 
 #include "View.hlsl"
 
+#ifndef RILL_SURFACE_VIEW_INCLUDED      // whose constants hold them
 float4 _SunDirection;
 float4 _SunColor;
 float _ReceiveShadows;
+#endif
 
 struct MainLight
 {
@@ -46,13 +48,11 @@ MainLight GetMainLight()
 
 #if defined(RILL_BUILT_IN) && defined(RILL_SHADOW_COPY)
 
-// A transparent draw: of copies that were made before the opaque ones, see ShadowCopy.hlsl.
+// A transparent draw: of copies that were made before the opaque ones, see ShadowCopy.hlsl. The surface's constants say which.
 #include "../Generated/ShadowValues.hlsl"
 
 Texture2D<float> _ShadowCopy;
 Texture2D<float4> _ShadowValues;
-float4 _ShadowReceived;         // x the stamp of this camera and frame, y cascades, z 1 where they are spheres; w unused
-float4 _ShadowLight;            // xyz towards the light whose shadow it is
 
 float4 ShadowValue(uint i)
 {

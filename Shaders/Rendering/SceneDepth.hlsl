@@ -1,4 +1,4 @@
-// The depth of the scene as the pipeline binds it: with RILL_SCENE_ARRAY a slice for each eye. Includes nothing.
+// The depth of the scene as the pipeline binds it: with RILL_SCENE_ARRAY a slice for each eye. Include after SurfaceView.hlsl.
 #ifndef RILL_SCENE_DEPTH_INCLUDED
 #define RILL_SCENE_DEPTH_INCLUDED
 
@@ -7,7 +7,6 @@ Texture2DArray _CameraDepthTexture;
 #else
 Texture2D _CameraDepthTexture;
 #endif
-float4 _SceneSize;          // width and height of what is in use of it, texels; 0: all
 
 float2 SceneSize()
 {

@@ -7,6 +7,8 @@
 #include "SurfaceView.hlsl"
 #include "SceneDepth.hlsl"
 
+float4 _ThicknessSize;          // width and height of the target, texels, and one over them
+
 static const uint kSamples = 4;      // along x and y
 
 struct SceneVaryings
@@ -29,8 +31,8 @@ float SceneFragment(SceneVaryings input) : SV_Target
     for (uint i = 0; i < kSamples * kSamples; i++)
     {
         float2 offset = (float2(i % kSamples, i / kSamples) + 0.5) / kSamples * 2.0 - 1.0;
-        float2 picture = input.picture + offset * _SurfaceSize.zw;
-        farthest = max(farthest, FromSurfaceDepth(FlipDepth(SceneDepth(picture, _SurfaceEye)), _SurfaceEye));
+        float2 picture = input.picture + offset * _ThicknessSize.zw;
+        farthest = max(farthest, FromSceneDepth(FlipDepth(SceneDepth(picture, _SurfaceEye)), picture, _SurfaceEye));
     }
     return farthest;
 }

@@ -6,8 +6,8 @@
 //   _SurfaceThickness   in  water along the ray in front of the scene, m, or of each of four phases
 //   _SurfaceFoam        in  see FoamLayer.hlsl; where RILL_FOAM is on
 //   the scene's color and depth as the pipeline gives them; where RILL_REFRACTION is on
-#include "MainLight.hlsl"
 #include "SurfaceView.hlsl"
+#include "MainLight.hlsl"
 #include "SurfaceRectangle.hlsl"
 #include "Environment.hlsl"
 #include "Fog.hlsl"
@@ -54,14 +54,6 @@ float2 InColorPyramid(float2 uv)
 #endif
 #endif
 
-float4 _Absorption;         // rgb 1/m
-float4 _Scattering;         // rgb color, linear; w 1/m
-float _HasPhases;           // 1 where each phase has a look of its own, the next two; else 0: a keyword would double the variants
-float4 _PhaseAbsorption[kMaxPhases]; // as above
-float4 _PhaseScattering[kMaxPhases];
-// x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
-float4 _SurfaceOptics;
-
 struct SurfacePoint
 {
     float3 world;
@@ -103,7 +95,7 @@ static const float kRefractionReach = 0.8;  // of the depth that a ray should re
 
 float SceneDepthAt(float2 picture)
 {
-    return FromSurfaceDepth(FlipDepth(SceneDepth(picture, eyeIndex)), eyeIndex);
+    return FromSceneDepth(FlipDepth(SceneDepth(picture, eyeIndex)), picture, eyeIndex);
 }
 
 // Whether the scene that a filtered sample takes in is as far away as the ray there: what hides it must not show in its place.
@@ -119,7 +111,7 @@ bool IsBehind(float2 picture, float z)
 // something, only as far along as that: the path is then shorter.
 float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
 {
-    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * path, 1.0));
+    float4 clip = SurfaceClip(p.world + bent * path, eyeIndex);
     float2 shift = clip.w > 0.0 ? clip.xy / max(clip.w, 1e-6) - picture : 0.0;
     // As far as the picture goes.
     float2 room = (1.0 - abs(picture) * sign(picture * shift)) / max(abs(shift), 1e-6);

@@ -31,8 +31,8 @@ float4 RowOf(Ellipsoid e, float4 row)
 PictureBounds BoundsOf(Ellipsoid e, uint eye)
 {
     PictureBounds bounds;
-    float4 x = RowOf(e, _SurfaceWorldToClip[eye][0]), y = RowOf(e, _SurfaceWorldToClip[eye][1]);
-    float4 z = RowOf(e, _SurfaceWorldToClip[eye][2]), w = RowOf(e, _SurfaceWorldToClip[eye][3]);
+    float4 x = RowOf(e, _SurfaceClipX[eye]), y = RowOf(e, _SurfaceClipY[eye]);
+    float4 z = RowOf(e, _SurfaceClipZ[eye]), w = RowOf(e, _SurfaceClipW[eye]), near = RowOf(e, _NearPlanes[eye]);
     float a = w.w * w.w - dot(w.xyz, w.xyz);
     bounds.isSeen = w.w > 0.0 && a > 0.0;
     float inverseA = 1.0 / max(a, 1e-20);
@@ -40,7 +40,7 @@ PictureBounds BoundsOf(Ellipsoid e, uint eye)
     bounds.low = float2(horizontal.x, vertical.x);
     bounds.high = float2(horizontal.y, vertical.y);
     bounds.nearest = TouchingPlanes(z, w, inverseA).y;
-    bounds.isSeen = bounds.isSeen && bounds.nearest < 1.0;      // what the near plane cuts is not drawn
+    bounds.isSeen = bounds.isSeen && bounds.nearest < 1.0 && near.w > length(near.xyz);     // what the near plane cuts is not drawn
     return bounds;
 }
 

@@ -3,8 +3,6 @@
 #ifndef RILL_SURFACE_RECTANGLE_INCLUDED
 #define RILL_SURFACE_RECTANGLE_INCLUDED
 
-float4 _PictureBounds;      // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
-
 struct SurfaceVaryings
 {
     float4 clip : SV_Position;
@@ -25,6 +23,7 @@ SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_Inst
     float2 picture = RectangleCorner(vertex, _PictureBounds.xy, _PictureBounds.zw);
     SurfaceRay ray = RayThrough(picture, eyeIndex);
     result.clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
+    result.clip.z = 0.5 * result.clip.w;        // whatever an oblique near plane makes of it
     result.picture = float4(picture, 0.0, 0.0);
     return result;
 }

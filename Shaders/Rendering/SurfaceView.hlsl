@@ -2,18 +2,17 @@
 // filled outside the pipeline's passes. Positions on the picture are -1 to 1 with y up; textures begin at the bottom of the picture.
 //
 // Depth in the surface's textures is the device's with 1 at the near plane, 0 at the far plane and 0 where there is no water.
-// Planes are linear in it on the picture, with perspective and without.
+// Planes are linear in it on the picture, with perspective and without. Where the camera's near plane is oblique, as that of a planar
+// mirror, it is still the depth of a straight one: the scene's is another, and what the oblique plane cuts off is left out.
 #ifndef RILL_SURFACE_VIEW_INCLUDED
 #define RILL_SURFACE_VIEW_INCLUDED
 
 #include "Platform.hlsl"
 #include "../Generated/SurfaceView.hlsl"
 
-float4x4 _SurfaceWorldToClip[2];    // of each eye; y up, z is 1 at the near plane
-float4 _SurfaceRays[2 * kRaysOfEye];      // of each eye: origin, its change along x and y of the picture, direction, its change along x and y
-float4 _SurfaceDepths[2];           // of each eye: device depth = x + y / z with perspective, x + y z without; z, m, along the view. z: 1 without
-float4 _SurfaceSize;                // width and height of the textures, texels, and one over them
 uint _SurfaceEye;                   // that a pass draws for
+
+static const float kNothing = 1e5;     // m: further than any water
 
 struct SurfaceRay
 {
@@ -24,10 +23,28 @@ struct SurfaceRay
 SurfaceRay RayThrough(float2 picture, uint eye)
 {
     SurfaceRay ray;
-    uint first = eye * kRaysOfEye;
-    ray.origin = _SurfaceRays[first].xyz + _SurfaceRays[first + 1].xyz * picture.x + _SurfaceRays[first + 2].xyz * picture.y;
-    ray.direction = _SurfaceRays[first + 3].xyz + _SurfaceRays[first + 4].xyz * picture.x + _SurfaceRays[first + 5].xyz * picture.y;
+    ray.origin = _RayOrigin[eye].xyz + _RayOriginX[eye].xyz * picture.x + _RayOriginY[eye].xyz * picture.y;
+    ray.direction = _RayDirection[eye].xyz + _RayDirectionX[eye].xyz * picture.x + _RayDirectionY[eye].xyz * picture.y;
     return ray;
+}
+
+// Half the width and height of the picture, m: at a depth of 1 m with perspective, at any without.
+float2 PictureScale(uint eye)
+{
+    return float2(length(_RayOriginX[eye].xyz + _RayDirectionX[eye].xyz), length(_RayOriginY[eye].xyz + _RayDirectionY[eye].xyz));
+}
+
+// Clip space of the surface's own depth: y up, z is 1 at the near plane.
+float4 SurfaceClip(float3 world, uint eye)
+{
+    float4 at = float4(world, 1.0);
+    return float4(dot(_SurfaceClipX[eye], at), dot(_SurfaceClipY[eye], at), dot(_SurfaceClipZ[eye], at), dot(_SurfaceClipW[eye], at));
+}
+
+// Whether an oblique near plane leaves a point of the world; a straight one leaves all.
+bool IsBeyondNearPlane(float3 world, uint eye)
+{
+    return dot(_NearPlanes[eye], float4(world, 1.0)) > 0.0;
 }
 
 // z > 0 with perspective.
@@ -44,7 +61,18 @@ float FromSurfaceDepth(float depth, uint eye)
     return p.z > 0.5 ? (depth - p.x) / p.y : p.y / max(depth - p.x, 1e-12);
 }
 
-// Depth along the view, m, of a point in the clip space of _SurfaceWorldToClip.
+// Depth along the view, m, of what the scene's depth texture holds at a point of the picture; depth: see FlipDepth.
+float FromSceneDepth(float depth, float2 picture, uint eye)
+{
+    float4 p = _SceneDepths[eye];
+    bool isOblique = any(p.zw != 0.0);
+    if (isOblique && depth <= 0.0)
+        return kNothing;        // the far plane, which is tilted with the near one and may be near
+    float rest = depth - p.x - (isOblique ? dot(p.zw, picture) : 0.0);
+    return _SurfaceDepths[eye].z > 0.5 ? rest / p.y : p.y / max(rest, 1e-12);
+}
+
+// Depth along the view, m, of a point in the clip space of the surface.
 float DepthAlongView(float4 clip, uint eye)
 {
     return _SurfaceDepths[eye].z < 0.5 ? clip.w : FromSurfaceDepth(clip.z, eye);

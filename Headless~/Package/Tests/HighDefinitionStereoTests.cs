@@ -23,6 +23,15 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Each_eye_in_a_pass_of_its_own_does_too([Values("14", "17")] string version)
+        {
+            Build(version);
+            DrawEyesOneAfterTheOther();
+            Arrange(Refracting);
+            AssertEachEyeSeesWhatACameraThereSees();
+        }
+
+        [Test]
         public void A_camera_that_is_kept_from_the_headset_draws_one_eye([Values("14", "17")] string version)
         {
             Build(version);

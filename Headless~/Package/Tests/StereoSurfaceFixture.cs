@@ -29,7 +29,10 @@ namespace Host.Tests
         }
 
         [TearDown]
-        public void PutDownHeadset() => Player.Stereo = false;
+        public void PutDownHeadset() => Player.Stereo = StereoView.IsMultiPass = false;
+
+        /// <summary>XR's Multi Pass.</summary>
+        private protected static void DrawEyesOneAfterTheOther() => StereoView.IsMultiPass = true;
 
         private protected FluidSurface Surface => simulation.GetComponent<FluidSurface>();
 

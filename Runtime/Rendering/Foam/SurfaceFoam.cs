@@ -26,8 +26,7 @@ namespace Rill
         {
             cmd.BeginSample(Marker);
             clear.Record(cmd, view.FoamAmounts);
-            view.Constants.SetOn(cmd, shader);
-            cmd.SetComputeVectorParam(shader, SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
+            view.SetConstants(cmd, shader);
             cmd.SetComputeVectorParam(shader, Ids.FoamSize, SurfaceIds.SizeOf(view.Foam));
             fluid.SetOn(cmd, shader);
             cmd.SetComputeVectorParam(shader, Ids.FoamLook, fluid.foam.look);

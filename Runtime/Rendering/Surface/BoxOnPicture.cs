@@ -23,13 +23,13 @@ namespace Rill
 
         public bool IsSeen => Bounds.x < Bounds.z && Bounds.y < Bounds.w;
 
-        /// <param name="constants">Of the camera.</param>
         /// <param name="sweep">World, m: the box is taken anywhere along this vector.</param>
-        public static BoxOnPicture Of(in FluidViews camera, in SurfaceFrame fluid, SurfaceConstants constants, Vector3 sweep = default)
+        public static BoxOnPicture Of(in FluidViews camera, in SurfaceFrame fluid, Vector3 sweep = default)
         {
             var bounds = new Vector4(1f, 1f, -1f, -1f);
             float nearest = float.MaxValue, sum = 0f;
             bool isWhole = false, isInFront = false;
+            Matrix4x4 left = camera.WorldToClipOf(0), right = camera.eyes > 1 ? camera.WorldToClipOf(1) : left;
             int corners = 16 * camera.eyes;      // of the box at both ends of the sweep
             for (int i = 0; i < corners; i++)
             {
@@ -38,7 +38,7 @@ namespace Rill
                 Vector4 world = fluid.domainToWorld * corner;
                 if ((i & 8) != 0)
                     world += (Vector4)sweep;
-                Vector4 clip = constants.WorldToClip[i / 16] * world;
+                Vector4 clip = (i < 16 ? left : right) * world;
                 nearest = Mathf.Min(nearest, clip.w);
                 sum += clip.w;
                 isWhole |= clip.w <= 1e-4f;

@@ -4,8 +4,10 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Fluid surfaces in the Built-in pipeline: a command buffer of each camera before its transparent draws, filled as it begins
-    /// to cull.</summary>
+    /// <summary>Fluid surfaces in the Built-in pipeline: their draws are submitted as a camera begins to cull, and a command buffer of its own
+    /// before its transparent draws is filled as it begins to draw: only then are its matrices what scripts make of them.</summary>
+    /// <remarks>A camera that is drawn from inside of another's callbacks comes in between, which is why nothing here is of one camera
+    /// alone.</remarks>
     static class BuiltInSurfaces
     {
         const CameraEvent Event = CameraEvent.BeforeForwardAlpha;
@@ -19,6 +21,8 @@ namespace Rill
         {
             Camera.onPreCull -= Cull;
             Camera.onPreCull += Cull;
+            Camera.onPreRender -= Render;
+            Camera.onPreRender += Render;
         }
 
         /// <summary>When a surface has ended: after the last, cameras are as they were.</summary>
@@ -32,6 +36,7 @@ namespace Rill
         static void Reset()
         {
             Camera.onPreCull -= Cull;
+            Camera.onPreRender -= Render;
             buffers.Clear();
             buffers = new CameraParts<CameraBuffer>();
             shadow?.Dispose();
@@ -45,10 +50,8 @@ namespace Rill
         {
             if (camera.cameraType == CameraType.Preview)
                 return;
-            FluidViews views = FluidViews.Of(camera);
             CameraBuffer buffer = buffers.Find(camera);
-            buffer?.commands.Clear();
-            bool isCopied = false;
+            FluidViews views = ViewsOf(camera, buffer);
             PrepareShadow();
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
@@ -58,15 +61,48 @@ namespace Rill
                 if (buffer == null)
                     buffers.Add(buffer = new CameraBuffer(camera));
                 buffer.AskForDepth();
-                if (surface.Refraction && !isCopied)
+                if (surface.Refraction)
                 {
                     buffer.AskForOwnTarget();
-                    CopyScene(buffer, views);
-                    isCopied = true;
+                    Prepare(ref buffer.sceneColor, views);
                 }
-                surface.Record(buffer.commands, views);
                 surface.Submit(views, buffer.sceneColor, shadow);
             }
+        }
+
+        static void Render(Camera camera)
+        {
+            CameraBuffer buffer = buffers.Find(camera);
+            if (buffer == null)
+                return;
+            buffer.commands.Clear();
+            buffer.beforeShadows.Clear();
+            shadow?.Begin(buffer.beforeShadows);
+            FluidViews views = ViewsOf(camera, buffer);
+            bool isCopied = false;
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+            {
+                FluidSurface surface = FluidSurface.Active[i];
+                if (!surface.IsPreparedFor(camera))
+                    continue;
+                if (surface.Refraction && !isCopied)
+                    CopyScene(buffer, views);
+                isCopied |= surface.Refraction;
+                surface.Record(buffer.commands, views, shadow);
+            }
+        }
+
+        // With a headset the active eye is the left one, but for the second of two passes (multi-pass): from that one on, each has one eye.
+        static FluidViews ViewsOf(Camera camera, CameraBuffer buffer)
+        {
+            FluidViews views = FluidViews.Of(camera);
+            if (views.eyes == 1 || buffer == null)
+                return views;
+            bool isRight = camera.stereoActiveEye == Camera.MonoOrStereoscopicEye.Right;
+            buffer.isMultiPass |= isRight;
+            if (buffer.isMultiPass)
+                views.KeepEye(isRight ? 1 : 0);
+            return views;
         }
 
         // Of one light, which is the main one for all.
@@ -97,13 +133,11 @@ namespace Rill
             if (light == null)
                 return;
             shadow ??= new ShadowCopy(light);
-            shadow.Begin();
         }
 
         // The opaque scene, for surfaces that refract. Before the first of them is recorded: that draws elsewhere.
         static void CopyScene(CameraBuffer buffer, in FluidViews views)
         {
-            Prepare(ref buffer.sceneColor, views);
             if (views.eyes == 1)
                 buffer.commands.Blit(BuiltinRenderTextureType.CameraTarget, buffer.sceneColor);
             else
@@ -126,14 +160,18 @@ namespace Rill
 
         sealed class CameraBuffer : ICameraPart
         {
-            public readonly CommandBuffer commands = new CommandBuffer { name = "Rill.Surface" };
+            public readonly CommandBuffer commands = new CommandBuffer { name = "Rill.Surface" },
+                beforeShadows = new CommandBuffer { name = "Rill.Surface.Shadow" };
             public RenderTexture sceneColor;
+            public bool isMultiPass;
             bool hasOurDepth, hasOurTarget;     // that nothing else asked for before
 
             public CameraBuffer(Camera camera)
             {
                 Camera = camera;
                 camera.AddCommandBuffer(Event, commands);
+                camera.AddCommandBuffer(CameraEvent.BeforeDepthTexture, beforeShadows);
+                camera.AddCommandBuffer(CameraEvent.BeforeGBuffer, beforeShadows);      // where it draws deferred
             }
 
             public Camera Camera { get; }
@@ -164,12 +202,15 @@ namespace Rill
                 if (Camera != null)
                 {
                     Camera.RemoveCommandBuffer(Event, commands);
+                    Camera.RemoveCommandBuffer(CameraEvent.BeforeDepthTexture, beforeShadows);
+                    Camera.RemoveCommandBuffer(CameraEvent.BeforeGBuffer, beforeShadows);
                     if (hasOurDepth)
                         Camera.depthTextureMode &= ~DepthTextureMode.Depth;
                     if (hasOurTarget)
                         Camera.forceIntoRenderTexture = false;
                 }
                 commands.Dispose();
+                beforeShadows.Dispose();
                 EngineObject.Release(ref sceneColor);
             }
         }

@@ -23,6 +23,9 @@ namespace Rill
 
         public void Add(T part) => parts.Add(part);
 
+        /// <summary>Hands it over: it is not disposed.</summary>
+        public void Remove(T part) => parts.Remove(part);
+
         /// <summary>Disposes those of other cameras that are gone.</summary>
         /// <returns>The camera's part; null where it has none.</returns>
         public T Find(Camera camera)

@@ -61,9 +61,11 @@ namespace Rill
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
         readonly SurfaceWatch watch = new SurfaceWatch();
-        readonly Vector4[] phaseAbsorption = new Vector4[PhaseFrame.MaxPhases], phaseScattering = new Vector4[PhaseFrame.MaxPhases];
         SurfaceFrame frame;
         [NonSerialized] bool hasFrame;
+        [NonSerialized] Material copy;          // of the user's own
+        [NonSerialized] Shader knownShader;
+        [NonSerialized] bool knowsFoam;
 
         /// <summary>All that are enabled and run, for the adapters of the render pipelines.</summary>
         internal static IReadOnlyList<FluidSurface> Active => active;
@@ -105,12 +107,29 @@ namespace Rill
         /// camera sees).</summary>
         public Light Sun { get => sun; set => sun = value; }
 
-        /// <summary>A material of your own; null for the package's.</summary>
+        /// <summary>A material of your own; null for the package's. It is not drawn itself but by a copy, which follows its properties and
+        /// has the keywords that the settings of this component ask for.</summary>
         public Material Material { get => material; set => material = value; }
 
-        /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own knows nothing of
+        /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own may know nothing of
         /// foam.</summary>
-        internal bool DrawsFoam => isActiveAndEnabled && material == null;
+        internal bool DrawsFoam => isActiveAndEnabled && ShadesAll;
+
+        // Whether the shader shades foam and phases too: the package's own, and one that is made of Surface.hlsl with its keywords.
+        bool ShadesAll
+        {
+            get
+            {
+                if (material == null)
+                    return true;
+                if (!ReferenceEquals(material.shader, knownShader))
+                {
+                    knownShader = material.shader;
+                    knowsFoam = knownShader.keywordSpace.FindKeyword(FoamKeyword).isValid;
+                }
+                return knowsFoam;
+            }
+        }
 
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
@@ -119,20 +138,39 @@ namespace Rill
         private protected override string ShaderFile => "Surface";
 
         /// <summary>Before anything else of the surface for this camera and frame.</summary>
-        /// <returns>Whether the camera sees it; then <see cref="Record"/> fills its textures and <see cref="Submit"/> draws it, in either
-        /// order.</returns>
+        /// <returns>Whether the camera sees it; then <see cref="Submit"/> puts its draw into the queue, before the camera culls, and
+        /// <see cref="Record"/> fills what that shows.</returns>
         internal bool Prepare(in FluidViews camera)
         {
             if (!hasFrame || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
+            {
+                recorder.TurnOff(camera.camera);
                 return false;
+            }
             if (!recorder.Prepare(camera, frame))
                 return false;
             watch.See();
             return true;
         }
 
+        /// <summary>Whether there is anything to record for the picture that the camera draws now.</summary>
+        internal bool IsPreparedFor(Camera camera) => recorder.IsPreparedFor(camera);
+
         /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
-        internal void Record(CommandBuffer cmd, in FluidViews camera) => recorder.Record(cmd, camera, frame);
+        /// <param name="camera">With the matrices that it draws with: jittered where antialiasing wants that, of the eyes of this pass.</param>
+        /// <param name="shadow">In the Built-in pipeline; null for none.</param>
+        internal void Record(CommandBuffer cmd, in FluidViews camera, ShadowCopy shadow = null)
+        {
+            SurfaceConstants constants = default;
+            SetLook(ref constants);
+            if (camera.light is FluidViews.Light light)
+                (constants.sunDirection, constants.sunColor) = (light.Direction, light.Color);
+            if (shadow != null)
+                shadow.SetOn(ref constants);
+            else
+                ShadowCopy.SetNone(ref constants);
+            recorder.Record(cmd, camera, frame, constants);
+        }
 
         /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where
         /// none are needed.</summary>
@@ -142,24 +180,31 @@ namespace Rill
         /// that needs them.</summary>
         internal void SubmitMotion(in FluidViews camera)
         {
-            RenderParams parameters = Parameters(recorder.ViewOf(camera.camera).Motion);
+            SurfaceView view = recorder.ViewOf(camera.camera);
+            if (!view.TrySubmitMotion())
+                return;
+            RenderParams parameters = Parameters(view.Motion);
             parameters.camera = camera.camera;
             recorder.SubmitMotion(parameters);
         }
 
-        /// <summary>Draws the surface for a camera in this frame, after <see cref="Prepare"/>.</summary>
+        /// <summary>Has the camera draw the surface in this frame, after <see cref="Prepare"/>. Once a frame: Unity's queue lives longer than a
+        /// picture where the camera draws several, and in the editor while it is paused.</summary>
         /// <param name="sceneColor">The opaque scene, in the Built-in pipeline; null where the pipeline has it as a global.</param>
-        /// <param name="shadowCopy">In the Built-in pipeline; null for none.</param>
-        internal void Submit(in FluidViews camera, Texture sceneColor, ShadowCopy shadowCopy = null)
+        /// <param name="shadow">In the Built-in pipeline; null for none.</param>
+        internal void Submit(in FluidViews camera, Texture sceneColor, ShadowCopy shadow = null)
         {
-            MaterialPropertyBlock properties = recorder.ViewOf(camera.camera).Shading;
-            SetLook(properties);
-            if (camera.light is FluidViews.Light light)
-                SetSun(properties, light.Direction, light.Color, false);
+            SurfaceView view = recorder.ViewOf(camera.camera);
+            if (view.IsSubmitted)
+                return;
+            view.MarkSubmitted(camera.width, camera.height);
+            MaterialPropertyBlock properties = view.Shading;
+            if (reflection != null)
+                properties.SetTexture(Ids.ReflectionCube, reflection);
             if (sceneColor != null)
                 properties.SetTexture(Ids.SceneColor, sceneColor);
-            if (shadowCopy != null)
-                shadowCopy.SetOn(properties);
+            if (shadow != null)
+                shadow.SetOn(properties);
             else
                 ShadowCopy.SetNone(properties);
             RenderParams parameters = Parameters(properties);
@@ -167,8 +212,8 @@ namespace Rill
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             parameters.motionVectorMode = MotionVectorGenerationMode.Camera;
             parameters.reflectionProbeUsage = ReflectionProbeUsage.BlendProbes;
-            if (material != null)
-                parameters.material = material;
+            if (copy != null)
+                parameters.material = copy;
             Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, 6);
         }
 
@@ -191,6 +236,7 @@ namespace Rill
                 Simulation.AskForSurface -= Ask;
             BuiltInSurfaces.End();
             RenderSetups.End();
+            EngineObject.Destroy(ref copy);
             shadow?.Dispose();
             shadow = null;
             recorder?.Dispose();
@@ -223,13 +269,28 @@ namespace Rill
             frame.lastDomainToWorld = LastDomainToWorld;
             if (DrawsFoam && TryGetComponent(out FluidFoam foam))
                 frame.foam = foam.Frame;
-            if (phaseLooks.Length > 0 && material == null)
+            if (phaseLooks.Length > 0 && ShadesAll)
                 frame.phases = new PhaseFrame(solver.Tags);
             if (CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f)
                 shadow.Draw(Parameters(shadow.Properties), frame, shadowOpacity);
-            SetKeyword(RefractionKeyword, refraction);
-            SetKeyword(ReflectionKeyword, reflection != null);
-            SetKeyword(FoamKeyword, frame.foam.particles != null);
+            FollowMaterial();
+            SetKeyword(RefractionKeyword, refraction, copy);
+            SetKeyword(ReflectionKeyword, reflection != null, copy);
+            SetKeyword(FoamKeyword, frame.foam.particles != null, copy);
+        }
+
+        // A material of the user's own is drawn by a copy, brought up to date in each frame: it gets the keywords that the settings ask for, and
+        // the user's asset stays as it is.
+        void FollowMaterial()
+        {
+            if (copy != null && (material == null || !ReferenceEquals(copy.shader, material.shader)))
+                EngineObject.Destroy(ref copy);
+            if (material == null)
+                return;
+            if (copy == null)
+                copy = new Material(material) { hideFlags = HideFlags.HideAndDontSave };
+            else
+                copy.CopyPropertiesFromMaterial(material);
         }
 
         private protected override void DescribeDraws(StageDescription description)
@@ -273,31 +334,22 @@ namespace Rill
                 look = SurfaceLook.Of(preset);
         }
 
-        void SetLook(MaterialPropertyBlock properties)
+        void SetLook(ref SurfaceConstants constants)
         {
-            SetSun(properties, sun);
-            properties.SetVector(Ids.Absorption, look.Absorption);
-            properties.SetVector(Ids.Scattering, ScatteringOf(look));
-            properties.SetFloat(Ids.HasPhases, frame.phases.AreShown ? 1f : 0f);
-            if (frame.phases.AreShown)
-                SetPhases(properties);
-            properties.SetVector(Ids.SurfaceOptics,
-                new Vector4(look.refractionIndex, look.Reflectance, look.roughness, ShadowOffset * Simulation.ParticleSpacing));
-            properties.SetFloat(Ids.ReflectionStrength, reflectionStrength);
-            if (reflection != null)
-                properties.SetTexture(Ids.ReflectionCube, reflection);
-        }
-
-        void SetPhases(MaterialPropertyBlock properties)
-        {
-            for (int phase = 0; phase < PhaseFrame.MaxPhases; phase++)
+            SunOf(sun, out constants.sunDirection, out constants.sunColor);
+            constants.absorption = look.Absorption;
+            constants.scattering = ScatteringOf(look);
+            constants.hasPhases = frame.phases.AreShown ? 1f : 0f;
+            for (int phase = 0; phase < PhaseFrame.MaxPhases && frame.phases.AreShown; phase++)
             {
                 SurfaceLook own = phase == 0 || phaseLooks.Length == 0 ? look : phaseLooks[Mathf.Min(phase, phaseLooks.Length) - 1];
-                phaseAbsorption[phase] = own.Absorption;
-                phaseScattering[phase] = ScatteringOf(own);
+                constants.phaseAbsorption[phase] = own.Absorption;
+                constants.phaseScattering[phase] = ScatteringOf(own);
             }
-            properties.SetVectorArray(Ids.PhaseAbsorption, phaseAbsorption);
-            properties.SetVectorArray(Ids.PhaseScattering, phaseScattering);
+            constants.surfaceOptics = new Vector4(look.refractionIndex, look.Reflectance, look.roughness,
+                ShadowOffset * Simulation.ParticleSpacing);
+            constants.reflectionStrength = reflectionStrength;
+            constants.receiveShadows = ReceiveShadows ? 1f : 0f;
         }
 
         static Vector4 ScatteringOf(in SurfaceLook look)
@@ -313,13 +365,6 @@ namespace Rill
         static class Ids
         {
             public static readonly int SceneColor = Shader.PropertyToID("_SceneColor");
-            public static readonly int Absorption = Shader.PropertyToID("_Absorption");
-            public static readonly int Scattering = Shader.PropertyToID("_Scattering");
-            public static readonly int HasPhases = Shader.PropertyToID("_HasPhases");
-            public static readonly int PhaseAbsorption = Shader.PropertyToID("_PhaseAbsorption");
-            public static readonly int PhaseScattering = Shader.PropertyToID("_PhaseScattering");
-            public static readonly int SurfaceOptics = Shader.PropertyToID("_SurfaceOptics");
-            public static readonly int ReflectionStrength = Shader.PropertyToID("_ReflectionStrength");
             public static readonly int ReflectionCube = Shader.PropertyToID("_ReflectionCube");
         }
     }

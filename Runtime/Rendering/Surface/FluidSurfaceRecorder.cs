@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -29,8 +30,8 @@ namespace Rill
         SurfaceMotion motion;
         readonly Kernel filterRows, filterRowsAgain, filterColumns, findNormals;
         readonly CameraParts<SurfaceView> views = new CameraParts<SurfaceView>();
+        readonly List<SurfaceView> replaced = new List<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
-        readonly SurfaceConstants constants = new SurfaceConstants();
 
         /// <summary>Why no surface can be drawn on this device; null where one can.</summary>
         public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.Depth, false)
@@ -59,19 +60,26 @@ namespace Rill
             return found;
         }
 
+        /// <summary>What a draw of this camera may still show in this frame is no longer shown, until it is recorded again.</summary>
+        public void TurnOff(Camera camera) => views.Find(camera)?.TurnOff();
+
+        /// <summary>Whether <see cref="Prepare"/> has found that the camera sees the fluid in the picture that it draws now.</summary>
+        public bool IsPreparedFor(Camera camera) => views.Find(camera) is SurfaceView view && view.IsPrepared;
+
         /// <summary>Makes the camera's textures and what its shading draw reads of them, before anything is recorded: a render pipeline
         /// wants that draw before it culls.</summary>
         /// <param name="fluid">What is drawn.</param>
         /// <returns>Whether the camera sees the fluid's box; there is nothing to record and to draw otherwise.</returns>
         public bool Prepare(in FluidViews camera, in SurfaceFrame fluid)
         {
-            constants.Set(camera);
-            BoxOnPicture box = BoxOnPicture.Of(camera, fluid, constants);
+            TurnOff(camera.camera);
+            DisposeReplaced();
+            BoxOnPicture box = BoxOnPicture.Of(camera, fluid);
             if (!box.IsSeen)
                 return false;
             SurfaceView view = ViewOf(camera.camera);
-            view.Constants.Set(camera);
-            view.Bounds = box.Bounds;
+            if (view.IsSubmitted && !view.IsSubmittedFor(camera.width, camera.height))
+                view = Replace(view);
             view.IsPrepared = true;
             float pixels = SurfaceConstants.PixelsPerMeter(camera.projection, camera.height);
             float scale = ScaleOf(fluid, pixels / box.NearestDepth);
@@ -79,29 +87,55 @@ namespace Rill
             view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor, fluid.phases);
             view.PrepareFoam(fluid.foam.particles != null);
             view.PrepareMotion(camera.needsMotion);
-            SetShading(view, camera, fluid.foam);
+            SetShading(view);
             if (camera.needsMotion)
-                (motion ??= new SurfaceMotion()).Set(view, camera, fluid);
+                (motion ??= new SurfaceMotion()).Set(view, fluid);
             return true;
         }
 
-        /// <summary>Records everything that has changed since the camera's last frame; nothing where it was not prepared since the last
-        /// call.</summary>
-        /// <param name="camera">As <see cref="Prepare"/> had it.</param>
-        /// <param name="fluid">As <see cref="Prepare"/> had it.</param>
-        public void Record(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid)
+        // The draw that waits goes on holding its textures, and shows nothing.
+        SurfaceView Replace(SurfaceView view)
         {
-            SurfaceView view = ViewOf(camera.camera);
-            if (!view.IsPrepared)
+            views.Remove(view);
+            replaced.Add(view);
+            return ViewOf(view.Camera);
+        }
+
+        void DisposeReplaced()
+        {
+            for (int i = replaced.Count - 1; i >= 0; i--)
+            {
+                if (replaced[i].IsSubmitted)
+                    continue;
+                replaced[i].Dispose();
+                replaced.RemoveAt(i);
+            }
+        }
+
+        /// <summary>Records everything that has changed since the camera's last picture; nothing where this one was not prepared.</summary>
+        /// <param name="camera">As <see cref="Prepare"/> had it, with the matrices that the camera draws with; not more eyes.</param>
+        /// <param name="fluid">As <see cref="Prepare"/> had it.</param>
+        /// <param name="constants">Of the fluid's look; the camera's are filled in.</param>
+        public void Record(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceConstants constants = default)
+        {
+            SurfaceView view = views.Find(camera.camera);
+            if (view == null || !view.IsPrepared)
                 return;
-            view.IsPrepared = false;
-            var state = new SurfaceState(fluid.version, fluid.lag.x, fluid.filterRadius, fluid.domainToWorld, view.Constants);
+            view.LastFrame = Time.frameCount;
+            Vector4 bounds = BoxOnPicture.Of(camera, fluid).Bounds;
+            constants.Set(camera);
+            constants.pictureBounds = bounds;
+            constants.surfaceSize = SurfaceIds.SizeOf(view.Smoothed);
+            constants.foamColor = fluid.foam.color;
+            view.Write(cmd, constants);
+            var state = new SurfaceState(fluid.version, fluid.lag.x, fluid.filterRadius, fluid.domainToWorld, camera);
             bool isShown = view.Shown.HasValue && view.Shown.Value.Equals(state);
-            Set(properties, fluid, view.Constants);
+            view.SetConstants(properties);
+            fluid.SetOn(properties);
             if (!isShown)
             {
                 RecordDepth(cmd, camera, fluid, view);
-                RecordFilter(cmd, camera, fluid, view);
+                RecordFilter(cmd, camera, fluid, view, bounds);
                 view.Shown = state;
             }
             view.HasMotion = view.Chords != null;
@@ -114,10 +148,9 @@ namespace Rill
         /// none.</summary>
         public void RecordMotion(CommandBuffer cmd, in FluidViews camera)
         {
-            SurfaceView view = ViewOf(camera.camera);
-            if (view.HasMotion)
+            SurfaceView view = views.Find(camera.camera);
+            if (view != null && view.IsPrepared && view.HasMotion)
                 motion.Record(cmd, view);
-            view.HasMotion = false;
         }
 
         /// <summary>Submits the draw of motion vectors, after <see cref="Prepare"/> of a camera that needs them.</summary>
@@ -126,6 +159,9 @@ namespace Rill
         public void Dispose()
         {
             views.Clear();
+            foreach (SurfaceView view in replaced)
+                view.Dispose();
+            replaced.Clear();
             motion?.Dispose();
             motion = null;
             EngineObject.Destroy(ref raster);
@@ -159,7 +195,6 @@ namespace Rill
         void RecordDepth(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
         {
             cmd.BeginSample(DepthMarker);
-            properties.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
             bool hasChords = view.Chords != null;
             for (int eye = 0; eye < camera.eyes; eye++)
             {
@@ -175,16 +210,15 @@ namespace Rill
             cmd.EndSample(DepthMarker);
         }
 
-        void RecordFilter(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
+        // bounds: what the fluid's box covers of the picture; the rest was drawn empty.
+        void RecordFilter(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, Vector4 bounds)
         {
-            // Texels that the fluid's box covers: the rest was drawn empty.
-            Vector4 bounds = view.Bounds;
             int width = view.Width, height = view.Height;
             int left = Mathf.Clamp((int)((bounds.x * 0.5f + 0.5f) * width), 0, width - 1),
                 right = Mathf.Clamp((int)((bounds.z * 0.5f + 0.5f) * width) + 1, left + 1, width);
             int bottom = Mathf.Clamp((int)((bounds.y * 0.5f + 0.5f) * height), 0, height - 1),
                 top = Mathf.Clamp((int)((bounds.w * 0.5f + 0.5f) * height) + 1, bottom + 1, height);
-            SetFilter(cmd, view);
+            view.SetConstants(cmd, filter);
             cmd.SetComputeVectorParam(filter, Ids.FilterBounds, new Vector4(left, bottom, right, top));
             int passes = camera.IsProbe ? 1 : fluid.filterPasses;
             for (int eye = 0; eye < camera.eyes; eye++)
@@ -214,12 +248,6 @@ namespace Rill
             }
         }
 
-        void SetFilter(CommandBuffer cmd, SurfaceView view)
-        {
-            view.Constants.SetOn(cmd, filter);
-            cmd.SetComputeVectorParam(filter, SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
-        }
-
         void SetFilterEye(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, int eye)
         {
             cmd.SetComputeIntParam(filter, SurfaceIds.SurfaceEye, eye);
@@ -227,27 +255,16 @@ namespace Rill
             cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(fluid.filterRadius * texels, fluid.filterRange, 0f, 0f));
         }
 
-        static void Set(MaterialPropertyBlock block, in SurfaceFrame fluid, SurfaceConstants constants)
-        {
-            constants.SetOn(block);
-            fluid.SetOn(block);
-        }
-
         // What Surface.hlsl reads of this camera.
-        static void SetShading(SurfaceView view, in FluidViews camera, in FoamFrame foam)
+        static void SetShading(SurfaceView view)
         {
             MaterialPropertyBlock block = view.Shading;
-            view.Constants.SetOn(block);
-            block.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
-            block.SetVector(SurfaceIds.PictureBounds, view.Bounds);
-            block.SetVector(SurfaceIds.SceneSize, camera.sceneSize);
+            view.SetConstants(block);
             block.SetTexture(SurfaceIds.SurfaceDepth, view.Smoothed);
             block.SetTexture(Ids.SurfaceNormals, view.Normals);
             block.SetTexture(Ids.SurfaceThickness, view.Thickness);
-            if (view.Foam == null)
-                return;
-            block.SetTexture(Ids.SurfaceFoam, view.Foam);
-            block.SetVector(Ids.FoamColor, foam.color);
+            if (view.Foam != null)
+                block.SetTexture(Ids.SurfaceFoam, view.Foam);
         }
 
         // Where the filter would be wider than its kernel holds, the textures get smaller: a close-up costs no more than a wide view.
@@ -270,7 +287,6 @@ namespace Rill
             public static readonly int SurfaceNormals = Shader.PropertyToID("_SurfaceNormals");
             public static readonly int SurfaceThickness = Shader.PropertyToID("_SurfaceThickness");
             public static readonly int SurfaceFoam = Shader.PropertyToID("_SurfaceFoam");
-            public static readonly int FoamColor = Shader.PropertyToID("_FoamColor");
         }
     }
 }

@@ -62,6 +62,29 @@ namespace Rill
         /// <param name="eye">0 or 1.</param>
         public Matrix4x4 ProjectionOf(int eye) => eye == 0 ? projection : rightProjection;
 
+        /// <summary>Sets the matrices that the camera draws with, which are final as it draws.</summary>
+        /// <param name="eye">0 or 1.</param>
+        public void SetEye(int eye, Matrix4x4 view, Matrix4x4 projection)
+        {
+            if (eye == 0)
+                (this.view, this.projection) = (view, projection);
+            else
+                (rightView, rightProjection) = (view, projection);
+        }
+
+        /// <summary>Where the pipeline draws one eye in this pass.</summary>
+        /// <param name="eye">0 or 1.</param>
+        public void KeepEye(int eye)
+        {
+            SetEye(0, ViewOf(eye), ProjectionOf(eye));
+            eyes = 1;
+            sceneIsArray = false;
+        }
+
+        /// <summary>From world to clip space, z -1 to 1, of an eye.</summary>
+        /// <param name="eye">0 or 1.</param>
+        public Matrix4x4 WorldToClipOf(int eye) => ProjectionOf(eye) * ViewOf(eye);
+
         /// <summary>Of a camera as Unity has it: two eyes where it is stereo.</summary>
         /// <param name="isForHeadset">False where the pipeline draws one eye, whether the camera is stereo or not.</param>
         public static FluidViews Of(Camera camera, bool isForHeadset = true)

@@ -11,7 +11,8 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// The pipeline draws the map and runs <see cref="LightEvent.BeforeScreenspaceMask"/> only where opaque receivers are seen, so a
-    /// stamp in the copy says for which camera and frame it holds.
+    /// stamp in the copy says for which picture of which camera it holds. The cameras' own commands set it: one may be drawn from inside of
+    /// another.
     /// </remarks>
     sealed class ShadowCopy : IDisposable
     {
@@ -55,6 +56,8 @@ namespace Rill
             copy.SetGlobalVector(Ids.ShadowCopySize, new Vector4(map.width, map.height, 0f, 0f));
             copy.SetRenderTarget(map);
             copy.DrawProcedural(Matrix4x4.identity, material, MapPass, MeshTopology.Triangles, 3);
+            values.SetRenderTarget(valueTexels);
+            values.DrawProcedural(Matrix4x4.identity, material, ValuesPass, MeshTopology.Triangles, 3);
             light.AddCommandBuffer(LightEvent.AfterShadowMap, copy);
             light.AddCommandBuffer(LightEvent.BeforeScreenspaceMask, values);
         }
@@ -69,25 +72,26 @@ namespace Rill
         /// <summary>Whether it is that of this light, which is still there, at the quality of now.</summary>
         public bool IsOf(Light other) => light != null && ReferenceEquals(light, other) && map.width == Size;
 
-        /// <summary>As a camera begins.</summary>
-        public void Begin()
+        /// <summary>Records what a camera does before its shadows are drawn, for its next picture.</summary>
+        public void Begin(CommandBuffer cmd)
         {
             stamp = stamp % Stamps + 1;
-            values.Clear();
-            values.SetGlobalVector(Ids.ShadowStamp, new Vector4(stamp, 0f, 0f, 0f));
-            values.SetRenderTarget(valueTexels);
-            values.DrawProcedural(Matrix4x4.identity, material, ValuesPass, MeshTopology.Triangles, 3);
+            cmd.SetGlobalVector(Ids.ShadowStamp, new Vector4(stamp, 0f, 0f, 0f));
         }
 
-        /// <summary>For a draw of the camera that has begun.</summary>
+        /// <summary>For a draw of a camera.</summary>
         public void SetOn(MaterialPropertyBlock block)
         {
             block.SetTexture(Ids.Copy, map);
             block.SetTexture(Ids.ShadowValues, valueTexels);
-            block.SetVector(Ids.ShadowReceived,
-                new Vector4(stamp, QualitySettings.shadowCascades, QualitySettings.shadowProjection == ShadowProjection.StableFit ? 1f : 0f,
-                0f));
-            block.SetVector(Ids.ShadowLight, -light.transform.forward);
+        }
+
+        /// <summary>For the constants of the picture that has begun.</summary>
+        public void SetOn(ref SurfaceConstants constants)
+        {
+            constants.shadowReceived = new Vector4(stamp, QualitySettings.shadowCascades,
+                QualitySettings.shadowProjection == ShadowProjection.StableFit ? 1f : 0f, 0f);
+            constants.shadowLight = -light.transform.forward;
         }
 
         /// <summary>For a draw without.</summary>
@@ -95,8 +99,10 @@ namespace Rill
         {
             block.SetTexture(Ids.Copy, Texture2D.blackTexture);
             block.SetTexture(Ids.ShadowValues, Texture2D.blackTexture);
-            block.SetVector(Ids.ShadowReceived, NoStamp);
         }
+
+        /// <summary>For the constants of the same draw.</summary>
+        public static void SetNone(ref SurfaceConstants constants) => constants.shadowReceived = NoStamp;
 
         public void Dispose()
         {
@@ -129,8 +135,6 @@ namespace Rill
             public static readonly int ShadowStamp = Shader.PropertyToID("_ShadowStamp");
             public static readonly int Copy = Shader.PropertyToID("_ShadowCopy");
             public static readonly int ShadowValues = Shader.PropertyToID("_ShadowValues");
-            public static readonly int ShadowReceived = Shader.PropertyToID("_ShadowReceived");
-            public static readonly int ShadowLight = Shader.PropertyToID("_ShadowLight");
         }
     }
 }

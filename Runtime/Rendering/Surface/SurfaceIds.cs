@@ -7,15 +7,11 @@ namespace Rill
     /// texel.</summary>
     static class SurfaceIds
     {
-        public static readonly int WorldToClip = Shader.PropertyToID("_SurfaceWorldToClip");
-        public static readonly int Rays = Shader.PropertyToID("_SurfaceRays");
-        public static readonly int Depths = Shader.PropertyToID("_SurfaceDepths");
-        public static readonly int SurfaceSize = Shader.PropertyToID("_SurfaceSize");
+        public static readonly int Constants = Shader.PropertyToID("RillSurfaceView");
         public static readonly int SurfaceEye = Shader.PropertyToID("_SurfaceEye");
-        public static readonly int SceneSize = Shader.PropertyToID("_SceneSize");
         public static readonly int SurfaceDepth = Shader.PropertyToID("_SurfaceDepth");
-        public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
         public static readonly int Depth = Shader.PropertyToID("_Depth");
+        public static readonly int ThicknessSize = Shader.PropertyToID("_ThicknessSize");
 
         /// <summary>Width and height, texels, and one over them.</summary>
         public static Vector4 SizeOf(RenderTexture texture) => new Vector4(texture.width, texture.height, 1f / texture.width, 1f / texture.height);

@@ -13,14 +13,11 @@ namespace Rill
         Material material = new Material(StageShader.Load("SurfaceMotion").Shader) { hideFlags = HideFlags.HideAndDontSave };
 
         /// <summary>Sets what SurfaceMotion.hlsl reads of this camera and frame.</summary>
-        public void Set(SurfaceView view, in FluidViews camera, in SurfaceFrame fluid)
+        public void Set(SurfaceView view, in SurfaceFrame fluid)
         {
             MaterialPropertyBlock block = view.Motion;
             fluid.SetOn(block);
-            view.Constants.SetOn(block);
-            block.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
-            block.SetVector(SurfaceIds.PictureBounds, view.Bounds);
-            block.SetVector(SurfaceIds.SceneSize, camera.sceneSize);
+            view.SetConstants(block);
             block.SetTexture(SurfaceIds.SurfaceDepth, view.Smoothed);
             block.SetTexture(Ids.SurfaceChords, view.Chords);
             block.SetMatrix(Ids.WorldToDomain, fluid.domainToWorld.inverse);

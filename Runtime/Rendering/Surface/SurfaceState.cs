@@ -13,14 +13,14 @@ namespace Rill
         /// <param name="version">Of the surface's particles.</param>
         /// <param name="lag">Of the frame since the newest step, substeps.</param>
         /// <param name="filterRadius">World, m.</param>
-        public SurfaceState(int version, float lag, float filterRadius, Matrix4x4 domainToWorld, SurfaceConstants constants)
+        public SurfaceState(int version, float lag, float filterRadius, Matrix4x4 domainToWorld, in FluidViews camera)
         {
             this.version = version;
             this.lag = lag;
             this.filterRadius = filterRadius;
             this.domainToWorld = domainToWorld;
-            left = constants.WorldToClip[0];
-            right = constants.WorldToClip[1];
+            left = camera.WorldToClipOf(0);
+            right = camera.WorldToClipOf(1);
         }
 
         public bool Equals(SurfaceState other)

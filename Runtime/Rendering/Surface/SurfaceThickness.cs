@@ -53,7 +53,10 @@ namespace Rill
 
             cmd.BeginSample(ThicknessMarker);
             clear.Record(cmd, view.Amounts);
-            Set(cmd, fluid, view);
+            cmd.SetComputeVectorParam(shader, SurfaceIds.ThicknessSize, SurfaceIds.SizeOf(view.Thickness));
+            cmd.SetComputeFloatParam(shader, Ids.ParticleSpacing, fluid.spacing);
+            fluid.SetOn(cmd, shader);
+            view.SetConstants(cmd, shader);
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
@@ -96,9 +99,8 @@ namespace Rill
         {
             cmd.BeginSample(SceneMarker);
             cmd.SetKeyword(raster, sceneArray, camera.sceneIsArray);
-            view.Constants.SetOn(properties);
-            properties.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Thickness));
-            properties.SetVector(SurfaceIds.SceneSize, camera.sceneSize);
+            view.SetConstants(properties);
+            properties.SetVector(SurfaceIds.ThicknessSize, SurfaceIds.SizeOf(view.Thickness));
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 properties.SetInt(SurfaceIds.SurfaceEye, eye);
@@ -108,21 +110,11 @@ namespace Rill
             cmd.EndSample(SceneMarker);
         }
 
-        void Set(CommandBuffer cmd, in SurfaceFrame fluid, SurfaceView view)
-        {
-            view.Constants.SetOn(cmd, shader);
-            cmd.SetComputeVectorParam(shader, SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
-            cmd.SetComputeVectorParam(shader, Ids.ThicknessSize, SurfaceIds.SizeOf(view.Thickness));
-            cmd.SetComputeFloatParam(shader, Ids.ParticleSpacing, fluid.spacing);
-            fluid.SetOn(cmd, shader);
-        }
-
         static class Ids
         {
             public static readonly int SceneDistance = Shader.PropertyToID("_SceneDistance");
             public static readonly int Amounts = Shader.PropertyToID("_Amounts");
             public static readonly int Thickness = Shader.PropertyToID("_Thickness");
-            public static readonly int ThicknessSize = Shader.PropertyToID("_ThicknessSize");
             public static readonly int BlurRadius = Shader.PropertyToID("_BlurRadius");
             public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
             public static readonly int Positions = Shader.PropertyToID("_Positions");

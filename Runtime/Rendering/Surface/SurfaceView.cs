@@ -9,9 +9,13 @@ namespace Rill
     {
         const int FramesKept = 3;       // for which a camera may stay away
 
-        public readonly SurfaceConstants Constants = new SurfaceConstants();
+        readonly SurfaceConstants[] upload = new SurfaceConstants[1];
+        GraphicsBuffer constants = GpuBuffer.Constants<SurfaceConstants>("Rill.Surface.Constants");
+        Vector2Int submittedSize;
+        int submittedFrame = -1, motionFrame = -1;
+        bool isWritten;
 
-        /// <summary>Of the draw that shades, which lives on until the frame is drawn.</summary>
+        /// <summary>Of the draw that shades, which lives on until the next frame.</summary>
         public readonly MaterialPropertyBlock Shading = new MaterialPropertyBlock();
 
         /// <summary>Depth alone: the ellipsoids as they were drawn.</summary>
@@ -44,7 +48,11 @@ namespace Rill
         /// <summary>Of the draw that writes motion vectors.</summary>
         public MaterialPropertyBlock Motion;
 
-        public SurfaceView(Camera camera) => Camera = camera;
+        public SurfaceView(Camera camera)
+        {
+            Camera = camera;
+            constants.SetData(upload);
+        }
 
         public Camera Camera { get; }
 
@@ -54,17 +62,61 @@ namespace Rill
         /// <summary>Frame in which the camera last asked for it.</summary>
         public int LastFrame { get; set; }
 
-        /// <summary>Lowest and highest x and y of the fluid's box on the picture, -1 to 1.</summary>
-        public Vector4 Bounds { get; set; }
-
-        /// <summary>Whether a frame of the camera was prepared and is not recorded yet.</summary>
+        /// <summary>Whether the picture that the camera draws now was prepared.</summary>
         public bool IsPrepared { get; set; }
+
+        /// <summary>Whether its draw waits in Unity's queue, which is emptied when the next frame begins: however often the camera draws until
+        /// then, it comes each time.</summary>
+        public bool IsSubmitted => submittedFrame == Time.frameCount;
+
+        /// <summary>Whether textures and copies of the scene have to be of another size than those that the draw in the queue holds.</summary>
+        public bool IsSubmittedFor(int width, int height) => submittedSize == new Vector2Int(width, height);
 
         /// <summary>Whether a frame was recorded whose motion vectors are needed and not drawn yet.</summary>
         public bool HasMotion { get; set; }
 
         /// <summary>What <see cref="Smoothed"/> and <see cref="Normals"/> show; null where they show nothing yet.</summary>
         public SurfaceState? Shown { get; set; }
+
+        /// <summary>The draw is submitted now.</summary>
+        /// <param name="width">Of the picture, pixels.</param>
+        public void MarkSubmitted(int width, int height)
+        {
+            submittedFrame = Time.frameCount;
+            submittedSize = new Vector2Int(width, height);
+        }
+
+        /// <summary>Whether the draw of motion vectors is to be submitted: once a frame too.</summary>
+        public bool TrySubmitMotion()
+        {
+            bool isFirst = motionFrame != Time.frameCount;
+            motionFrame = Time.frameCount;
+            return isFirst;
+        }
+
+        /// <summary>At once: the draw that waits shows nothing until <see cref="Write"/> is executed.</summary>
+        public void TurnOff()
+        {
+            IsPrepared = false;
+            if (!isWritten)
+                return;
+            isWritten = false;
+            upload[0] = default;
+            constants.SetData(upload);
+        }
+
+        /// <summary>Records what the draws and passes of the camera read from here on.</summary>
+        public void Write(CommandBuffer cmd, in SurfaceConstants values)
+        {
+            isWritten = true;
+            upload[0] = values;
+            cmd.SetBufferData(constants, upload);
+        }
+
+        public void SetConstants(MaterialPropertyBlock block) => block.SetConstantBuffer(SurfaceIds.Constants, constants, 0, constants.stride);
+
+        public void SetConstants(CommandBuffer cmd, ComputeShader shader)
+            => cmd.SetComputeConstantBufferParam(shader, SurfaceIds.Constants, constants, 0, constants.stride);
 
         public int Width => Smoothed.width;
         public int Height => Smoothed.height;
@@ -129,6 +181,7 @@ namespace Rill
 
         public void Dispose()
         {
+            GpuBuffer.Release(ref constants);
             ReleaseFoam();
             ReleaseSurface();
             ReleaseThickness();

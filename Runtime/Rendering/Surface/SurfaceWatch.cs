@@ -8,7 +8,6 @@ namespace Rill
     {
         static Camera[] cameras = Array.Empty<Camera>();
 
-        readonly SurfaceConstants constants = new SurfaceConstants();
         int seenFrame = -2;
 
         /// <summary>A camera sees it in this frame, known to <see cref="IsSeen"/> or not (the scene view's, a probe's): the next frame has
@@ -31,9 +30,7 @@ namespace Rill
             {
                 if ((cameras[i].cullingMask & (1 << layer)) == 0)
                     continue;
-                FluidViews views = FluidViews.Of(cameras[i]);
-                constants.Set(views);
-                isSeen = BoxOnPicture.Of(views, fluid, constants, shadow).IsSeen;
+                isSeen = BoxOnPicture.Of(FluidViews.Of(cameras[i]), fluid, shadow).IsSeen;
             }
             Array.Clear(cameras, 0, count);
             return isSeen;

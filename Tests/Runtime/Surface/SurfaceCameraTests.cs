@@ -130,6 +130,55 @@ namespace Rill.Tests
             Assert.That(scene.Camera.forceIntoRenderTexture, Is.False, "the camera is as it was");
         }
 
+        // A near plane through a point of the world, which leaves what lies along the normal; as the cameras of planar mirrors have it.
+        static void SetNearPlane(Camera camera, Vector3 point, Vector3 normal)
+        {
+            camera.ResetProjectionMatrix();
+            Matrix4x4 toCamera = camera.worldToCameraMatrix;
+            Vector4 plane = toCamera.MultiplyVector(normal.normalized);
+            plane.w = -Vector3.Dot(toCamera.MultiplyPoint3x4(point), plane);
+            camera.projectionMatrix = camera.CalculateObliqueMatrix(plane);
+        }
+
+        [UnityTest]
+        public IEnumerator A_tilted_near_plane_before_all_that_is_seen_changes_nothing([Values] bool perspective, [Values] bool refracts)
+        {
+            LookAcross(scene.Camera);
+            scene.Surface.Refraction = refracts;
+            scene.Camera.orthographic = !perspective;
+            scene.Camera.fieldOfView = 25f;
+            yield return scene.Settle(10);
+            float4[] straight = scene.Pixels();
+            foreach (Vector3 tilt in new[] { Vector3.right, Vector3.up, new Vector3(-0.6f, 0.4f, 0f) })
+            {
+                Transform eye = scene.Camera.transform;
+                SetNearPlane(scene.Camera, eye.position + 1.8f * eye.forward, eye.forward + 0.5f * (eye.rotation * tilt));
+                yield return Frames(2);
+                float[] differences = scene.Pixels().Select((pixel, i) => math.cmax(math.abs(pixel.xyz - straight[i].xyz))).ToArray();
+                TestContext.Out.WriteLine($"{differences.Max():0.0000} at most, {differences.Count(one => one > 0.004f)} pixels");
+                Assert.That(differences.Count(one => one > 0.004f), Is.LessThanOrEqualTo(Size * Size / 500), $"{tilt}");
+            }
+            Assert.That(straight.Count(pixel => pixel.y < 0.5f), Is.GreaterThan(Size * Size / 4), "water");
+        }
+
+        [UnityTest]
+        public IEnumerator What_a_tilted_near_plane_cuts_off_is_not_drawn_and_the_rest_is_as_before()
+        {
+            yield return scene.Settle(10);
+            float4[] whole = scene.Pixels();
+            // Through the middle of the picture where the water's surface is, and steep: of the left half nothing is left.
+            SetNearPlane(scene.Camera, new Vector3(0f, Depth - 0.5f, 0f), new Vector3(1f, -0.1f, 0f));
+            yield return Frames(2);
+            float4[] half = scene.Pixels();
+            for (int y = 0; y < Size; y++)
+                for (int x = 0; x < Size; x++)
+                {
+                    float4 expected = x < Size / 2 ? new float4(1f) : whole[y * Size + x];
+                    if (x < Size / 2 - 8 || x > Size / 2 + 12)      // but for the particles that it cuts
+                        Assert.That(math.cmax(math.abs(half[y * Size + x].xyz - expected.xyz)), Is.LessThan(0.02f), $"({x}, {y})");
+                }
+        }
+
         [UnityTest]
         public IEnumerator The_camera_of_a_reflection_probe_shows_it_without_the_filter()
         {

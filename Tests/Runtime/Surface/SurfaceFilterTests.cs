@@ -94,11 +94,17 @@ namespace Rill.Tests
                 GraphicsFormat.None)
             { dimension = TextureDimension.Tex2DArray, volumeDepth = 1, enableRandomWrite = true });
             output.Create();
+            GraphicsBuffer constants = GpuBuffer.Constants<SurfaceConstants>("Constants");
+            var view = new SurfaceConstants { surfaceSize = new Vector4(Size, Size, 1f / Size, 1f / Size) };
+            view.surfaceDepths[0] = new Vector4(0f, 1f, 0f, 0f);
+            view.surfaceClipX[0] = new Vector4(1f, 0f, 0f, 0f);
+            view.surfaceClipY[0] = new Vector4(0f, 1f, 0f, 0f);
+            view.surfaceClipZ[0] = new Vector4(0f, 0f, 1f, 0f);
+            view.surfaceClipW[0] = new Vector4(0f, 0f, 0f, 1f);
             GpuTest.Run(cmd =>
             {
-                cmd.SetComputeVectorArrayParam(shader, "_SurfaceDepths", new[] { new Vector4(0f, 1f, 0f, 0f), new Vector4(0f, 1f, 0f, 0f) });
-                cmd.SetComputeMatrixArrayParam(shader, "_SurfaceWorldToClip", new[] { Matrix4x4.identity, Matrix4x4.identity });
-                cmd.SetComputeVectorParam(shader, "_SurfaceSize", new Vector4(Size, Size, 1f / Size, 1f / Size));
+                cmd.SetBufferData(constants, new[] { view });
+                cmd.SetComputeConstantBufferParam(shader, SurfaceIds.Constants, constants, 0, constants.stride);
                 cmd.SetComputeVectorParam(shader, "_FilterBounds", new Vector4(0f, 0f, Size, Size));
                 cmd.SetComputeVectorParam(shader, "_FilterRadius", new Vector4(0f, 0.1f, 0f, 0f));
                 cmd.SetComputeIntParam(shader, "_SurfaceEye", 0);
@@ -109,6 +115,7 @@ namespace Rill.Tests
             AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(output);
             request.WaitForCompletion();
             read(request);
+            constants.Release();
             output.Release();
             Object.DestroyImmediate(output);
             Object.DestroyImmediate(input);

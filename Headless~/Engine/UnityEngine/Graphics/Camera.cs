@@ -88,6 +88,8 @@ namespace UnityEngine
         public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => stereoEnabled ? StereoView.ViewOf(this, (int)eye) : worldToCameraMatrix;
         public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => stereoEnabled ? StereoView.ProjectionOf(this) : projectionMatrix;
         public bool stereoEnabled => Player.Stereo && targetTexture is null;
+        /// <summary>Here both are drawn in one pass.</summary>
+        public MonoOrStereoscopicEye stereoActiveEye => stereoEnabled ? MonoOrStereoscopicEye.Left : MonoOrStereoscopicEye.Mono;
         public int targetDisplay { get; set; }
         public OpaqueSortMode opaqueSortMode { get; set; }
         public TransparencySortMode transparencySortMode { get; set; }
@@ -148,6 +150,16 @@ namespace UnityEngine
 
         public Matrix4x4 nonJitteredProjectionMatrix { get => projectionMatrix; set { } }
         public void ResetProjectionMatrix() => explicitProjection = null;
+
+        /// <summary>The camera's projection with another near plane (Lengyel 2005).</summary>
+        /// <param name="clipPlane">In camera space, its normal away from the camera.</param>
+        public Matrix4x4 CalculateObliqueMatrix(Vector4 clipPlane)
+        {
+            Matrix4x4 oblique = projectionMatrix;
+            Vector4 corner = oblique.inverse * new Vector4(Math.Sign(clipPlane.x), Math.Sign(clipPlane.y), 1, 1);
+            oblique.SetRow(2, clipPlane * (2 / Vector4.Dot(clipPlane, corner)) - oblique.GetRow(3));
+            return oblique;
+        }
         public Matrix4x4 cullingMatrix { get => explicitCulling ?? projectionMatrix * worldToCameraMatrix; set => explicitCulling = value; }
         public void ResetCullingMatrix() => explicitCulling = null;
 

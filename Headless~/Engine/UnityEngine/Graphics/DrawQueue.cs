@@ -16,10 +16,16 @@ namespace UnityEngine.Headless
         public MotionVectorGenerationMode Motion;
     }
 
-    /// <summary>Draws asked for by Graphics.Render* and Draw* since the last frame.</summary>
+    /// <summary>
+    /// Draws asked for by Graphics.Render* and Draw*. As the editor has it, those that a camera has culled wait until the next frame begins: one
+    /// that draws again meanwhile, as scene views do while the game is paused, draws them again (7000.0, Scripting API,
+    /// PlayerLoop.EarlyUpdate.ClearIntermediateRenderers). As a player has it, which forgets them at the frame's end, those from between
+    /// two frames are drawn in the next.
+    /// </summary>
     internal static class DrawQueue
     {
         public static readonly List<QueuedDraw> Draws = new List<QueuedDraw>();
+        static int culled;      // the first of them
         static readonly Stack<PropertyTable> spareBlocks = new Stack<PropertyTable>();
 
         public static void Add(QueuedDraw draw, MaterialPropertyBlock properties)
@@ -37,15 +43,29 @@ namespace UnityEngine.Headless
             Draws.Add(draw);
         }
 
-        public static void Clear()
+        /// <summary>A camera has culled all that there are.</summary>
+        public static void MarkCulled() => culled = Draws.Count;
+
+        public static void BeginFrame() => Remove(culled);
+
+        public static void Clear() => Remove(Draws.Count);
+
+        static void Remove(int count)
         {
-            foreach (QueuedDraw draw in Draws)
-                if (draw.Call.Block != null)
+            for (int i = 0; i < count; i++)
+                if (Draws[i].Call.Block is PropertyTable block)
                 {
-                    draw.Call.Block.Clear();
-                    spareBlocks.Push(draw.Call.Block);
+                    block.Clear();
+                    spareBlocks.Push(block);
                 }
-            Draws.Clear();
+            Draws.RemoveRange(0, count);
+            for (int i = 0; i < Draws.Count; i++)
+            {
+                QueuedDraw draw = Draws[i];
+                draw.Order = i;
+                Draws[i] = draw;
+            }
+            culled = 0;
         }
     }
 }

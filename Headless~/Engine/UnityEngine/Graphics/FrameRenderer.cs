@@ -21,9 +21,10 @@ namespace UnityEngine.Headless
             public float Distance;
         }
 
-        static readonly List<Item> items = new List<Item>();
-        static readonly List<QueuedDraw> all = new List<QueuedDraw>(), seen = new List<QueuedDraw>();     // of the camera's layers; of its frustum
+        static List<Item> items = new List<Item>();
+        static List<QueuedDraw> all = new List<QueuedDraw>(), seen = new List<QueuedDraw>();     // of the camera's layers; of its frustum
         static readonly Comparison<Item> order = Compare;
+        static bool isInPipeline;
 
         public static void Render()
         {
@@ -32,14 +33,13 @@ namespace UnityEngine.Headless
             try
             {
                 if (RenderPipelineManager.Prepare() is RenderPipeline pipeline)
-                    pipeline.RenderCameras(Camera.InDrawOrder());
+                    Render(pipeline, Camera.InDrawOrder());
                 else
                     foreach (Camera camera in Camera.InDrawOrder())
                         Render(camera);
             }
             finally
             {
-                DrawQueue.Clear();
                 StereoView.SetSinglePass(false);
                 RenderState.SetTarget(null);
                 Gpu.ClosePass();
@@ -48,15 +48,48 @@ namespace UnityEngine.Headless
             }
         }
 
+        static void Render(RenderPipeline pipeline, List<Camera> cameras)
+        {
+            isInPipeline = true;
+            try
+            {
+                pipeline.RenderCameras(cameras);
+            }
+            finally
+            {
+                isInPipeline = false;
+            }
+        }
+
         public static void Render(Camera camera)
         {
             if (Player.Device == null)
                 throw Gpu.NoDevice("Camera.Render");
-            if (RenderPipelineManager.Prepare() is RenderPipeline pipeline)
+            if (isInPipeline)
             {
-                pipeline.RenderCameras(new List<Camera> { camera });
+                Debug.LogError("Recursive rendering is not supported in SRP (are you calling Camera.Render from within a render pipeline?).");
                 return;
             }
+            if (RenderPipelineManager.Prepare() is RenderPipeline pipeline)
+            {
+                Render(pipeline, new List<Camera> { camera });
+                return;
+            }
+            // One that is drawn from inside of another's callbacks leaves what that one sees alone.
+            (List<Item>, List<QueuedDraw>, List<QueuedDraw>) outer = (items, all, seen);
+            (items, all, seen) = (new List<Item>(), new List<QueuedDraw>(), new List<QueuedDraw>());
+            try
+            {
+                RenderBuiltIn(camera);
+            }
+            finally
+            {
+                (items, all, seen) = outer;
+            }
+        }
+
+        static void RenderBuiltIn(Camera camera)
+        {
             RenderTexture target = Begin(camera);
             RenderTexture previous = RenderTexture.active;
             Camera previousCamera = Camera.current;
@@ -183,10 +216,10 @@ namespace UnityEngine.Headless
             Camera.current = previousCamera;
         }
 
-        /// <summary>To the scripts beside the camera.</summary>
-        static void Say(Camera camera, Message message)
+        /// <summary>To the scripts beside the camera or renderer.</summary>
+        static void Say(Component beside, Message message)
         {
-            foreach (Component component in camera.gameObject.Components)
+            foreach (Component component in beside.gameObject.Components)
                 if (component is MonoBehaviour script && script.isActiveAndEnabled && EditMode.Runs(script))
                     Messages.Send(script, message);
         }
@@ -236,6 +269,7 @@ namespace UnityEngine.Headless
             foreach (QueuedDraw draw in DrawQueue.Draws)
                 if (draw.Camera is null || ReferenceEquals(draw.Camera, camera))
                     Add(draw, camera, culling, eye);
+            DrawQueue.MarkCulled();
 
             int next = DrawQueue.Draws.Count;
             foreach (Renderer renderer in Renderer.Active)
@@ -265,6 +299,13 @@ namespace UnityEngine.Headless
                 }
             }
             items.Sort(order);
+            for (int i = 0; i < Renderer.Active.Count; i++)
+            {
+                Renderer renderer = Renderer.Active[i];
+                if (!renderer.forceRenderingOff && renderer.MeshToDraw != null && (camera.cullingMask & 1 << renderer.gameObject.layer) != 0
+                    && !Culling.IsOutside(culling, renderer.bounds))
+                    Say(renderer, Message.OnWillRenderObject);
+            }
         }
 
         static void Add(in QueuedDraw draw, Camera camera, in Matrix4x4 culling, Vector3 eye)

@@ -18,6 +18,7 @@ namespace UnityEngine.Headless
         static void BeginFrame()
         {
             FrameTimes.BeginFrame();
+            DrawQueue.BeginFrame();
             BufferStorage.CollectLeaks();
             ReadbackQueue.BeginFrame();
             // Last: a fault found in indirect arguments throws, and must not keep read-backs from arriving.

@@ -203,6 +203,7 @@ namespace UnityEngine
             keywords.Replace(mat.keywords.ToArray());
             queueOverride = mat.queueOverride;
             enableInstancing = mat.enableInstancing;
+            disabledPasses.Clear();
             foreach (string pass in mat.disabledPasses)
                 disabledPasses.Add(pass);
         }

@@ -11,6 +11,9 @@ namespace UnityEngine.Headless
         public const string Keyword = "STEREO_INSTANCING_ON";
         const float EyeDistance = 0.064f;       // m
 
+        /// <summary>Whether scriptable pipelines draw the eyes one after the other (XR's Multi Pass).</summary>
+        public static bool IsMultiPass;
+
         public static readonly Matrix4x4[] Views = new Matrix4x4[2], Projections = new Matrix4x4[2];
         static readonly int eyesId = Shader.PropertyToID("_Eyes");
         static RenderTexture eyes;

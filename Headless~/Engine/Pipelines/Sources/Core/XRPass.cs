@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine.Experimental.Rendering
 {
-    /// <summary>The eyes that a pass over the frame draws: none where there is no headset, two in one pass here.</summary>
+    /// <summary>The eyes that a pass over the frame draws: none where there is no headset, two in one pass, or one in each of two.</summary>
     /// <remarks>
     /// Read in SRP Core 17.2.0, Runtime/XR: a camera that draws on a texture, that is no game's or whose component forbids it has no headset
     /// (XRLayout.AddCamera); between StartSinglePass and StopSinglePass every draw that is not indirect has the instances of both eyes, and every
@@ -21,7 +21,7 @@ namespace UnityEngine.Experimental.Rendering
         public bool enabled => views != null;
         public int viewCount => views?.Length ?? 0;
         public bool singlePassEnabled => viewCount > 1;
-        public int multipassId => 0;
+        public int multipassId { get; private set; }
 
         /// <summary>Of the headset's textures, with a slice for each eye.</summary>
         public RenderTextureDescriptor renderTargetDesc
@@ -29,6 +29,8 @@ namespace UnityEngine.Experimental.Rendering
             get
             {
                 RenderTextureDescriptor desc = StereoView.Eyes.descriptor;
+                if (!singlePassEnabled)
+                    (desc.dimension, desc.volumeDepth) = (TextureDimension.Tex2D, 1);
                 (desc.width, desc.height) = (System.Math.Max((int)(desc.width * TextureScale), 1),
                     System.Math.Max((int)(desc.height * TextureScale), 1));
                 return desc;
@@ -45,6 +47,18 @@ namespace UnityEngine.Experimental.Rendering
                 return Empty;
             StereoView.Begin(camera);
             return new XRPass { views = (Matrix4x4[])StereoView.Views.Clone(), projections = (Matrix4x4[])StereoView.Projections.Clone() };
+        }
+
+        /// <summary>All of a camera's frame.</summary>
+        internal static XRPass[] AllOf(Camera camera, bool isAllowed)
+        {
+            XRPass both = Of(camera, isAllowed);
+            if (!both.enabled || !StereoView.IsMultiPass)
+                return new[] { both };
+            var passes = new XRPass[2];
+            for (int eye = 0; eye < 2; eye++)
+                passes[eye] = new XRPass { views = new[] { both.views[eye] }, projections = new[] { both.projections[eye] }, multipassId = eye };
+            return passes;
         }
 
         internal void StartSinglePass()

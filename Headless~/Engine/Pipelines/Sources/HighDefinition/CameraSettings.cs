@@ -64,7 +64,8 @@ namespace UnityEngine.Rendering.HighDefinition
     /// <remarks>HDRP 14.0.8, Runtime/RenderPipeline/Camera/HDCamera.cs (GetOrCreate, Update).</remarks>
     public class HDCamera
     {
-        static readonly System.Collections.Generic.Dictionary<Camera, HDCamera> all = new System.Collections.Generic.Dictionary<Camera, HDCamera>();
+        static readonly System.Collections.Generic.Dictionary<(Camera, int), HDCamera> all =
+            new System.Collections.Generic.Dictionary<(Camera, int), HDCamera>();
 
         HDCamera(Camera camera) => this.camera = camera;
 
@@ -74,6 +75,15 @@ namespace UnityEngine.Rendering.HighDefinition
         internal XRPass xr = XRPass.Empty;
         internal int Slices => System.Math.Max(xr.viewCount, 1);
 
+        public struct ViewConstants
+        {
+            public Matrix4x4 viewMatrix, projMatrix;
+            public Vector3 worldSpaceCameraPos;
+        }
+
+        /// <summary>Relative to the camera's position; the projection as the device takes it, with this frame's jitter.</summary>
+        public ViewConstants mainViewConstants;
+
         public Camera camera;
         public FrameSettings frameSettings { get; private set; }
         public int actualWidth { get; private set; }
@@ -81,21 +91,28 @@ namespace UnityEngine.Rendering.HighDefinition
 
         public static HDCamera GetOrCreate(Camera camera, int xrMultipassId = 0)
         {
-            if (!all.TryGetValue(camera, out HDCamera found))
-                all.Add(camera, found = new HDCamera(camera));
+            if (!all.TryGetValue((camera, xrMultipassId), out HDCamera found))
+                all.Add((camera, xrMultipassId), found = new HDCamera(camera));
             return found;
         }
 
-        internal void Update(in RenderPipelineSettings supported)
+        internal static bool AllowsHeadset(Camera camera) => !camera.TryGetComponent(out HDAdditionalCameraData data) || data.xrRendering;
+
+        internal void Update(in RenderPipelineSettings supported, XRPass pass)
         {
             camera.TryGetComponent(out HDAdditionalCameraData data);
-            xr = XRPass.Of(camera, data == null || data.xrRendering);
+            xr = pass;
             (actualWidth, actualHeight) = xr.enabled ? (xr.renderTargetDesc.width, xr.renderTargetDesc.height)
                 : (camera.pixelWidth, camera.pixelHeight);
             // Not with a headset, unless the project asks for it (GetJitteredProjectionMatrix).
             bool isJittered = data != null && data.antialiasing == HDAdditionalCameraData.AntialiasingMode.TemporalAntialiasing && !xr.enabled;
-            main.Update(camera.worldToCameraMatrix, camera.projectionMatrix, isJittered
-                ? Jitter.MatrixOf(Time.frameCount, actualWidth, actualHeight) : Matrix4x4.identity, camera.transform.position);
+            // Of two passes each is the camera's own view.
+            if (xr.enabled && !xr.singlePassEnabled)
+                main.Update(xr.GetViewMatrix(), xr.GetProjMatrix(), Matrix4x4.identity, xr.GetViewMatrix().inverse.GetColumn(3));
+            else
+                main.Update(camera.worldToCameraMatrix, camera.projectionMatrix, isJittered
+                    ? Jitter.MatrixOf(Time.frameCount, actualWidth, actualHeight) : Matrix4x4.identity, camera.transform.position);
+            mainViewConstants = new ViewConstants { viewMatrix = main.view, projMatrix = main.projection, worldSpaceCameraPos = main.position };
             for (int eye = 0; eye < xr.viewCount; eye++)
                 eyes[eye].Update(xr.GetViewMatrix(eye), xr.GetProjMatrix(eye), Matrix4x4.identity, xr.GetViewMatrix(eye).inverse.GetColumn(3));
             FrameSettings settings = data != null && data.customRenderingSettings ? data.renderingPathCustomFrameSettings

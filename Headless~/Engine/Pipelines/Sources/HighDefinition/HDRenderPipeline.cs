@@ -60,10 +60,13 @@ namespace UnityEngine.Rendering.HighDefinition
             {
                 if (camera.pixelWidth <= 0 || camera.pixelHeight <= 0)
                     continue;
-                HDCamera seen = HDCamera.GetOrCreate(camera);
-                seen.Update(asset.currentPlatformRenderPipelineSettings);
-                BeginCameraRendering(renderContext, camera);
-                begun.Add(seen);
+                foreach (XRPass pass in XRPass.AllOf(camera, HDCamera.AllowsHeadset(camera)))
+                {
+                    HDCamera seen = HDCamera.GetOrCreate(camera, pass.multipassId);
+                    seen.Update(asset.currentPlatformRenderPipelineSettings, pass);
+                    BeginCameraRendering(renderContext, camera);
+                    begun.Add(seen);
+                }
             }
             foreach (HDCamera camera in begun)
             {
@@ -122,7 +125,8 @@ namespace UnityEngine.Rendering.HighDefinition
 
             hd.xr.StopSinglePass();
             for (int slice = 0; slice < hd.Slices; slice++)
-                Headless.Blitter.BlitSlice(color.rt, hd.xr.enabled ? StereoView.Eyes : camera.targetTexture, slice, slice, PartOf(color, hd));
+                Headless.Blitter.BlitSlice(color.rt, hd.xr.enabled ? StereoView.Eyes : camera.targetTexture, slice,
+                    slice + hd.xr.multipassId, PartOf(color, hd));
             if (hd.xr.enabled)
                 StereoView.Show();
         }
