@@ -4,8 +4,9 @@ using UnityEngine.Rendering.Universal;
 namespace Rill.Universal
 {
     /// <summary>
-    /// Moves the pass that fills the textures of <see cref="FluidSurface"/> before other passes of a renderer. Without this feature it runs
-    /// just before the transparent draws; nothing else depends on it.
+    /// Shows fluid surfaces to cameras that a script draws by UniversalRenderPipeline.RenderSingleCamera, and moves the pass that fills the
+    /// textures of <see cref="FluidSurface"/> before other passes of a renderer. Cameras that URP draws itself need no feature: without it the
+    /// pass runs just before the transparent draws.
     /// </summary>
     [DisallowMultipleRendererFeature("Rill Fluid Surface")]
     public sealed class FluidSurfaceFeature : ScriptableRendererFeature
@@ -25,7 +26,17 @@ namespace Rill.Universal
         public override void Create() => StepsBefore = stepsBefore;
 
         /// <inheritdoc/>
-        public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData renderingData) =>
-            UniversalSurfaces.Pass.MoveBefore(stepsBefore);
+        public override void OnCameraPreCull(ScriptableRenderer renderer, in CameraData cameraData) =>
+            UniversalSurfaces.Announce(cameraData.camera);
+
+        /// <inheritdoc/>
+        public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData renderingData)
+        {
+            SurfacePass pass = UniversalSurfaces.PassOf(renderingData.cameraData.camera);
+            if (pass == null)
+                return;
+            pass.Enqueue();
+            pass.MoveBefore(stepsBefore);
+        }
     }
 }

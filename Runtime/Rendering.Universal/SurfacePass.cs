@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.Universal;
 #if RILL_RENDER_GRAPH
@@ -9,58 +10,87 @@ namespace Rill.Universal
 {
     /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque and its transparent draws.</summary>
     /// <remarks>
-    /// One pass for all cameras, which come one after the other. URP leaves it in the queue of a renderer where a camera was not
-    /// culled, so it does its work once, and only for the camera that it was made ready for.
+    /// Each camera has its own: one may be drawn from inside of another. URP leaves it in the queue of a renderer where a camera was not
+    /// culled, and runs it there for whatever camera comes next, so it does its work once, and only for its own.
     /// </remarks>
-    sealed class SurfacePass : ScriptableRenderPass
+    sealed class SurfacePass : ScriptableRenderPass, ICameraPart
     {
         /// <summary>Just before the transparent draws, among which the surface is shaded.</summary>
         public const RenderPassEvent DefaultEvent = RenderPassEvent.BeforeRenderingTransparents;
 
         FluidViews views;
-        bool isReady;
+        ScriptableRenderer renderer, queue;     // what draws the camera, and in whose queue it is
 
-        /// <summary>Whether URP ran its passes by the render graph when it last ran this one; null before.</summary>
-        public bool? IsInGraph { get; private set; }
+        public Camera Camera { get; }
+        public bool IsGone => Camera == null;
 
-        public SurfacePass()
+        /// <summary>Whether the camera's picture is to be recorded yet.</summary>
+        public bool IsReady { get; private set; }
+
+        /// <summary>Whether the camera's renderer has it in its queue.</summary>
+        public bool IsEnqueued => ReferenceEquals(queue, renderer);
+
+        public SurfacePass(Camera camera)
         {
+            Camera = camera;
             // Depth to measure water in front of the scene, color to see the scene through it: no project setting has to be on.
             ConfigureInput(ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color);
         }
 
-        /// <summary>For the camera of these views, in this frame.</summary>
-        public void Prepare(in FluidViews camera)
+        /// <summary>For the picture that the camera draws now.</summary>
+        public void Prepare(in FluidViews camera, ScriptableRenderer drawing)
         {
             views = camera;
-            isReady = true;
+            renderer = drawing;
+            IsReady = true;
             renderPassEvent = LastEvent;
         }
 
-        /// <summary>Moves it before other passes, for the camera that it was made ready for.</summary>
+        /// <summary>Where it is not in the queue yet.</summary>
+        public void Enqueue()
+        {
+            if (IsEnqueued)
+                return;
+            queue = renderer;
+            renderer.EnqueuePass(this);
+        }
+
+        /// <summary>URP empties the queue after this, whichever camera has been drawn.</summary>
+        public override void OnCameraCleanup(CommandBuffer cmd) => queue = null;
+
+        /// <summary>Moves it before other passes, for this picture.</summary>
         /// <param name="steps">Before <see cref="DefaultEvent"/>.</param>
         public void MoveBefore(int steps) => renderPassEvent = (RenderPassEvent)Mathf.Min((int)LastEvent, (int)DefaultEvent - steps);
 
 #if RILL_RENDER_GRAPH
         // In Compatibility Mode URP 17 draws motion vectors one step after the sky, and the water's among them: its textures are there by then.
-        RenderPassEvent LastEvent => views.needsMotion && IsInGraph == false ? RenderPassEvent.AfterRenderingSkybox : DefaultEvent;
+        RenderPassEvent LastEvent => views.needsMotion && UniversalSurfaces.IsInGraph == false ? RenderPassEvent.AfterRenderingSkybox : DefaultEvent;
 #else
         static RenderPassEvent LastEvent => DefaultEvent;
 #endif
 
         /// <summary>The camera has been drawn, or has not been culled.</summary>
-        public void Invalidate()
+        public void Invalidate() => IsReady = false;
+
+        public void Dispose() => Invalidate();
+
+        bool Begin(Camera drawn)
         {
-            views = default;
-            isReady = false;
+            if (!ReferenceEquals(drawn, Camera))
+            {
+                UniversalSurfaces.Notice(drawn);
+                return false;
+            }
+            bool isReady = IsReady;
+            IsReady = false;
+            return isReady;
         }
 
-        bool Begin(Camera camera)
+        // In two passes, one after the other, URP draws one eye in each.
+        void SetEyes(XRPass xr)
         {
-            if (!isReady || !ReferenceEquals(camera, views.camera))
-                return false;
-            isReady = false;
-            return true;
+            views.eyes = xr.enabled ? Mathf.Min(xr.viewCount, views.eyes) : 1;
+            views.sceneIsArray = xr.singlePassEnabled;
         }
 
         void Record(CommandBuffer cmd)
@@ -78,9 +108,13 @@ namespace Rill.Universal
 
         public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
         {
-            if (!Begin(frameData.Get<UniversalCameraData>().camera))
+            UniversalCameraData camera = frameData.Get<UniversalCameraData>();
+            if (!Begin(camera.camera))
                 return;
-            IsInGraph = true;
+            UniversalSurfaces.IsInGraph = true;
+            SetEyes(camera.xr);
+            for (int eye = 0; eye < views.eyes; eye++)
+                views.SetEye(eye, camera.GetViewMatrix(eye), camera.GetProjectionMatrix(eye));
             using (IUnsafeRenderGraphBuilder builder = renderGraph.AddUnsafePass("Rill.Surface", out PassData data))
             {
                 data.pass = this;
@@ -124,7 +158,10 @@ namespace Rill.Universal
         {
             if (!Begin(renderingData.cameraData.camera))
                 return;
-            IsInGraph = false;
+            UniversalSurfaces.IsInGraph = false;
+            SetEyes(renderingData.cameraData.xr);
+            for (int eye = 0; eye < views.eyes; eye++)
+                views.SetEye(eye, renderingData.cameraData.GetViewMatrix(eye), renderingData.cameraData.GetProjectionMatrix(eye));
             CommandBuffer cmd = CommandBufferPool.Get("Rill.Surface");
             Record(cmd);
             // URP binds a target only where it differs from the last that it bound itself: the next pass would draw into ours.

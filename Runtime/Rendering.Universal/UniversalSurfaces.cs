@@ -1,24 +1,31 @@
 using UnityEngine;
-using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.Universal;
 
 namespace Rill.Universal
 {
     /// <summary>
-    /// Fluid surfaces in the Universal Render Pipeline: as a camera begins, its pass is enqueued and the draw that shades is submitted.
+    /// Fluid surfaces in the Universal Render Pipeline: as a camera begins, the draws that shade are submitted and its pass is enqueued.
     /// Nothing has to be added to a renderer.
     /// </summary>
-    /// <remarks>Overlay cameras of a stack draw no surfaces: the base camera has drawn them.</remarks>
+    /// <remarks>
+    /// Overlay cameras of a stack draw no surfaces: the base camera has drawn them.
+    /// Cameras share the queue of their renderer, which URP empties when it has drawn one of them. A script that draws another in
+    /// beginCameraRendering, as mirrors and portals do by UniversalRenderPipeline.RenderSingleCamera, thus takes this camera's pass with it
+    /// (14.0 to 17.3: ScriptableRenderer.InternalFinishRenderingCommon). What listens last enqueues after that; and a camera that is drawn
+    /// without an event, as RenderSingleCamera does it, is seen by <see cref="FluidSurfaceFeature"/> alone.
+    /// </remarks>
     static class UniversalSurfaces
     {
         // As URP has it: a scale this near to 1 is 1.
         const float ScaleThreshold = 0.05f;
 
-        static SurfacePass pass;
+        static CameraParts<SurfacePass> passes = new CameraParts<SurfacePass>();
+        static Camera begun;        // the last that URP, or a feature, said it begins
+        static bool isUnannouncedKnown;
 
-        /// <summary>The one pass, for a feature that moves it.</summary>
-        public static SurfacePass Pass => pass;
+        /// <summary>Whether URP ran its passes by the render graph when it last ran one of the package's; null before.</summary>
+        public static bool? IsInGraph { get; set; }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
 #if UNITY_EDITOR
@@ -26,15 +33,60 @@ namespace Rill.Universal
 #endif
         static void Listen()
         {
-            pass = new SurfacePass();
-            RenderPipelineManager.beginCameraRendering -= Begin;
-            RenderPipelineManager.beginCameraRendering += Begin;
+            passes = new CameraParts<SurfacePass>();
+            begun = null;
+            isUnannouncedKnown = false;
+            IsInGraph = null;
+            ListenLast();
             RenderPipelineManager.endCameraRendering -= End;
             RenderPipelineManager.endCameraRendering += End;
             RenderSetups.Add(new UniversalSetup());
         }
 
+        static void ListenLast()
+        {
+            RenderPipelineManager.beginCameraRendering -= Begin;
+            RenderPipelineManager.beginCameraRendering += Begin;
+        }
+
+        /// <summary>The camera's pass for the picture that it draws now; null where it sees no surface.</summary>
+        public static SurfacePass PassOf(Camera camera)
+        {
+            SurfacePass pass = passes.Find(camera);
+            return pass != null && pass.IsReady ? pass : null;
+        }
+
         static void Begin(ScriptableRenderContext context, Camera camera)
+        {
+            passes.Find(camera)?.Invalidate();
+            Announce(camera);
+            PassOf(camera)?.Enqueue();
+        }
+
+        /// <summary>Before a camera culls: submits what it draws of the surfaces and makes its pass ready, where that was not done.</summary>
+        public static void Announce(Camera camera)
+        {
+            begun = camera;
+            if (PassOf(camera) == null)
+                Prepare(camera);
+        }
+
+        static void End(ScriptableRenderContext context, Camera camera)
+        {
+            if (PassOf(camera) is SurfacePass own)
+            {
+                // Nothing ran it, and it is gone: a camera was drawn after it was enqueued.
+                if (!own.IsEnqueued)
+                    ListenLast();
+                own.Invalidate();
+            }
+            // Of the cameras that this one was drawn inside of.
+            for (int i = 0; i < passes.Count; i++)
+                if (passes[i].IsReady)
+                    passes[i].Enqueue();
+        }
+
+        static void Prepare(Camera camera)
         {
             if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview
                 || !(UniversalRenderPipeline.asset is UniversalRenderPipelineAsset asset))
@@ -50,17 +102,35 @@ namespace Rill.Universal
                 if (!surface.Prepare(views))
                     continue;
                 surface.Submit(views, null);
-                if (views.needsMotion && pass.IsInGraph == false)
+                if (views.needsMotion && IsInGraph == false)
                     surface.SubmitMotion(views);
                 any = true;
             }
             if (!any)
                 return;
-            pass.Prepare(views);
-            renderer.EnqueuePass(pass);
+            SurfacePass pass = passes.Find(camera);
+            if (pass == null)
+                passes.Add(pass = new SurfacePass(camera));
+            pass.Prepare(views, renderer);
         }
 
-        static void End(ScriptableRenderContext context, Camera camera) => pass.Invalidate();
+        /// <summary>A renderer draws this camera with another's pass in its queue.</summary>
+        public static void Notice(Camera camera)
+        {
+            if (isUnannouncedKnown || ReferenceEquals(camera, begun) || !SeesLayerOfAny(camera))
+                return;
+            isUnannouncedKnown = true;
+            Debug.LogWarning($"Rill: camera '{camera.name}' is drawn by UniversalRenderPipeline.RenderSingleCamera, of which nothing is told: " +
+                "it shows no fluid surfaces. Add the renderer feature 'Fluid Surface Feature' to its renderer.", camera);
+        }
+
+        static bool SeesLayerOfAny(Camera camera)
+        {
+            bool any = false;
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+                any |= (camera.cullingMask & 1 << FluidSurface.Active[i].gameObject.layer) != 0;
+            return any;
+        }
 
         /// <summary>As URP chooses it: the scene view has the asset's. No component is added to a camera that has none.</summary>
         public static ScriptableRenderer RendererOf(Camera camera, UniversalAdditionalCameraData data, UniversalRenderPipelineAsset asset)
@@ -77,7 +147,7 @@ namespace Rill.Universal
             views.width = Mathf.Max((int)(views.width * scale), 1);
             views.height = Mathf.Max((int)(views.height * scale), 1);
             // URP sets it once it draws motion vectors for the camera, and leaves it.
-            views.needsMotion = pass.IsInGraph.HasValue && (camera.depthTextureMode & DepthTextureMode.MotionVectors) != 0;
+            views.needsMotion = IsInGraph.HasValue && (camera.depthTextureMode & DepthTextureMode.MotionVectors) != 0;
             return views;
         }
     }

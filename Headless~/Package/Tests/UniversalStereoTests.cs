@@ -87,11 +87,21 @@ namespace Host.Tests
             Assert.That(shown, Is.GreaterThan(Width * Height / 20));
         }
 
-        [TestCase("views.rightView = views.view;", TestName = "One_eyes_matrix_for_both_is_seen")]
-        [TestCase("views.eyes = 1;", TestName = "Textures_of_one_slice_are_seen")]
-        public void A_fault_in_the_adapter_is_seen(string added)
+        [Test]
+        public void Each_eye_in_a_pass_of_its_own_does_too([Values("14", "17", "17 by Execute", "17.3")] string version)
         {
-            BuildWithFault(PipelineKind.Universal, "17", "UniversalSurfaces.cs", Line, Line + added);
+            Build(version);
+            DrawEyesOneAfterTheOther();
+            Arrange(Refracting);
+            AssertEachEyeSeesWhatACameraThereSees();
+        }
+
+        [TestCase("SurfacePass.cs", "views.SetEye(eye, camera.GetViewMatrix(eye), camera.GetProjectionMatrix(eye));",
+            "views.SetEye(eye, camera.GetViewMatrix(0), camera.GetProjectionMatrix(0));", TestName = "One_eyes_matrix_for_both_is_seen")]
+        [TestCase("UniversalSurfaces.cs", Line, Line + "views.eyes = 1;", TestName = "Textures_of_one_slice_are_seen")]
+        public void A_fault_in_the_adapter_is_seen(string file, string line, string instead)
+        {
+            BuildWithFault(PipelineKind.Universal, "17", file, line, instead);
             Arrange(Refracting);
             AssertTheFaultIsSeen();
         }

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Reflection;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Rill;
@@ -176,10 +177,16 @@ namespace Host.Tests
             ((System.Collections.IList)Get(data, "rendererFeatures")).Add(feature);
             data.GetType().GetMethod("SetDirty").Invoke(data, null);
             Play(2);
-            object pass = pipeline["Rill.Universal"].GetType("Rill.Universal.UniversalSurfaces").GetProperty("Pass").GetValue(null);
-            Assert.That((int)Get(pass, "renderPassEvent"), Is.EqualTo(401));
+            Assert.That((int)Get(PassOf(camera), "renderPassEvent"), Is.EqualTo(401));
             Assert.That(Errors, Is.Empty);
             Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 20));
+        }
+
+        object PassOf(Camera of)
+        {
+            object parts = pipeline["Rill.Universal"].GetType("Rill.Universal.UniversalSurfaces")
+                .GetField("passes", BindingFlags.Static | BindingFlags.NonPublic).GetValue(null);
+            return parts.GetType().GetMethod("Find").Invoke(parts, new object[] { of });
         }
 
         [TestCase("builder.UseTexture(frameData.Get<UniversalResourceData>().cameraDepthTexture);", "",

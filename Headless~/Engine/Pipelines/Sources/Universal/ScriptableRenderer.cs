@@ -58,6 +58,19 @@ namespace UnityEngine.Rendering.Universal
             isExecuting = color != null;
         }
 
+        /// <summary>Before the camera is culled: what features submit now is seen by it.</summary>
+        internal void OnPreCullRenderPasses(Camera camera)
+        {
+#if SRP_17
+            var data = new CameraData { data = new UniversalCameraData { camera = camera, renderer = this } };
+#else
+            var data = new CameraData { camera = camera, renderer = this };
+#endif
+            foreach (ScriptableRendererFeature feature in features)
+                if (feature.isActive)
+                    feature.OnCameraPreCull(this, data);
+        }
+
         internal void AddRenderPasses(ref RenderingData data)
         {
             foreach (ScriptableRendererFeature feature in features)

@@ -59,13 +59,25 @@ namespace UnityEngine.Rendering.Universal
                     && own.renderType == CameraRenderType.Overlay)
                     overlays.Add(camera);
             // The eyes are known before a camera begins, and are those of the base camera in the whole stack.
-            XRPass xr = XRPass.Of(baseCamera, data == null || data.allowXRRendering);
-            RenderOne(context, baseCamera, baseCamera, xr, overlays.Count == 0);
-            for (int i = 0; i < overlays.Count; i++)
-                RenderOne(context, overlays[i], baseCamera, xr, i == overlays.Count - 1);
-            if (xr.enabled)
+            XRPass[] passes = XRPass.AllOf(baseCamera, data == null || data.allowXRRendering);
+            foreach (XRPass xr in passes)
+            {
+                RenderOne(context, baseCamera, baseCamera, xr, overlays.Count == 0);
+                for (int i = 0; i < overlays.Count; i++)
+                    RenderOne(context, overlays[i], baseCamera, xr, i == overlays.Count - 1);
+            }
+            if (passes[0].enabled)
                 StereoView.Show();
         }
+
+        /// <summary>Of another camera's callbacks too, and without events for this one (14.0 and 17: RenderSingleCameraInternal).</summary>
+#if SRP_17
+        [System.Obsolete("RenderSingleCamera is obsolete, please use RenderPipeline.SubmitRenderRequest with UniversalRenderer.SingleCameraRequest as RequestData type")]
+#else
+        [System.Obsolete("RenderSingleCamera is obsolete, please use RenderPipeline.SubmitRenderRequest with UniversalRenderer.SingleCameraRequest as RequestData type", false)]
+#endif
+        public static void RenderSingleCamera(ScriptableRenderContext context, Camera camera) =>
+            ((UniversalRenderPipeline)RenderPipelineManager.currentPipeline).RenderSingleCamera(context, camera, camera, XRPass.Empty, true);
 
         void RenderOne(ScriptableRenderContext context, Camera camera, Camera baseCamera, XRPass xr, bool isLast)
         {
@@ -94,6 +106,7 @@ namespace UnityEngine.Rendering.Universal
                 return;
             try
             {
+                renderer.OnPreCullRenderPasses(camera);
                 FrameRenderer.Cull(camera);
                 renderer.Render(context, settings, camera, baseCamera, baseCamera == camera ? renderer
                     : RendererOf(baseCamera) as UniversalRenderer, xr, isLast);

@@ -215,7 +215,7 @@ namespace UnityEngine.Rendering.Universal
         RenderTextureDescriptor Shape(int width, int height, GraphicsFormat color, GraphicsFormat depth)
         {
             var shape = new RenderTextureDescriptor(width, height, color, depth);
-            if (frame.xr.enabled)
+            if (frame.xr.singlePassEnabled)
                 (shape.dimension, shape.volumeDepth) = (TextureDimension.Tex2DArray, frame.xr.viewCount);
             return shape;
         }
@@ -526,6 +526,8 @@ namespace UnityEngine.Rendering.Universal
         {
             if (frame.xr.singlePassEnabled)
                 EachEye(eye => Headless.Blitter.BlitSlice(frame.color.rt, StereoView.Eyes, eye, eye));
+            else if (frame.xr.enabled)
+                Headless.Blitter.BlitSlice(frame.color.rt, StereoView.Eyes, 0, frame.xr.multipassId);
             else
                 Headless.Blitter.Blit(frame.color.rt, frame.baseCamera.targetTexture, null, -1);
         }
