@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using NUnit.Framework;
@@ -44,7 +45,7 @@ namespace Host.Tests
         public void Bring(string name)
         {
             string path = Path.Combine(Assemblies, name + ".dll");
-            File.Copy(Path.Combine(AppContext.BaseDirectory, name + ".dll"), path);
+            File.Copy(Assembly.Load(name).Location, path);
             compiled.Add(MetadataReference.CreateFromFile(path));
         }
 

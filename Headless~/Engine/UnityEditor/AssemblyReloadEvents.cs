@@ -1,6 +1,6 @@
 namespace UnityEditor
 {
-    /// <summary>This host loads scripts once; tests say when they would be loaded again.</summary>
+    /// <summary>Raised by <see cref="EditorReload"/>, which tests call: this host loads scripts once.</summary>
     public static class AssemblyReloadEvents
     {
         public delegate void AssemblyReloadCallback();

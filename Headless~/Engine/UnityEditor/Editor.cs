@@ -52,6 +52,9 @@ namespace UnityEditor
         public void DrawHeader() => OnHeaderGUI();
         public void Repaint() { }
 
+        /// <summary>A reload of scripts keeps the targets alone.</summary>
+        internal void LoseSerializedObject() => serialized = null;
+
         public static Editor CreateEditor(Object targetObject) => CreateEditor(targetObject, null);
         public static Editor CreateEditor(Object targetObject, Type editorType) => CreateEditor(new[] { targetObject }, editorType);
         public static Editor CreateEditor(Object[] targetObjects) => CreateEditor(targetObjects, null);

@@ -95,6 +95,14 @@ namespace UnityEngine.Headless
             CallsBackLate = false;
         }
 
+        /// <summary>Requests that are pending no longer call these back.</summary>
+        public static void DropCallbacks(Predicate<Delegate> which)
+        {
+            foreach (ReadbackRequest request in requests)
+                if (request.Callback != null && which(request.Callback))
+                    request.Callback = null;
+        }
+
         /// <param name="size">Bytes; -1 for all behind the offset.</param>
         public static AsyncGPUReadbackRequest Request(BufferStorage buffer, int offset, int size, ReadbackOutput output,
             Action<AsyncGPUReadbackRequest> callback)

@@ -133,16 +133,27 @@ namespace UnityEngine.Headless
         {
             if (asset.Awoken)
                 return;
-            asset.Awoken = asset.Enabled = true;
+            asset.Awoken = true;
             Messages.Send(asset, Message.Awake);
+            Activate(asset);
+        }
+
+        public static void Activate(ScriptableObject asset)
+        {
+            asset.Enabled = true;
             Messages.Send(asset, Message.OnEnable);
         }
 
-        public static void SayDestroyed(ScriptableObject asset)
+        public static void Deactivate(ScriptableObject asset)
         {
             if (asset.Enabled)
                 Messages.Send(asset, Message.OnDisable);
             asset.Enabled = false;
+        }
+
+        public static void SayDestroyed(ScriptableObject asset)
+        {
+            Deactivate(asset);
             if (asset.Awoken)
                 Messages.Send(asset, Message.OnDestroy);
             asset.Awoken = false;

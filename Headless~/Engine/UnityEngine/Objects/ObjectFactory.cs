@@ -53,11 +53,19 @@ namespace UnityEngine.Headless
         }
 
         static object New(Type type)
+            => Constructed(() => Activator.CreateInstance(type, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, null, null));
+
+        /// <summary>Runs the constructor on an object that is there.</summary>
+        internal static void Construct(Object made)
+            => Constructed(() => made.GetType().GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null,
+                Type.EmptyTypes, null)?.Invoke(made, null));
+
+        static object Constructed(Func<object> construct)
         {
             constructing++;
             try
             {
-                return Activator.CreateInstance(type, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, null, null);
+                return construct();
             }
             catch (TargetInvocationException e)
             {

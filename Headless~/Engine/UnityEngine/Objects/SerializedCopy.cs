@@ -25,14 +25,26 @@ namespace UnityEngine.Headless
         public static void Store(FieldInfo field, object target, object value)
             => field.SetValue(target, new Context().CopyField(field, value, field.GetValue(target)));
 
+        /// <summary>A field's value as a reload of scripts backs it up: what it cannot serialize of it is lost, and so is null.</summary>
+        public static object BackUp(FieldInfo field, object value)
+            => new Context { Reloads = true, Deserializes = false }.CopyField(field, value);
+
+        /// <summary>Writes what <see cref="BackUp"/> made into a field of an object that was constructed again.</summary>
+        public static void Restore(FieldInfo field, object target, object value)
+            => field.SetValue(target, new Context { Reloads = true, Serializes = false }.CopyField(field, value, field.GetValue(target)));
+
         sealed class Context
         {
             public Dictionary<Object, Object> Copies;
+            /// <summary>Takes private fields too, and no others of a struct.</summary>
+            public bool Reloads;
+            /// <summary>Which callbacks are told.</summary>
+            public bool Serializes = true, Deserializes = true;
             readonly Dictionary<object, object> references = new Dictionary<object, object>(new ByIdentity());
 
             public void CopyFields(object from, object to)
             {
-                foreach (FieldInfo field in SerializedFields.Of(from.GetType()))
+                foreach (FieldInfo field in Reloads ? SerializedFields.BackedUp(from.GetType()) : SerializedFields.Of(from.GetType()))
                     field.SetValue(to, CopyField(field, field.GetValue(from), field.GetValue(to)));
             }
 
@@ -43,7 +55,7 @@ namespace UnityEngine.Headless
             object CopyValue(object value, Type type, object there = null)
             {
                 if (typeof(Object).IsAssignableFrom(type))
-                    return Redirect((Object)value);
+                    return Reloads && !Object.IsAlive((Object)value) ? null : Redirect((Object)value);
                 if (type.IsPrimitive || type.IsEnum)
                     return value;
                 if (type == typeof(string))
@@ -58,18 +70,20 @@ namespace UnityEngine.Headless
                 }
                 if (value is Gradient gradient)
                     return gradient.Copy();
-                if (type.IsValueType && !ContainsReferences(type))
+                if (type.IsValueType && (Reloads ? ScriptAssemblies.IsEngines(type.Assembly) : !ContainsReferences(type)))
                     return value;
                 // Inline classes are never null once stored.
                 if (value == null)
                     return Make(type);
                 if (!SerializedFields.CanStore(value.GetType()))
                     return value;
-                object made = type.IsValueType ? value
+                object made = type.IsValueType ? Reloads ? there ?? Activator.CreateInstance(type) : value
                     : there != null && there.GetType() == value.GetType() && !ReferenceEquals(there, value) ? there : Make(value.GetType());
-                (value as ISerializationCallbackReceiver)?.OnBeforeSerialize();
+                if (Serializes)
+                    (value as ISerializationCallbackReceiver)?.OnBeforeSerialize();
                 CopyFields(value, made);
-                (made as ISerializationCallbackReceiver)?.OnAfterDeserialize();
+                if (Deserializes)
+                    (made as ISerializationCallbackReceiver)?.OnAfterDeserialize();
                 return made;
             }
 

@@ -7,6 +7,7 @@ using System.Reflection.Metadata;
 using System.Reflection.Metadata.Ecma335;
 using System.Reflection.PortableExecutable;
 using Host.UnityApi;
+using UnityEngine.Headless;
 
 namespace Host.Check.Api
 {
@@ -81,7 +82,7 @@ namespace Host.Check.Api
 
         /// <summary>Of a method without code, nothing.</summary>
         public IEnumerable<(OpCode Op, int Operand)> Instructions(MethodDefinition method) => method.RelativeVirtualAddress == 0
-            ? Enumerable.Empty<(OpCode, int)>() : Code.Instructions(file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes());
+            ? Enumerable.Empty<(OpCode, int)>() : Il.Instructions(file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes());
 
         /// <summary>The methods that a method's code names, those of arrays left out.</summary>
         public IEnumerable<CompiledCall> Calls(MethodDefinition method)
