@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Rill.Editor
 {
     /// <summary>Before scripts are loaded again, fluids that are disabled give back what they keep on the GPU: no reference to it would be
-    /// left.</summary>
+    /// left. Unity disables the others after this, and these keep nothing.</summary>
     static class KeptStateReload
     {
         [InitializeOnLoadMethod]
@@ -12,6 +12,7 @@ namespace Rill.Editor
 
         internal static void Release()
         {
+            FluidSimulation.KeepsNothing = true;
             foreach (FluidSimulation fluid in Resources.FindObjectsOfTypeAll<FluidSimulation>())
                 fluid.ReleaseKept();
         }

@@ -9,7 +9,16 @@ namespace Rill
             "it gives its memory back and begins again.")]
         [SerializeField] bool keepStateOnDisable = true;
 
+        // From before scripts are loaded again until they are: no reference to what is kept would be left.
+        static bool keepsNothing;
+
         PbfSolver kept;     // of the disabled fluid
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void ResetKeepsNothing() => keepsNothing = false;
+
+        /// <summary>While it is set, a fluid that is disabled gives all back, whatever <see cref="KeepStateOnDisable"/> says.</summary>
+        internal static bool KeepsNothing { get => keepsNothing; set => keepsNothing = value; }
 
         /// <summary>
         /// Whether the fluid keeps its water while this component or its object is disabled, and goes on from there when it is enabled again; on
@@ -46,7 +55,7 @@ namespace Rill
         // As the fluid is disabled; false where there is nothing to keep.
         bool TryKeep()
         {
-            if (!keepStateOnDisable || pbf == null || failure != null || IsInEditMode)
+            if (!keepStateOnDisable || keepsNothing || pbf == null || failure != null || IsInEditMode)
                 return false;
             kept = pbf;
             pbf = null;
