@@ -19,7 +19,8 @@ namespace Host.Tests
         public readonly FluidCollider Collider;
 
         /// <param name="plays">In play mode rather than in edit mode.</param>
-        public EditModeScene(bool plays = false, int capacity = 2000)
+        /// <param name="surface">Drawn as a surface too.</param>
+        public EditModeScene(bool plays = false, int capacity = 2000, bool surface = true)
         {
             EditMode.IsOn = !plays;
             var root = new GameObject("Fluid");
@@ -27,7 +28,8 @@ namespace Host.Tests
             Fluid = root.AddComponent<FluidSimulation>();
             Fluid.Configure(new Vector3(1f, 1f, 0.8f), 0.1f, capacity);
             root.AddComponent<ParticleRenderer>();
-            root.AddComponent<FluidSurface>();
+            if (surface)
+                root.AddComponent<FluidSurface>();
             Volume = Add<FluidVolume>(new Vector3(-0.2f, -0.2f, 0f), Vector3.forward);
             Volume.Size = new Vector3(0.5f, 0.6f, 0.8f);
             Emitter = Add<FluidEmitter>(new Vector3(0.3f, 0.4f, 0f), Vector3.down);
