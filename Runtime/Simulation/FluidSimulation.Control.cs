@@ -140,11 +140,11 @@ namespace Rill
             if (!IsReadyTo("filling it") || !HasStages(StageSet.ParticleEdits))
                 return;
             using (NativeArray<float4> positions = volume.Fill(particleSpacing, seed))
-                FillWhereFree(positions, volume.Velocity, phase, lifetime, $"FluidVolume '{volume.name}'");
+                FillWhereFree(positions, volume.Velocity, phase, lifetime, $"FluidVolume '{volume.name}'", volume);
         }
 
         // World space, m; where they lie in the box afterwards.
-        void FillWhereFree(NativeArray<float4> positions, Vector3 velocity, int phase, float lifetime, string what)
+        void FillWhereFree(NativeArray<float4> positions, Vector3 velocity, int phase, float lifetime, string what, FluidVolume volume = null)
         {
             NativeArray<float4> all = positions;
             int inside = KeepInside(all.AsSpan(), out float3 low, out float3 high);
@@ -152,8 +152,9 @@ namespace Rill
             {
                 if (!saidOutside)
                     Debug.LogWarning($"Rill: FluidSimulation '{name}' filled nothing of {what}: none of its " +
-                        Invariant($"{positions.Length:N0} particles lies in the box of {domainSize} m around {transform.position}. Move ") +
-                        Invariant($"it into the box, or make it larger than the particle spacing of {particleSpacing} m."), this);
+                        Invariant($"{positions.Length:N0} particles lies in the box of {domainSize} m around {transform.position}. ") +
+                        (volume != null ? ScaleBetween(volume) : "") +
+                        Invariant($"Move it into the box, or make it larger than the particle spacing of {particleSpacing} m."), this);
                 saidOutside = true;
                 return;
             }

@@ -29,8 +29,8 @@ namespace Rill
                 positions = PositionsOf(volume, out int inside, out float3 low, out float3 high);
                 if (inside < positions.Length)
                     Debug.LogWarning(Invariant($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume ") +
-                        $"'{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge " +
-                        "the domain.", volume);
+                        Invariant($"'{volume.name}' lie outside the domain of '{name}', {domainSize} m around {transform.position}, and ") +
+                        $"were left out. {ScaleBetween(volume)}Move or shrink the volume, or enlarge the domain.", volume);
                 if (inside > 0)
                     Add(positions.GetSubArray(0, inside), volume.Velocity, low, high);
                 return inside;
@@ -56,6 +56,28 @@ namespace Rill
             NativeArray<float4> positions = volume.Fill(particleSpacing, seed);
             inside = KeepInside(positions.AsSpan(), out low, out high);
             return positions;
+        }
+
+        // A sentence for a scale that moves a volume, or enlarges its field, but not the domain; empty where there is none.
+        string ScaleBetween(FluidVolume volume)
+        {
+            bool isField = volume.Shape == VolumeShape.SignedDistanceField, acts = isField;
+            Transform own = volume.transform, scaled = null;
+            Vector3 unscaled = Vector3.zero;
+            for (Transform at = own; at != null; at = at.parent)
+            {
+                if (scaled == null && (at != own || isField) && math.cmax(math.abs((float3)at.localScale - 1f)) > 1e-3f)
+                    scaled = at;
+                if (at == transform)
+                {
+                    GetPose(out Vector3 place, out Quaternion rotation);
+                    float moved = Vector3.Distance(unscaled, Quaternion.Inverse(rotation) * (own.position - place));
+                    acts |= moved > 0.5f * particleSpacing;
+                }
+                unscaled = at.localRotation * unscaled + at.localPosition;
+            }
+            return scaled == null || !acts ? "" : Invariant($"The scale {scaled.localScale} of '{scaled.name}' moves what lies below ") +
+                "it, and enlarges fields, but neither the domain nor boxes and spheres, whose sizes are in meters: set it to 1. ";
         }
 
         // From world space into the domain's frame, in spacings; those in the box come first, from low to high.

@@ -492,6 +492,24 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_volume_that_a_scale_moves_outside_names_the_scale([Values("parent", "fluid", "none")] string scaled)
+        {
+            var rig = new GameObject("Rig");
+            rig.transform.localScale = (scaled == "parent" ? 2f : 1f) * Vector3.one;
+            string cause = scaled == "parent" ? @"The scale \(2.00, 2.00, 2.00\) of 'Rig' moves" : scaled == "fluid" ? @"The scale \(2.00, 2.00, 2.00\) of 'Half' moves" : "";
+            LogAssert.Expect(LogType.Warning, new Regex($"400 of 800 particles of FluidVolume 'Water' lie outside .* left out. {cause}" +
+                (cause == "" ? "Move or shrink" : ".* set it to 1. Move or shrink")));
+            FluidSimulation fluid = Fluid("Half", Box, Spacing, 1000, Vector3.zero, f =>
+            {
+                f.transform.SetParent(rig.transform, false);
+                f.transform.localScale = (scaled == "fluid" ? 2f : 1f) * Vector3.one;
+                AddWater(f, new Vector3(0.5f, 0.4f, 0.5f), new Vector3(scaled == "none" ? 0.5f : 0.25f, 0f, 0f));
+            });
+            yield return Frames(1);
+            Assert.That(State(fluid).Count, Is.EqualTo(400));
+        }
+
+        [UnityTest]
         public IEnumerator Volumes_beyond_the_capacity_are_refused_by_number()
         {
             LogAssert.Expect(LogType.Warning, new Regex("'Small' refused 300 of 800 particles of its volumes: the capacity is 500"));
