@@ -33,6 +33,7 @@ namespace Rill
         int[] bundles;
         ulong[] sides;
         readonly List<int> boundary = new List<int>();
+        MeshParts parts;
 
         public MeshEdges(BakedTriangles triangles)
         {
@@ -47,6 +48,7 @@ namespace Rill
                 Orient();
             FindHoles();
             SignedVolume = MeasureVolume();
+            TurnInvertedParts();
         }
 
         void FindEdges()
@@ -83,13 +85,21 @@ namespace Rill
         public bool IsClosed => BoundaryEdges == 0 && NonManifoldEdges == 0 && InconsistentEdges == 0;
 
         /// <summary>Boundary edges that hang together, counted once; those that touch in a vertex are one.</summary>
-        public int Holes { get; private set; }
+        public int Holes => HoleAreas.Count;
+
+        /// <summary>By hole: a vertex of it, as a number of <see cref="Corner"/>, and the area of a flat cover, m².</summary>
+        public List<(int corner, double area)> HoleAreas { get; } = new List<(int, double)>();
 
         /// <summary>Of the flattest surfaces that would close the holes, as vectors, m².</summary>
         public double HoleArea { get; private set; }
 
         /// <summary>With turned triangles turned, m³; negative for a mesh that is inside out.</summary>
-        public double SignedVolume { get; }
+        public double SignedVolume { get; private set; }
+
+        /// <summary>Closed parts that faced the other side than the mesh, though they lie in no other part. Their triangles are turned.</summary>
+        public int InvertedParts { get; private set; }
+
+        public MeshParts Parts => parts ??= new MeshParts(this);
 
         /// <summary>A corner of a triangle, as a number that is one for all vertices at one position.</summary>
         public int Corner(int triangle, int k) => welded[mesh.Triangles[3 * triangle + k]];
@@ -368,6 +378,27 @@ namespace Rill
             opposed[from][k] = against;
         }
 
+        // One within another part is a cavity, and stays.
+        void TurnInvertedParts()
+        {
+            bool[] isInverted = Parts.Count < 2 || SignedVolume == 0 ? null : Parts.FindInverted(SignedVolume < 0);
+            if (isInverted == null)
+                return;
+            for (int t = 0; t < Turned.Length; t++)
+                if (Triangles.TakesPart(t) && isInverted[Parts.Of(t)])
+                    Turned[t] = !Turned[t];
+            for (int part = 0; part < isInverted.Length; part++)
+                if (isInverted[part])
+                {
+                    SignedVolume -= 2 * Parts[part].volume;
+                    InvertedParts++;
+                }
+            parts = null;       // their volumes were those of before
+        }
+
+        /// <summary>Half the cross product of two sides, m²: outwards where the triangle faces the right side.</summary>
+        public double3 OutwardArea(int t) => Turned[t] ? -AreaVector(t) : AreaVector(t);
+
         double3 AreaVector(int t)
         {
             double3 a = (float3)mesh.Corner(t, 0);
@@ -390,9 +421,11 @@ namespace Rill
                 sums.TryGetValue(hole, out double3 sum);
                 sums[hole] = sum + (Turned[TriangleOf(sides[side])] ? -area : area);
             }
-            Holes = sums.Count;
-            foreach (double3 sum in sums.Values)
-                HoleArea += math.length(sum);
+            foreach (KeyValuePair<int, double3> sum in sums)
+            {
+                HoleAreas.Add((sum.Key, math.length(sum.Value)));
+                HoleArea += math.length(sum.Value);
+            }
         }
 
         // The places where a side begins and ends, as its triangle has it.

@@ -34,6 +34,8 @@ namespace Rill
             NonManifoldEdges = edges.NonManifoldEdges;
             InconsistentEdges = edges.InconsistentEdges;
             FlippedTriangles = edges.TurnedTriangles;
+            InvertedParts = edges.InvertedParts;
+            Parts = edges.Parts.Count;
             SelfIntersections = intersections.Pairs;
             SelfIntersectionsChecked = intersections.Checked;
             Area = edges.Triangles.Area;
@@ -92,6 +94,12 @@ namespace Rill
 
         /// <summary>Triangles that face the other side than most of what they hang together with.</summary>
         public int FlippedTriangles { get; }
+
+        /// <summary>Closed parts that face the other side than the rest, and lie in no other part.</summary>
+        public int InvertedParts { get; }
+
+        /// <summary>Parts of triangles that hang together by their corners.</summary>
+        public int Parts { get; }
 
         /// <summary>Pairs of triangles that cross each other, without those with a common vertex and without those in one plane.</summary>
         public int SelfIntersections { get; }
@@ -173,6 +181,9 @@ namespace Rill
                     $"help: the sign may be wrong near them.");
             if (IsInsideOut)
                 texts.Add("The mesh is inside out: turned over as a whole.");
+            if (InvertedParts > 0)
+                texts.Add($"{Number(InvertedParts)} of {Number(Parts)} parts face the other side than the rest and lie in no other part: " +
+                    "turned over.");
             if (NonManifoldEdges > 0)
                 texts.Add($"{Number(NonManifoldEdges)} edges have more than two triangles: the winding number copes with them; parts " +
                     $"that meet there are not compared.");

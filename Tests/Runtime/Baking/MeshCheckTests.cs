@@ -225,6 +225,37 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_part_that_is_inside_out_beside_others_is_turned_over()
+        {
+            TriangleMesh large = TestMeshes.Box(2f * Vector3.one), small = TestMeshes.Box(Vector3.one, 3f * Vector3.right);
+            TriangleMesh beside = small.Turned(t => true);
+            // Within the box around the other, but not within it.
+            TriangleMesh ring = TestMeshes.Torus(3f, 0.5f, 12), within = TestMeshes.Box(Vector3.one).Turned(t => true);
+            foreach ((TriangleMesh mesh, double volume) in new[] {
+                (TriangleMesh.Combine("Beside", new[] { large, beside }), 9.0),
+                (TriangleMesh.Combine("The larger one", new[] { large.Turned(t => true), small }), -9.0),
+                (TriangleMesh.Combine("In a ring", new[] { ring, within }), MeshCheck.Run(ring).SignedVolume + 1),
+                (TriangleMesh.Combine("On a face", new[] { large, TestMeshes.Box(Vector3.one, 1.5f * Vector3.right).Turned(t => true) }), 9.0) })
+            {
+                MeshReport report = MeshCheck.Run(mesh);
+                Assert.That((report.InvertedParts, report.Parts, report.FlippedTriangles), Is.EqualTo((1, 2, 0)), mesh.Name);
+                Assert.That(report.SignedVolume, Is.EqualTo(volume).Within(1e-5), mesh.Name);
+                Assert.That(All(report), Does.Contain("1 of 2 parts face the other side than the rest"), mesh.Name);
+            }
+            Assert.That(MeshCheck.Run(TriangleMesh.Combine("Both", new[] { large, small }).Turned(t => true)).InvertedParts, Is.Zero, "as a whole");
+        }
+
+        [Test]
+        public void A_cavity_is_no_inverted_part([Values(false, true)] bool isInsideOut)
+        {
+            TriangleMesh mesh = TriangleMesh.Combine("Hollow",
+                new[] { TestMeshes.Box(2f * Vector3.one), TestMeshes.Box(Vector3.one).Turned(t => true) });
+            MeshReport report = MeshCheck.Run(mesh.Turned(t => isInsideOut));
+            Assert.That((report.InvertedParts, report.Parts, report.IsInsideOut), Is.EqualTo((0, 2, isInsideOut)));
+            Assert.That(report.SignedVolume, Is.EqualTo(isInsideOut ? -7 : 7).Within(1e-5));
+        }
+
+        [Test]
         public void A_band_with_one_twist_cannot_be_turned_right()
         {
             TriangleMesh strip = TestMeshes.Make("Twisted", (u, v) =>
