@@ -70,6 +70,19 @@ namespace Rill.Editor
             return problem == null;
         }
 
+        /// <summary>What of the mesh a bake with these settings would not represent; empty until the analysis is done.</summary>
+        public IReadOnlyList<MeshLoss> LossesOf(in MeshSdfSettings settings)
+        {
+            // Asked for at each event of a window.
+            if (losses == null || lossesOf != Report || !lossesWith.Equals(settings))
+                (losses, lossesOf, lossesWith) = (Report?.LossesOf(settings) ?? Array.Empty<MeshLoss>(), Report, settings);
+            return losses;
+        }
+
+        IReadOnlyList<MeshLoss> losses;
+        MeshReport lossesOf;
+        MeshSdfSettings lossesWith;
+
         /// <summary>Bakes and writes the asset.</summary>
         /// <param name="progress">Told the fraction that is done and the stage, and asked whether to go on.</param>
         /// <returns>False if it was canceled: then nothing was written.</returns>

@@ -42,6 +42,12 @@ namespace Rill.Editor
             return string.Join(", ", parts);
         }
 
+        /// <summary>What a button does that takes the remedy of a loss.</summary>
+        /// <param name="settings">Those with which there is the loss.</param>
+        public static string Of(in MeshSdfSettings remedy, in MeshSdfSettings settings) =>
+            remedy.leaveOutFar != settings.leaveOutFar ? "Leave Out Far" : remedy.sign != settings.sign ? "Bake as Open Shell"
+            : $"Use Voxels of {Meters(remedy.voxelSize)}";
+
         /// <summary>Facts of a field, for its inspector.</summary>
         public static IEnumerable<(string label, string text)> Facts(SignedDistanceField field)
         {
@@ -71,7 +77,8 @@ namespace Rill.Editor
             (settings.voxelSize > 0f ? $"voxels of {Meters(settings.voxelSize)}"
                 : Invariant($"{settings.resolution} voxels along the longest axis")) +
             Invariant($", {settings.padding} of padding, sign ") +
-            $"{(settings.sign == MeshSdfSign.Automatic ? "automatic" : settings.sign == MeshSdfSign.OpenShell ? "open shell" : "winding number")}";
+            $"{(settings.sign == MeshSdfSign.Automatic ? "automatic" : settings.sign == MeshSdfSign.OpenShell ? "open shell" : "winding number")}"
+            + (settings.leaveOutFar ? ", without what is far" : "");
 
         static string Of(MeshSdfSign sign, float shell) => sign == MeshSdfSign.OpenShell ? $"open shell, {Meters(shell)} thick" : "winding number";
 

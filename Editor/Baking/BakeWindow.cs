@@ -184,6 +184,7 @@ namespace Rill.Editor
                 foreach (string text in item.Report.Texts.Where(text => text != problem))
                     EditorGUILayout.HelpBox(text, MessageType.Info);
             }
+            Draw(item.LossesOf(settings));
             if (canBake)
                 InspectorRows.Text("Takes", BakeTexts.Of(estimate));
             else
@@ -193,6 +194,19 @@ namespace Rill.Editor
             if (item.Field != null)
                 EditorGUILayout.ObjectField("Field", item.Field, typeof(SignedDistanceField), false);
             return canBake;
+        }
+
+        void Draw(IReadOnlyList<MeshLoss> losses)
+        {
+            MeshSdfSettings with = settings;
+            foreach (MeshLoss loss in losses)
+            {
+                EditorGUILayout.HelpBox(loss.Text, MessageType.Warning);
+                if (loss.Remedy is MeshSdfSettings remedy && GUILayout.Button(BakeTexts.Of(remedy, with)))
+                    settings = remedy;
+            }
+            if (!with.Equals(settings))
+                GUIUtility.ExitGUI();       // other rows than were laid out
         }
 
         void Bake()

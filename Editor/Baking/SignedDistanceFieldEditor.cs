@@ -136,6 +136,8 @@ namespace Rill.Editor
                 EditorUtility.ClearProgressBar();
             }
             outcome = item.Outcome;
+            foreach (MeshLoss loss in item.LossesOf(settings))
+                outcome += "\n" + loss.Text;
             baked = Field.Settings;
             Look();
         }

@@ -22,19 +22,28 @@ namespace Rill
         /// <returns>Null if it was canceled.</returns>
         public static MeshReport Run(TriangleMesh mesh, long maxCrossingTests, Func<float, string, bool> progress)
         {
-            const float EdgesFraction = 0.3f;
+            const float EdgesFraction = 0.2f, CrossingsFraction = 0.5f;
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh));
             if (progress != null && !progress(0f, "Checking edges"))
                 return null;
+            bool GoOn(float from, float to, float fraction, string stage) => progress == null || progress(math.lerp(from, to, fraction), stage);
             var edges = new MeshEdges(new BakedTriangles(mesh));
             int nonFinite = 0;
             foreach (Vector3 vertex in mesh.Vertices)
                 nonFinite += math.all(math.isfinite((float3)vertex)) ? 0 : 1;
-            bool GoOn(float fraction) => progress == null
-                || progress(EdgesFraction + (1f - EdgesFraction) * fraction, "Looking for triangles that cross");
-            SelfIntersections.Count? crossing = SelfIntersections.Find(edges, maxCrossingTests, GoOn);
-            return crossing == null ? null : new MeshReport(mesh, edges, nonFinite, crossing.Value);
+            SelfIntersections.Count? crossing = SelfIntersections.Find(edges, maxCrossingTests,
+                fraction => GoOn(EdgesFraction, EdgesFraction + CrossingsFraction, fraction, "Looking for triangles that cross"));
+            if (crossing == null)
+                return null;
+            float[] thickness = MeshThickness.Of(edges, fraction => GoOn(EdgesFraction + CrossingsFraction, 1f, fraction, "Measuring thickness"));
+            if (thickness == null)
+                return null;
+            FarTriangles far = FarTriangles.Of(edges);
+            MeshReport near = far == null ? null : Run(far.LeaveOut(mesh), maxCrossingTests, progress == null ? (Func<float, string, bool>)null
+                : (fraction, stage) => progress(1f, stage));
+            return far != null && near == null ? null
+                : new MeshReport(mesh, edges, nonFinite, crossing.Value, new MeshLosses(edges, thickness, far), near);
         }
     }
 }

@@ -21,6 +21,9 @@ namespace Rill
         // keeps its gaps. And the rounding of the coordinates, which is all that is left far from the origin.
         const double JoinOfSize = 1e-5, JoinOfEdge = 1e-2, JoinOfPosition = 1.0 / (1 << 22);
 
+        // Of the square of the way around a hole: less area is but rounding.
+        const double FlatHole = 1e-5;
+
         readonly TriangleMesh mesh;
         /// <summary>By vertex of the mesh: its place's number.</summary>
         readonly int[] welded;
@@ -89,6 +92,9 @@ namespace Rill
 
         /// <summary>By hole: a vertex of it, as a number of <see cref="Corner"/>, and the area of a flat cover, m².</summary>
         public List<(int corner, double area)> HoleAreas { get; } = new List<(int, double)>();
+
+        /// <summary>Of the holes, those that bound no area: slits, as where a corner lies on another triangle's edge.</summary>
+        public int FlatHoles { get; private set; }
 
         /// <summary>Of the flattest surfaces that would close the holes, as vectors, m².</summary>
         public double HoleArea { get; private set; }
@@ -409,7 +415,7 @@ namespace Rill
         {
             if (boundary.Count == 0)
                 return;
-            var sums = new Dictionary<int, double3>();
+            var sums = new Dictionary<int, double4>();      // area vector and length around
             int[] root = DisjointSets.Of(Vertices);
             foreach (int side in boundary)
                 DisjointSets.Join(root, From(sides[side]), To(sides[side]));
@@ -418,13 +424,15 @@ namespace Rill
                 int from = From(sides[side]), to = To(sides[side]), hole = DisjointSets.Root(root, from);
                 // About a vertex of the hole, so that far from the origin nothing is lost.
                 double3 middle = PositionOf(hole), area = 0.5 * math.cross(PositionOf(from) - middle, PositionOf(to) - middle);
-                sums.TryGetValue(hole, out double3 sum);
-                sums[hole] = sum + (Turned[TriangleOf(sides[side])] ? -area : area);
+                sums.TryGetValue(hole, out double4 sum);
+                sums[hole] = sum + new double4(Turned[TriangleOf(sides[side])] ? -area : area, math.distance(PositionOf(from), PositionOf(to)));
             }
-            foreach (KeyValuePair<int, double3> sum in sums)
+            foreach (KeyValuePair<int, double4> sum in sums)
             {
-                HoleAreas.Add((sum.Key, math.length(sum.Value)));
-                HoleArea += math.length(sum.Value);
+                double area = math.length(sum.Value.xyz);
+                HoleAreas.Add((sum.Key, area));
+                HoleArea += area;
+                FlatHoles += area < FlatHole * sum.Value.w * sum.Value.w ? 1 : 0;
             }
         }
 

@@ -133,7 +133,8 @@ namespace Rill
             for (int i = first[part]; i < first[part + 1]; i++)
             {
                 int t = sorted[i];
-                double3 a = (double3)(float3)mesh.Corner(t, 0) - at, b = (double3)(float3)mesh.Corner(t, 1) - at, c = (double3)(float3)mesh.Corner(t, 2) - at;
+                double3 a = (float3)mesh.Corner(t, 0), b = (float3)mesh.Corner(t, 1), c = (float3)mesh.Corner(t, 2);
+                (a, b, c) = (a - at, b - at, c - at);
                 double la = math.length(a), lb = math.length(b), lc = math.length(c);
                 double angle = Math.Atan2(math.dot(a, math.cross(b, c)),
                     la * lb * lc + math.dot(a, b) * lc + math.dot(b, c) * la + math.dot(c, a) * lb);

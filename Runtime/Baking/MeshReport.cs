@@ -13,11 +13,14 @@ namespace Rill
         // A volume below this fraction of the area's power 3/2 is none: both sides of a sheet.
         const double MinVolume = 1e-6;
 
-        // Below it there is nothing to see through.
-        const double FlatHoleFraction = 1e-6;
+        readonly MeshLosses losses;
+        readonly int flatHoles;
 
-        internal MeshReport(TriangleMesh mesh, MeshEdges edges, int nonFiniteVertices, in SelfIntersections.Count intersections)
+        internal MeshReport(TriangleMesh mesh, MeshEdges edges, int nonFiniteVertices, in SelfIntersections.Count intersections,
+            MeshLosses losses, MeshReport withoutFar)
         {
+            this.losses = losses;
+            WithoutFar = withoutFar;
             Name = mesh.Name;
             Triangles = mesh.TriangleCount;
             Vertices = mesh.Vertices.Length;
@@ -31,6 +34,7 @@ namespace Rill
             ZeroAreaTriangles = edges.Triangles.WithoutArea;
             BoundaryEdges = edges.BoundaryEdges;
             Holes = edges.Holes;
+            flatHoles = edges.FlatHoles;
             NonManifoldEdges = edges.NonManifoldEdges;
             InconsistentEdges = edges.InconsistentEdges;
             FlippedTriangles = edges.TurnedTriangles;
@@ -132,11 +136,36 @@ namespace Rill
         /// fault.</summary>
         public IReadOnlyList<string> Texts { get; }
 
+        /// <summary>The report of the mesh without what <see cref="MeshSdfSettings.leaveOutFar"/> leaves out; null where that is nothing.</summary>
+        public MeshReport WithoutFar { get; }
+
+        /// <summary>The report of what a bake with these settings takes.</summary>
+        internal MeshReport Of(in MeshSdfSettings settings) => settings.leaveOutFar && WithoutFar != null ? WithoutFar : this;
+
+        /// <summary>What a bake with these settings would not represent, and why, with the remedy: parts that are thinner than a voxel or
+        /// have no inside, and what makes the box and the voxels so large. Reads no mesh. Empty where all is represented, and where nothing
+        /// can be baked.</summary>
+        public IReadOnlyList<MeshLoss> LossesOf(in MeshSdfSettings settings)
+        {
+            var found = new List<MeshLoss>();
+            if (Problem != null || !settings.Validate(out _))
+                return found;
+            if (WithoutFar != null)
+                losses.AddFar(found, settings, MeshSdfBaker.Estimate(this, settings), WithoutFar);
+            MeshReport taken = Of(settings);
+            if (taken.Problem == null)
+                taken.losses.Add(found, settings, taken);
+            return found;
+        }
+
         internal static MeshSdfSign SignOf(MeshEdges edges)
         {
-            bool hasVolume = System.Math.Abs(edges.SignedVolume) > MinVolume * System.Math.Pow(edges.Triangles.Area, 1.5);
-            return HoleFractionOf(edges) <= MaxHoleFraction && hasVolume ? MeshSdfSign.WindingNumber : MeshSdfSign.OpenShell;
+            return HoleFractionOf(edges) <= MaxHoleFraction && HasVolume(edges.SignedVolume, edges.Triangles.Area) ? MeshSdfSign.WindingNumber
+                : MeshSdfSign.OpenShell;
         }
+
+        /// <summary>Whether a closed surface is more than two sides of a sheet.</summary>
+        internal static bool HasVolume(double volume, double area) => System.Math.Abs(volume) > MinVolume * System.Math.Pow(area, 1.5);
 
         static double HoleFractionOf(MeshEdges edges) => edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Triangles.Area) : 0;
 
@@ -192,7 +221,7 @@ namespace Rill
                     ? $"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: baked as an " +
                     $"open shell of a thickness. To close the holes instead, set the sign to winding number."
                     : "The mesh has no volume: baked as an open shell of a thickness.");
-            else if (BoundaryEdges > 0 && HoleFraction < FlatHoleFraction)
+            else if (BoundaryEdges > 0 && flatHoles == Holes)
                 texts.Add($"{Number(BoundaryEdges)} open edges bound no area, as where a corner lies on another triangle's edge: as good as closed.");
             else if (BoundaryEdges > 0)
                 texts.Add($"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: closed " +

@@ -66,7 +66,8 @@ namespace Rill
         internal MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings, StepSize size)
         {
             this.size = size;
-            this.mesh = mesh ?? throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
+            TriangleMesh whole = mesh ?? throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
+            this.mesh = mesh = settings.leaveOutFar ? FarTriangles.LeftOut(whole) : whole;
             this.settings = settings;
             if (!SystemInfo.supportsComputeShaders || !SystemInfo.supportsAsyncGPUReadback)
                 throw new InvalidOperationException(
@@ -78,7 +79,7 @@ namespace Rill
             uint[] order = null;
             ulong hash = 0;
             Chunks.Together(() => edges = needsEdges ? new MeshEdges(triangles) : null, () => order = TriangleOrder.Of(triangles),
-                () => hash = mesh.Hash());
+                () => hash = whole.Hash());
             sourceHash = hash;
             sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
             bool isShell = sign == MeshSdfSign.OpenShell;
@@ -188,6 +189,8 @@ namespace Rill
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh));
+            if (settings.leaveOutFar)
+                mesh = FarTriangles.LeftOut(mesh);
             BakedTriangles triangles = Usable(mesh, settings);
             MeshSdfSign sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(new MeshEdges(triangles)) : settings.sign;
             return new MeshSdfEstimate(new SdfGrid(triangles.Bounds, settings, sign == MeshSdfSign.OpenShell), mesh.TriangleCount, settings);
@@ -200,6 +203,7 @@ namespace Rill
             if (report == null)
                 throw new ArgumentNullException(nameof(report));
             RequireValid(report.Name, settings);
+            report = report.Of(settings);
             if (report.Problem != null)
                 throw new ArgumentException(report.Problem, nameof(report));
             MeshSdfSign sign = settings.sign == MeshSdfSign.Automatic ? report.Sign : settings.sign;

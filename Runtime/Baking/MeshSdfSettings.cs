@@ -42,6 +42,11 @@ namespace Rill
         [Tooltip("How voxels are stored. Automatic: 16 bits where that is accurate enough, else 32.")]
         public SdfFormat format;
 
+        /// <summary>Leaves out small parts far from the others, and triangles at a corner that strayed: what makes the box around the mesh
+        /// much larger though it holds at most a hundredth of the surface.</summary>
+        [Tooltip("Leaves out small parts far from the others, and triangles at a corner that strayed: what makes the box around the mesh much larger though it holds at most a hundredth of the surface.")]
+        public bool leaveOutFar;
+
         /// <summary>The settings of a new bake.</summary>
         public static MeshSdfSettings Default => new MeshSdfSettings
         {

@@ -178,6 +178,16 @@ namespace Rill
             return new TriangleMesh(Name, vertices, triangles) { SubMeshes = SubMeshes, SubMeshesWithoutTriangles = SubMeshesWithoutTriangles };
         }
 
+        /// <summary>The mesh without some of its triangles.</summary>
+        internal TriangleMesh Without(bool[] isGone)
+        {
+            var kept = new List<int>();
+            for (int t = 0; t < TriangleCount; t++)
+                for (int k = 0; k < 3 && !isGone[t]; k++)
+                    kept.Add(Triangles[3 * t + k]);
+            return new TriangleMesh(Name, Vertices, kept.ToArray()) { SubMeshes = SubMeshes, SubMeshesWithoutTriangles = SubMeshesWithoutTriangles };
+        }
+
         /// <summary>Several meshes as one: where closed ones overlap, inside is what is inside of any.</summary>
         public static TriangleMesh Combine(string name, IReadOnlyList<TriangleMesh> meshes)
         {

@@ -347,6 +347,8 @@ namespace Rill.Tests
             MeshReport report = MeshCheck.Run(mesh);                     // what is wrong with it, in numbers and words
             MeshSdfSettings settings = MeshSdfSettings.Default;
             settings.resolution = 128;
+            foreach (MeshLoss loss in report.LossesOf(settings))         // what of it these settings would not represent
+                Debug.LogWarning(loss.Text);
             MeshSdfEstimate size = MeshSdfBaker.Estimate(TriangleMesh.Of(mesh), settings);   // voxels, bytes, or why not
             SdfBake bake = MeshSdfBaker.Bake(mesh, settings, (fraction, stage) => !canceled);  // null if canceled
             Texture3D replaced = field.Apply(bake, guidOfTheMesh);       // into the asset that is there; references to it stay

@@ -139,6 +139,35 @@ namespace Host.Tests
         }
 
         [Test]
+        public void The_window_tells_what_is_lost_and_its_button_takes_the_remedy()
+        {
+            Vector3[] corners = { Vector3.zero, Vector3.right, Vector3.up, Vector3.forward, 90f * Vector3.right, 90.001f * Vector3.right,
+                new Vector3(90f, 0.001f, 0f) };
+            var mesh = new Mesh { name = "Far", vertices = corners, triangles = new[] { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3, 4, 5, 6 } };
+            BakeWindow window = BakeWindow.Open(new Object[] { mesh });
+            Assert.That(SpinWait.SpinUntil(() =>
+            {
+                EditorTick.Run();
+                Draw(window, "OnGUI");
+                return window.Plan.Items[0].Analysis.IsDone;
+            }, 30000));
+            GuiTrace.Clear();
+            GuiDrawing.Press = text => text == "Leave Out Far";
+            Draw(window, "OnGUI");
+            GuiDrawing.Press = null;
+            Assert.That(GuiTrace.HelpBoxes, Has.Some.Matches<(MessageType type, string text)>(box => box.type == MessageType.Warning
+                && box.text.StartsWith("1 triangles far from the rest, at (90, 0, 0) m, make the box")));
+            GuiTrace.Clear();
+            GuiDrawing.Labels.Clear();
+            EditorTick.Run();
+            Draw(window, "OnGUI");
+            Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.Contain("are left out"));
+            Assert.That(GuiDrawing.Labels.Select(label => label.text), Has.Some.StartWith("64 x 64 x 64 voxels"));
+            window.Close();
+            Object.DestroyImmediate(mesh);
+        }
+
+        [Test]
         public void A_mesh_that_is_destroyed_while_the_window_shows_it_leaves_it()
         {
             Mesh mesh = new Mesh { name = "Gone", vertices = new Vector3[3], triangles = new[] { 0, 1, 2 } };

@@ -161,6 +161,22 @@ namespace Host.Tests
         });
 
         [Test]
+        public void What_is_lost_is_told_with_the_option_that_is_its_remedy() => WithDevice(() =>
+        {
+            string mesh = Box(1, 1, 0.01f);
+            File.AppendAllText(mesh, "v 80 0 0\nv 80.001 0 0\nv 80 0.001 0\nf 9 10 11\n");
+            MeshSdfSettings settings = Settings(24);
+            Bake(mesh, settings, out string said);
+            Assert.That(said, Does.Contain("WARNING: 1 triangles far from the rest, at (-80, 0, 0) m, make the box").And.Contain("(--leave-out-far)"));
+            settings.leaveOutFar = true;
+            BakeRun run = Bake(mesh, settings, out said);
+            Assert.That(said, Does.Contain("1 triangles far from the rest, at (-80, 0, 0) m, are left out").And.Contain(
+                "WARNING: The mesh, (1, 1, 0.01) m large, around (-0.5, 0.5, 0.005) m, is thinner than a voxel, 0.01 m for 0.0556 m")
+                .And.Contain("Use voxels of at most 0.005 m. (--voxel 0.005)"));
+            Assert.That(Load(run).Settings.leaveOutFar, "for a bake in place");
+        });
+
+        [Test]
         public void Slices_show_inside_outside_and_the_line_between() => WithDevice(() =>
         {
             BakeRun run = Bake(Box(1, 2, 3), Settings(20), out string said);

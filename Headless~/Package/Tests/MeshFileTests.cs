@@ -145,11 +145,12 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Polygons_that_cannot_be_cut_are_left_out_by_line()
+        public void Polygons_that_cross_themselves_are_left_out_by_line()
         {
             MeshFile mesh = Obj(CubeVertices + CubeFaces + "f 1 3 2 4\nf 1 1 2 2\n" + "v 0 1 9\nv 0.6 -0.8 9\nv -1 0.3 9\nv 1 0.3 9\nv -0.6 -0.8 9\nf 9 10 11 12 13\n");
-            Assert.That(mesh.Triangles.Length, Is.EqualTo(36));
-            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 polygons that cross themselves are left out, the first in line 15.", "1 polygons without area are left out, the first in line 16." }));
+            Assert.That(mesh.Triangles.Length, Is.EqualTo(36 + 6));
+            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 polygons that cross themselves are left out, the first in line 15." }));
+            Assert.That(Check(mesh).ZeroAreaTriangles, Is.EqualTo(2), "the check tells of a polygon without area");
         }
 
         [Test]

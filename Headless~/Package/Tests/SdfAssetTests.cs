@@ -35,7 +35,7 @@ namespace Host.Tests
             + "  sign: 1\n  shellThickness: 0\n  storageError: 0.001\n  sourceMesh: 0123456789abcdef0123456789abcdef\n  sourceMeshId: " +
             "-4321000056780000999\n  sourceHash: 18446744073709551615\n"
             + "  settings:\n    voxelSize: 0.5\n    resolution: 64\n    padding: 3\n    memoryCap: 1024\n    sign: 0\n    " +
-            "shellThickness: 0\n    format: 2\n";
+            "shellThickness: 0\n    format: 2\n    leaveOutFar: 0\n";
 
         TemporaryProject Project() => Temporary().Write("Assets/Scripts/SignedDistanceField.cs",
             "namespace Rill { class SignedDistanceField {} }", ScriptGuid);

@@ -171,6 +171,8 @@ namespace Rill.Tests
             MeshReport report = MeshCheck.Run(new TriangleMesh("T", vertices, triangles));
             Assert.That((report.BoundaryEdges, report.Sign), Is.EqualTo((3, MeshSdfSign.WindingNumber)));
             Assert.That(All(report), Does.Contain("3 open edges bound no area").And.Not.Contain("holes"));
+            TriangleMesh triangle = TestMeshes.Sheet(1e-4f).Without(t => t > 0).Transformed(Matrix4x4.Translate(0.6f * Vector3.up));
+            Assert.That(All(MeshCheck.Run(TriangleMesh.Combine("Speck", new[] { box, triangle }))), Does.Contain("1 holes"), "however small it is");
         }
 
         [Test]
@@ -382,7 +384,7 @@ namespace Rill.Tests
             });
             Assert.That(report.Triangles, Is.EqualTo(MeshCheck.Run(mesh).Triangles));
             Assert.That(told.Select(one => one.fraction), Is.Ordered.And.All.InRange(0f, 1f));
-            Assert.That(told.Select(one => one.stage).Distinct().Count(), Is.EqualTo(2));
+            Assert.That(told.Select(one => one.stage).Distinct().Count(), Is.EqualTo(3));
             foreach (string stage in told.Select(one => one.stage).Distinct())
                 Assert.That(MeshCheck.Run(mesh, MeshCheck.MaxCrossingTests, (fraction, now) => now != stage), Is.Null, stage);
         }

@@ -68,6 +68,18 @@ namespace Rill.Tests
             }
         }
 
+        [Test]
+        public void A_part_that_is_inside_out_beside_another_is_solid_all_the_same([Values(false, true)] bool isLarger)
+        {
+            TriangleMesh large = TestMeshes.Box(2f * Vector3.one), small = TestMeshes.Box(Vector3.one, 3f * Vector3.right);
+            TriangleMesh two = TriangleMesh.Combine("Two", new[] { large.Turned(t => isLarger), small.Turned(t => !isLarger) });
+            SignedDistanceField field = SignedDistanceField.Create(MeshSdfBaker.Bake(two, Settings(24)));
+            int SideOf(float x) => field.TrySample(x * Vector3.right, out float distance) ? Math.Sign(distance) : 0;
+            Assert.That((SideOf(0f), SideOf(3f), SideOf(1.75f)), Is.EqualTo((-1, -1, 1)));
+            UnityEngine.Object.DestroyImmediate(field.Texture);
+            UnityEngine.Object.DestroyImmediate(field);
+        }
+
         static void HoldsTheBars(string what, BakeError error)
         {
             TestContext.WriteLine($"{what}: {error}");

@@ -169,8 +169,7 @@ namespace Host.Assets
             outline.Clear();
             cut.Clear();
             foreach (var corner in corners) outline.Add(vertices[corner.Vertex]);
-            var outcome = Polygon.Cut(outline, cut);
-            if (outcome != Polygon.Outcome.Cut) LeaveOut(outcome == Polygon.Outcome.CrossesItself ? Crossing : "polygons without area");
+            if (!Polygon.TryCut(outline, cut)) LeaveOut(Crossing);
         }
 
         void Add(in Corner corner)

@@ -10,8 +10,6 @@ namespace Host.Assets
     /// corners along a straight side stay corners of triangles, as those of the faces beside it are.</remarks>
     internal sealed class Polygon
     {
-        public enum Outcome { Cut, WithoutArea, CrossesItself }
-
         readonly struct Place
         {
             public readonly double X, Y;
@@ -47,27 +45,27 @@ namespace Host.Assets
 
         int Start { get; }
 
-        /// <summary>Adds three numbers of corners for each triangle, all the same way around as the polygon; none unless it could be cut.</summary>
-        public static Outcome Cut(IReadOnlyList<Vector3> corners, List<int> triangles)
+        /// <summary>Adds three numbers of corners for each triangle, all the same way around as the polygon.</summary>
+        /// <returns>False for a polygon that crosses itself: none are added.</returns>
+        public static bool TryCut(IReadOnlyList<Vector3> corners, List<int> triangles)
         {
             var count = corners.Count;
             if (count == 3)
             {
                 Add(triangles, 0, 1, 2);
-                return Outcome.Cut;
+                return true;
             }
-            // Corners that are no numbers are the mesh's to tell of.
+            // Corners that are no numbers, or in one line, are the mesh's to tell of.
             var places = Seen(corners, out var isFinite, out var hasArea, out var isLine);
-            if (!isFinite || hasArea && IsConvex(places))
+            if (!isFinite || isLine || hasArea && IsConvex(places))
             {
                 for (var i = 1; i + 1 < count; i++) Add(triangles, 0, i, i + 1);
-                return Outcome.Cut;
+                return true;
             }
-            if (isLine) return Outcome.WithoutArea;
             var cut = triangles.Count;
-            if (hasArea && !Crosses(places) && new Polygon(places, triangles).Clip()) return Outcome.Cut;
+            if (hasArea && !Crosses(places) && new Polygon(places, triangles).Clip()) return true;
             triangles.RemoveRange(cut, triangles.Count - cut);
-            return Outcome.CrossesItself;
+            return false;
         }
 
         static void Add(List<int> triangles, int a, int b, int c)

@@ -38,11 +38,14 @@ namespace Host.Baking
                 Description = "The mesh is scaled by it, as by Scale Factor in Unity's import settings: 0.01 for a file in centimeters.",
                 DefaultValueFactory = _ => 1f };
 
+            var leaveOutFar = new Option<bool>("--leave-out-far") {
+                Description = "Leaves out small parts far from the others, and triangles at a corner that strayed, which make the voxels large." };
+
             var again = new Option<bool>("--again") {
                 Description = "Of a scene also those fields that are up to date, with the settings that they have." };
 
             var command = new Command("bake", "Bakes a mesh file, or a scene's mesh colliders, to signed distance fields.") { mesh, target,
-                voxel, resolution, padding, sign, shell, format, memory, scale, again };
+                voxel, resolution, padding, sign, shell, format, memory, scale, leaveOutFar, again };
             command.SetAction(parsed =>
             {
                 if (parsed.GetValue(voxel) != null && parsed.GetValue(resolution) != null)
@@ -54,6 +57,7 @@ namespace Host.Baking
                 settings.sign = Choice<MeshSdfSign>(parsed.GetValue(sign), "--sign");
                 settings.shellThickness = parsed.GetValue(shell);
                 settings.format = Choice<SdfFormat>(parsed.GetValue(format), "--format");
+                settings.leaveOutFar = parsed.GetValue(leaveOutFar);
                 settings.memoryCap = parsed.GetValue(memory) is string bytes ? MebiBytes(bytes) : normal.memoryCap;
                 Tool.WarnOfMissing((Tool.Gnuplot, "picture of the slices"));
 

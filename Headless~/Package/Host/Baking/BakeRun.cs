@@ -57,8 +57,21 @@ namespace Host.Baking
             Say($"  {report.Holes:N0} holes, {report.BoundaryEdges:N0} open edges, {report.NonManifoldEdges:N0} edges of more than two triangles, {report.FlippedTriangles:N0} flipped triangles, {report.ZeroAreaTriangles:N0} without area, {report.SelfIntersections:N0} pairs that cross");
             foreach (string text in report.Texts)
                 output.WriteLine("  " + text);
-            if (report.Texts.Count == 0)
+            IReadOnlyList<MeshLoss> losses = report.LossesOf(settings);
+            foreach (MeshLoss loss in losses)
+                output.WriteLine($"  WARNING: {Text(loss, settings)}");
+            if (report.Texts.Count + losses.Count == 0)
                 output.WriteLine("  nothing is wrong with it");
+        }
+
+        /// <summary>With the option that is its remedy.</summary>
+        internal static string Text(in MeshLoss loss, in MeshSdfSettings settings)
+        {
+            if (loss.Remedy is not MeshSdfSettings remedy)
+                return loss.Text;
+            return loss.Text + (remedy.leaveOutFar != settings.leaveOutFar ? " (--leave-out-far)"
+                : remedy.sign != settings.sign ? " (--sign open-shell)"
+                : string.Create(CultureInfo.InvariantCulture, $" (--voxel {remedy.voxelSize:G3})"));
         }
 
         /// <summary>Bakes on the player's device and writes the files. An asset that is there keeps its GUID.</summary>

@@ -132,7 +132,8 @@ namespace Host.Baking
             string where = field != null ? "in place, " + path : $"{path}, {Assign(collider, guid)}";
             string picture = Path.Combine(pictures, Path.GetFileNameWithoutExtension(path) + "-slices.png");
             bool isDrawn = SlicePicture.Draw(SdfVolume.Of(bake), picture);
-            return $"{BakeTexts.Of(report)}; baked: {BakeTexts.Of(bake)}; {where}{(isDrawn ? "; " + picture : "")}";
+            string lost = string.Concat(report.LossesOf(with).Select(loss => $"\n  WARNING: {BakeRun.Text(loss, with)}"));
+            return $"{BakeTexts.Of(report)}; baked: {BakeTexts.Of(bake)}; {where}{(isDrawn ? "; " + picture : "")}{lost}";
         }
 
         string GuidOf(SignedDistanceField field) => assets.TryIdentify(field, out _, out string guid, out _) ? guid : "";
