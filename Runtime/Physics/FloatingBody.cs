@@ -2,23 +2,26 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Gives a Rigidbody what fluids exert on its colliders, at each fixed step: <see cref="Begin"/>, all parts, the forces of
+    /// <summary>Gives a Rigidbody what fluids exert on its colliders, at each step of the physics: <see cref="Begin"/>, all parts, the forces of
     /// each fluid, <see cref="TryApply"/>.</summary>
     sealed class FloatingBody
     {
         FloatingResponse response = new FloatingResponse();
+        PhysicsStep step;
         bool hasActed;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float SubmergedFraction => response.Fraction;
 
         /// <summary>Begins a step.</summary>
+        /// <param name="step">Its time is above 0.</param>
         /// <param name="virtualMass">As a fraction of the displaced water; holds while the forces tell nothing of it.</param>
         /// <param name="damping">As a fraction of the critical damping.</param>
-        public void Begin(Rigidbody body, float virtualMass, float damping)
+        public void Begin(Rigidbody body, in PhysicsStep step, float virtualMass, float damping)
         {
+            this.step = step;
             Vector3 center = body.worldCenterOfMass;
-            response.Begin(body.mass, center, body.GetPointVelocity(center), body.angularVelocity, Time.fixedDeltaTime);
+            response.Begin(body.mass, center, body.GetPointVelocity(center), body.angularVelocity, step.Time);
             response.Tune(virtualMass, damping);
         }
 
@@ -46,8 +49,7 @@ namespace Rill
             }
             Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
             response.Solve(gravity, Turn(body, response.Torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
-            body.AddForce(acceleration - gravity, ForceMode.Acceleration);      // it falls by itself
-            body.AddTorque(angularAcceleration, ForceMode.Acceleration);
+            step.Accelerate(body, acceleration - gravity, angularAcceleration);     // it falls by itself
             hasActed = true;
             return true;
         }

@@ -6,7 +6,7 @@ using static System.FormattableString;
 namespace Rill
 {
     /// <summary>
-    /// Lets the fluid carry this object's Rigidbody: at each fixed step it gets the force and the torque that the fluid exerts on its
+    /// Lets the fluid carry this object's Rigidbody: at each step of the physics it gets the force and the torque that the fluid exerts on its
     /// <see cref="FluidCollider"/>, and on those of objects below it that have no other Rigidbody, stable although they come a few
     /// frames late.
     /// </summary>
@@ -115,15 +115,19 @@ namespace Rill
                     problems.Add($"'{collider.name}': {problem}");
         }
 
-        void FixedUpdate()
+        void FixedUpdate() => Act(PhysicsStep.OfFixedUpdate(gameObject));
+
+        void Update() => Act(PhysicsStep.OfUpdate(gameObject));
+
+        void Act(in PhysicsStep step)
         {
-            if (body.isKinematic)
+            if (step.Time <= 0f || body.isKinematic)
                 return;
             FindColliders();
             FindParts();
             if (parts.Count == 0)
                 return;
-            floating.Begin(body, virtualMass, damping);
+            floating.Begin(body, step, virtualMass, damping);
             foreach (Part part in parts)
                 floating.AddPart(part.shape, part.volume);
             for (int i = 0; i < parts.Count; i++)
@@ -132,7 +136,7 @@ namespace Rill
             if (floating.TryApply(body, maxAcceleration))
                 waited = float.NegativeInfinity;
             else
-                Wait();
+                Wait(step.Time);
         }
 
         // Also those that came, went or were moved below another object since the last step.
@@ -202,9 +206,9 @@ namespace Rill
             return null;
         }
 
-        void Wait()
+        void Wait(float time)
         {
-            waited += Time.fixedDeltaTime;
+            waited += time;
             if (waited < PatienceTime || DeviceGate.HasNoGraphics)
                 return;
             waited = float.NegativeInfinity;

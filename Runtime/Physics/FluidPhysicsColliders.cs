@@ -203,12 +203,14 @@ namespace Rill
             for (int i = 0; i < leavers.Count; i++)
                 leavers[i].TellLeft(fluid);
             leavers.Clear();
+            foreach (GatheredBody body in bodies)
+                body.Carry(fluid, true);
         }
 
         void FixedUpdate()
         {
             foreach (GatheredBody body in bodies)
-                body.Carry(fluid);
+                body.Carry(fluid, false);
         }
 
         /// <summary>Calls who listens.</summary>

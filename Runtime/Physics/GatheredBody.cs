@@ -15,13 +15,17 @@ namespace Rill
         /// <summary>Looked for again before the steps of a frame.</summary>
         public List<GatheredCollider> Parts { get; } = new List<GatheredCollider>();
 
-        /// <summary>Lets the fluid act on the body, at a fixed step.</summary>
-        public void Carry(FluidSimulation fluid)
+        /// <summary>Lets the fluid act on the body.</summary>
+        /// <param name="inUpdate">In Update, and not in FixedUpdate.</param>
+        public void Carry(FluidSimulation fluid, bool inUpdate)
         {
             if (Body == null || Body.isKinematic || !fluid.IsRunning)
                 return;
+            PhysicsStep step = inUpdate ? PhysicsStep.OfUpdate(Body.gameObject) : PhysicsStep.OfFixedUpdate(Body.gameObject);
+            if (step.Time <= 0f)
+                return;
             FloatingBody.Smooth(Body);
-            floating.Begin(Body, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);
+            floating.Begin(Body, step, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);
             foreach (GatheredCollider part in Parts)
                 part.AddTo(floating);
             floating.EndFluid(fluid);

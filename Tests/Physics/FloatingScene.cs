@@ -96,10 +96,12 @@ namespace Rill.Tests
         public float Level => Fluid.TryGetStatistics(out FluidStatistics statistics) ? Depth * statistics.volumeRatio : Depth;
 
         /// <summary>Plays on; a body that came to the floor stops there.</summary>
-        public IEnumerator Play(float seconds)
+        /// <param name="eachFrame">Called before each; null for nothing.</param>
+        public IEnumerator Play(float seconds, Action eachFrame = null)
         {
             for (int i = 0; i < Mathf.RoundToInt(seconds / Frame); i++)
             {
+                eachFrame?.Invoke();
                 yield return null;
                 if (Time.fixedTime == sampledAt)
                     continue;       // a frame without a step of the physics: what was added has not acted yet

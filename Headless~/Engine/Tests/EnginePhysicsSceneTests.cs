@@ -3,6 +3,7 @@ using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.SceneManagement;
+using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
 namespace Host.Tests
@@ -48,6 +49,25 @@ namespace Host.Tests
             SceneManager.LoadSceneAsync("Loaded", new LoadSceneParameters(LoadSceneMode.Additive, mode));
             PlayerLoop.Frame(0.02f);
             Assert.That(SceneManager.GetSceneByName("Loaded").GetPhysicsScene() != Physics.defaultPhysicsScene, Is.EqualTo(isLocal));
+        }
+
+        [TestCase(SimulationMode.FixedUpdate, 4)]
+        [TestCase(SimulationMode.Update, 1)]
+        [TestCase(SimulationMode.Script, 0)]
+        public void The_simulation_mode_says_when_bodies_move(SimulationMode mode, int steps)
+        {
+            Physics.simulationMode = mode;
+            var body = new GameObject("Body").AddComponent<Rigidbody>();
+            body.useGravity = false;
+            body.AddForce(Vector3.right, ForceMode.Impulse);
+            Time.fixedDeltaTime = 0.005f;
+            PlayerLoop.Frame(0.02f);
+            float each = mode == SimulationMode.Update ? 0.02f : 0.005f;
+            Assert.That(body.position.x, Is.EqualTo(steps * each).Within(1e-5f));
+            if (mode != SimulationMode.Script)
+                LogAssert.Expect(LogType.Warning, new System.Text.RegularExpressions.Regex("simulation mode is not set to Script"));
+            Physics.Simulate(0.1f);
+            Assert.That(body.position.x, Is.EqualTo(mode == SimulationMode.Script ? 0.1f : steps * each).Within(1e-5f));
         }
 
         [Test]

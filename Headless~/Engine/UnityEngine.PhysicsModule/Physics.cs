@@ -13,6 +13,14 @@ namespace UnityEngine
         public static Vector3 gravity { get => PhysicsWorld.Gravity; set => PhysicsWorld.Gravity = value; }
         public static bool queriesHitTriggers { get; set; } = true;
 
+        public static SimulationMode simulationMode
+        {
+            get => (SimulationMode)PhysicsWorld.Stepped;
+            set => PhysicsWorld.Stepped = (PhysicsStepping)value;
+        }
+
+        public static void Simulate(float step) => defaultPhysicsScene.Simulate(step);
+
         public static void SyncTransforms() => PhysicsWorld.SyncTransforms();
 
         public static PhysicsScene defaultPhysicsScene => default;
@@ -24,5 +32,6 @@ namespace UnityEngine
             => defaultPhysicsScene.OverlapBox(center, halfExtents, results, orientation, mask, queryTriggerInteraction);
     }
 
+    public enum SimulationMode { FixedUpdate = 0, Update = 1, Script = 2 }
     public enum QueryTriggerInteraction { UseGlobal = 0, Ignore = 1, Collide = 2 }
 }

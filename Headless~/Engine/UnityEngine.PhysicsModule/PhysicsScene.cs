@@ -28,12 +28,12 @@ namespace UnityEngine
             return true;
         }
 
-        /// <summary>One step. The default scene's steps are the host's, after each FixedUpdate.</summary>
+        /// <summary>One step. Those of the default scene are a script's in one mode alone.</summary>
         public void Simulate(float step)
         {
             if (!IsValid())
                 throw new InvalidOperationException("Cannot simulate the physics scene as it is invalid.");
-            if (scene == null)
+            if (scene == null && PhysicsWorld.Stepped != PhysicsStepping.Script)
             {
                 Debug.LogWarning("PhysicsScene.Simulate(...) was called but simulation mode is not set to Script. You should set simulation mode " +
                     "to Script first before calling this function therefore the simulation was not run.");

@@ -37,13 +37,17 @@ namespace UnityEngine.Headless
             // Nothing falls in edit mode, and FixedUpdate is not called.
             while (!EditMode.IsOn && Time.Clock.StepFixed())
             {
-                PhysicsWorld.BeginStep();
+                if (PhysicsWorld.Stepped == PhysicsStepping.FixedUpdate)
+                    PhysicsWorld.BeginStep();
                 fixedUpdates.Run();
-                PhysicsWorld.Step(null, Time.fixedDeltaTime);
+                if (PhysicsWorld.Stepped == PhysicsStepping.FixedUpdate)
+                    PhysicsWorld.Step(null, Time.fixedDeltaTime);
                 CoroutineScheduler.Resume(CoroutinePoint.FixedUpdate);
             }
-            if (!EditMode.IsOn)
+            if (!EditMode.IsOn && PhysicsWorld.Stepped == PhysicsStepping.FixedUpdate)
                 PhysicsWorld.Show(Time.Clock.StepShare);
+            else if (!EditMode.IsOn && PhysicsWorld.Stepped == PhysicsStepping.Update && Time.deltaTime > 0f)
+                PhysicsWorld.Step(null, Time.deltaTime);
 
             updates.Run();
             Invocations.Run();

@@ -12,9 +12,12 @@ namespace UnityEngine.Headless
         public abstract void Sync();
     }
 
+    /// <summary>When the default physics scene steps, as Unity's SimulationMode.</summary>
+    internal enum PhysicsStepping { FixedUpdate, Update, Script }
+
     /// <summary>
     /// The free bodies and the shapes of all scenes. No contacts, no joints. A physics scene is null, the default, whose bodies move after
-    /// each FixedUpdate, or the scene that has it for itself.
+    /// each FixedUpdate, before each Update or at a script's call, or the scene that has it for itself.
     /// </summary>
     internal static class PhysicsWorld
     {
@@ -27,6 +30,8 @@ namespace UnityEngine.Headless
 
         /// <summary>Physics.gravity, m/s².</summary>
         public static Vector3 Gravity = DefaultGravity;
+
+        public static PhysicsStepping Stepped;
 
         /// <summary>The physics scene of an object: null for the default.</summary>
         public static SceneData SceneOf(GameObject gameObject) => SceneOf(gameObject.SceneOf);
@@ -85,6 +90,7 @@ namespace UnityEngine.Headless
             Bodies.Clear();
             Shapes.Clear();
             Gravity = DefaultGravity;
+            Stepped = PhysicsStepping.FixedUpdate;
         }
     }
 }
