@@ -24,6 +24,8 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidBoneColliders)of, out bounds);
+
         private protected override void DrawBelowSections()
         {
             using (new EditorGUILayout.HorizontalScope())

@@ -36,6 +36,8 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidCollider)of, out bounds);
+
         private protected override void DrawBelow(string title)
         {
             if (title == ShapeTitle)

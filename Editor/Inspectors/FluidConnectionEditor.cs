@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using UnityEngine;
 using static System.FormattableString;
 
 namespace Rill.Editor
@@ -16,6 +17,8 @@ namespace Rill.Editor
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidConnection)of, out bounds);
 
         internal override void ListLive(List<(string label, string text)> live)
         {

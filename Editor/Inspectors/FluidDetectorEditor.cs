@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using UnityEngine;
 using static System.FormattableString;
 
 namespace Rill.Editor
@@ -33,6 +34,8 @@ namespace Rill.Editor
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidDetector)of, out bounds);
 
         private protected override void DrawBelow(string title)
         {

@@ -34,6 +34,8 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidEmitter)of, out bounds);
+
         internal override void ListLive(List<(string label, string text)> live)
         {
             var emitter = (FluidEmitter)target;

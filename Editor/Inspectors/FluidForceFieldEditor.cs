@@ -1,4 +1,5 @@
 using UnityEditor;
+using UnityEngine;
 
 namespace Rill.Editor
 {
@@ -21,6 +22,8 @@ namespace Rill.Editor
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidForceField)of, out bounds);
 
         static string StrengthUnit(SerializedObject inspected)
         {

@@ -18,6 +18,8 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidProbe)of, out bounds);
+
         internal override void ListLive(List<(string label, string text)> live)
         {
             if (!((FluidProbe)target).TryGetSample(out FluidProbeSample sample))

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 using static System.FormattableString;
 
 namespace Rill.Editor
@@ -78,6 +79,8 @@ namespace Rill.Editor
         [NonSerialized] int memoryAt = -MemoryInterval;
 
         internal override InspectorSection[] Sections => AllSections;
+
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidSimulation)of, out bounds);
 
         FluidSimulation Simulation => (FluidSimulation)target;
 

@@ -1,4 +1,5 @@
 using UnityEditor;
+using UnityEngine;
 using static System.FormattableString;
 
 namespace Rill.Editor
@@ -18,6 +19,8 @@ namespace Rill.Editor
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidVolume)of, out bounds);
 
         private protected override void DrawBelow(string title)
         {

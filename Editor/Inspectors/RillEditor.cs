@@ -30,6 +30,32 @@ namespace Rill.Editor
         /// <summary>Below these, while it plays.</summary>
         private protected virtual void DrawLive() { }
 
+        /// <summary>What F frames of one component in the scene view; false where it has no size.</summary>
+        internal virtual bool TryGetFrame(Object of, out Bounds bounds)
+        {
+            bounds = default;
+            return false;
+        }
+
+        // Unity finds these two by name, and no private ones of a base class. It frames what one editor says, so that is of all its objects.
+        protected bool HasFrameBounds() => TryGetFrame(out _);
+
+        protected Bounds OnGetFrameBounds()
+        {
+            TryGetFrame(out Bounds bounds);
+            return bounds;
+        }
+
+        bool TryGetFrame(out Bounds bounds)
+        {
+            bool isThere = false;
+            bounds = default;
+            foreach (Object one in targets)
+                if (one != null && TryGetFrame(one, out Bounds more))
+                    FrameBounds.Join(ref isThere, ref bounds, more);
+            return isThere;
+        }
+
         public override bool RequiresConstantRepaint() => Plays;
 
         // In play mode, or with a fluid that is simulated without Play.

@@ -2,8 +2,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Gives a Rigidbody what fluids exert on its colliders, at each step of the physics: <see cref="Begin"/>, all parts, the forces of
-    /// each fluid, <see cref="TryApply"/>.</summary>
+    /// <summary>Gives a Rigidbody what fluids exert on its colliders, at each step of the physics: <see cref="Begin"/>, all parts, the
+    /// forces of each fluid, <see cref="TryApply"/>.</summary>
     sealed class FloatingBody
     {
         FloatingResponse response = new FloatingResponse();

@@ -26,11 +26,14 @@ namespace Rill
         }
 
         /// <summary>Of an Update: the next frame begins with a step about as long as this frame.</summary>
-        public static PhysicsStep OfUpdate(GameObject of) =>
-            new PhysicsStep(UnityEngine.Physics.simulationMode == SimulationMode.Update && !HasOwnPhysics(of) ? UnityEngine.Time.deltaTime : 0f, false);
+        public static PhysicsStep OfUpdate(GameObject of)
+        {
+            bool isPrepared = UnityEngine.Physics.simulationMode == SimulationMode.Update && !HasOwnPhysics(of);
+            return new PhysicsStep(isPrepared ? UnityEngine.Time.deltaTime : 0f, false);
+        }
 
-        /// <summary>Accelerates a body for the step. What a script takes is given as a change of velocity, which adds up over messages and acts
-        /// once, however many steps follow.</summary>
+        /// <summary>Accelerates a body for the step. What a script takes is given as a change of velocity, which adds up over messages
+        /// and acts once, however many steps follow.</summary>
         public void Accelerate(Rigidbody body, Vector3 acceleration, Vector3 angularAcceleration)
         {
             float factor = isScripted ? Time : 1f;

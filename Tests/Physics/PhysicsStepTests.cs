@@ -42,7 +42,8 @@ namespace Rill.Tests
             Time.fixedDeltaTime = each;
             UnityEngine.Physics.simulationMode = mode;
             const int layers = 8;
-            scene = new FloatingScene(ColliderShape.Sphere, Ball * Vector3.one, 0.5f, layers * FloatingScene.Spacing, layers, 16, byLayer: byLayer);
+            scene = new FloatingScene(ColliderShape.Sphere, Ball * Vector3.one, 0.5f, layers * FloatingScene.Spacing, layers, 16,
+                byLayer: byLayer);
             Action step = () => UnityEngine.Physics.Simulate(FloatingScene.Frame);
             yield return scene.Play(2f, mode == SimulationMode.Script ? step : null);
             float[] last = scene.Heights.Skip(scene.Heights.Count - scene.Heights.Count / 5).ToArray();

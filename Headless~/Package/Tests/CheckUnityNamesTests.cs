@@ -85,6 +85,8 @@ namespace Host.Tests
         [TestCase("class X : EditorWindow { static void CreateGUI() { } }", "X.CreateGUI", "not its form", TestName = "A_message_of_a_window_is_held")]
         [TestCase("class X : AssetPostprocessor { void OnPostprocessAllAssets(string[] a, string[] b, string[] c, string[] d) { } }",
             "X.OnPostprocessAllAssets", "static void", TestName = "A_static_message_of_imports_is_held")]
+        [TestCase("abstract class P : Editor { bool HasFrameBounds() => true; } class X : P { }", "P.HasFrameBounds", "make it protected",
+            TestName = "A_private_message_of_a_base_of_inspectors_is_named")]
         [TestCase("class Part : MonoBehaviour { void OnEnable() { } } class X : Part { void OnEnable() { } }", "X.OnEnable", "hides the message of Part",
             TestName = "A_message_that_hides_that_of_its_base_is_named")]
         public void A_message_without_its_form_is_named(string package, string member, string why)

@@ -61,6 +61,11 @@ namespace Host.Check.Api
             if (own.Count == 0 && (method.Attributes & MethodAttributes.MemberAccessMask) != MethodAttributes.Public
                 && UnityMessages.All.FirstOrDefault(message => message.Name == name && Fits(message, member)) is { } foreign)
                 return $"is a message that Unity sends to a {foreign.Receiver} alone: rename it, or derive from that";
+            // SceneView asks an editor's type for its method, which .NET answers without private ones of base classes.
+            if (own.Any(message => message.Receiver == "UnityEditor.Editor")
+                && (method.Attributes & MethodAttributes.MemberAccessMask) == MethodAttributes.Private
+                && types.All.Any(heir => heir != type && types.Lineage(heir).Contains(type)))
+                return "is private in a base class, where Unity does not find it: make it protected";
             bool overrides = (method.Attributes & (MethodAttributes.Virtual | MethodAttributes.NewSlot)) == MethodAttributes.Virtual;
             if (own.Count > 0 && !overrides && types.Lineage(type).Skip(1).FirstOrDefault(parent => MethodsOf(parent)
                 .Any(inherited => parent.Text(inherited.Name) == name)) is { } hidden)
