@@ -20,7 +20,7 @@ namespace Rill.Editor.Tests
             };
             string all = string.Join("\n", StatisticsSummary.Rows(statistics, 1000).Select(row => $"{row.label}: {row.text}"));
             foreach (string text in new[] { "900 of ", "added 500", "emitted 450", "drained 40", "not finite 10", "refused 7", "no room 6",
-                "waiting 5", $"mean {0.0123f:P2}", "over the list 3" })
+                "waiting 5", "mean 1.23 %", "over the list 3" })
                 Assert.That(all, Does.Contain(text));
             string warnings = string.Join("\n", StatisticsSummary.Warnings(statistics));
             Assert.That(warnings, Does.Contain("Raise the neighbor capacity").And.Contain("Raise the capacity").And.Contain(
