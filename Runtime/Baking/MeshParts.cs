@@ -61,7 +61,10 @@ namespace Rill
                 partOf[t] = numbers[root] - 1;
             }
             parts = found.ToArray();
-            Measure();
+            if (parts.Length == 1)
+                parts[0] = Whole();
+            else
+                Measure();
             foreach ((int corner, double area) in edges.HoleAreas)
             {
                 ref Part part = ref parts[numbers[DisjointSets.Root(set, corner)] - 1];
@@ -76,6 +79,12 @@ namespace Rill
 
         /// <summary>The part of a triangle that takes part.</summary>
         public int Of(int triangle) => partOf[triangle];
+
+        Part Whole() => new Part
+        {
+            triangles = edges.Triangles.Count, area = edges.Triangles.Area, volume = edges.SignedVolume,
+            low = edges.Triangles.Bounds.min, high = edges.Triangles.Bounds.max,
+        };
 
         void Measure()
         {

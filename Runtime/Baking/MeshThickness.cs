@@ -13,6 +13,7 @@ namespace Rill
         const double Touching = 1e-7;
         const int TrianglesBetweenLooks = 1 << 16;
         const int MaxStack = 64;        // three of each of 16 levels, and one
+        const double Slight = 1e-30;
 
         struct Box
         {
@@ -91,34 +92,48 @@ namespace Rill
         {
             double3 from = ((double3)(float3)mesh.Corner(triangle, 0) + (float3)mesh.Corner(triangle, 1) + (float3)mesh.Corner(triangle, 2)) / 3;
             double3 along = -math.normalize(Outward(triangle));
+            // Finite, so that a ray in a face of a box, 0 times this, is no case of its own.
+            double3 perMeter = 1 / math.select(along, Slight, math.abs(along) < Slight);
             double nearest = double.PositiveInfinity;
             Span<int2> stack = stackalloc int2[MaxStack];       // level and index
-            int depth = 0;
-            stack[depth++] = new int2(levels.Length - 1, 0);
+            Span<double> enters = stackalloc double[MaxStack];
+            int depth = 1;
+            stack[0] = new int2(levels.Length - 1, 0);
+            enters[0] = 0;
             while (depth > 0)
             {
                 int2 node = stack[--depth];
-                if (!Meets(boxes[levels[node.x].x + node.y], from, along, nearest))
+                if (enters[depth] > nearest)
                     continue;
-                int first = node.y * ClusterLevels.Fan;
+                int first = node.y * ClusterLevels.Fan, bottom = depth;
                 int end = math.min(first + ClusterLevels.Fan, node.x == 0 ? order.Length : (int)levels[node.x - 1].y);
                 for (int i = first; i < end; i++)
-                    if (node.x > 0)
-                        stack[depth++] = new int2(node.x - 1, i);
-                    else if (order[i] != triangle)
-                        nearest = math.min(nearest, DistanceTo((int)order[i], from, along));
+                {
+                    if (node.x == 0)
+                    {
+                        if (order[i] != triangle)
+                            nearest = math.min(nearest, DistanceTo((int)order[i], from, along));
+                        continue;
+                    }
+                    double enter = EntryOf(boxes[levels[node.x - 1].x + i], from, perMeter, nearest);
+                    if (double.IsPositiveInfinity(enter))
+                        continue;
+                    // The nearest of them on top, so that it is the first.
+                    int at = depth++;
+                    for (; at > bottom && enters[at - 1] < enter; at--)
+                        (stack[at], enters[at]) = (stack[at - 1], enters[at - 1]);
+                    (stack[at], enters[at]) = (new int2(node.x - 1, i), enter);
+                }
             }
             return (float)nearest;
         }
 
-        static bool Meets(in Box box, double3 from, double3 along, double limit)
+        /// <summary>Where a ray enters a box, m; infinite where it misses it.</summary>
+        static double EntryOf(in Box box, double3 from, double3 perMeter, double limit)
         {
-            double3 a = (box.low - from) / along, b = (box.high - from) / along;
-            // 0 / 0, where a ray runs in a face of the box, is no bound.
-            double3 near = math.select(math.min(a, b), double.NegativeInfinity, math.isnan(a) | math.isnan(b));
-            double3 far = math.select(math.max(a, b), double.PositiveInfinity, math.isnan(a) | math.isnan(b));
-            double enters = math.max(math.cmax(near), 0), leaves = math.min(math.cmin(far), limit);
-            return enters <= leaves * (1 + 1e-9);
+            double3 a = (box.low - from) * perMeter, b = (box.high - from) * perMeter;
+            double enters = math.max(math.cmax(math.min(a, b)), 0), leaves = math.min(math.cmin(math.max(a, b)), limit);
+            return enters <= leaves * (1 + 1e-9) ? enters : double.PositiveInfinity;
         }
 
         // Möller and Trumbore 1997; only where the ray goes out.
