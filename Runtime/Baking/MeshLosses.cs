@@ -13,7 +13,7 @@ namespace Rill
         const float MinVoxels = 2f;
         // Fraction of a part's surface below which a thin place is but an edge or a tip, and of its thin surface that may be thinner still than
         // what is told.
-        const double MinThin = 0.01, Thinnest = 0.1;
+        const double MinThin = 0.02, Thinnest = 0.1;
         const double MostOf = 0.9;          // of a part, from which on it is all of it: the rims of a plate are not thin
         const int MaxTold = 4;
 

@@ -21,6 +21,7 @@ namespace Host.Baking
         readonly MeshSdfSettings settings;
         readonly float scale;
         readonly TextWriter output;
+        MeshReport report;
 
         /// <param name="folder">For the results; null for out~/name.</param>
         public BakeRun(string file, string folder, MeshSdfSettings settings, float scale, TextWriter output)
@@ -50,17 +51,14 @@ namespace Host.Baking
 
             if (!settings.Validate(out string problem))
                 throw new HostException($"'{Mesh.Name}' cannot be baked. {problem}");
-            MeshReport report = MeshCheck.Run(Mesh);
+            report = MeshCheck.Run(Mesh);
             if (report.Problem != null)
                 throw new HostException(report.Problem);
             Say($"check: {(report.IsWatertight ? "watertight" : "not watertight")}, {report.Area:G4} m² of surface, {Math.Abs(report.SignedVolume):G4} m³");
             Say($"  {report.Holes:N0} holes, {report.BoundaryEdges:N0} open edges, {report.NonManifoldEdges:N0} edges of more than two triangles, {report.FlippedTriangles:N0} flipped triangles, {report.ZeroAreaTriangles:N0} without area, {report.SelfIntersections:N0} pairs that cross");
             foreach (string text in report.Texts)
                 output.WriteLine("  " + text);
-            IReadOnlyList<MeshLoss> losses = report.LossesOf(settings);
-            foreach (MeshLoss loss in losses)
-                output.WriteLine($"  WARNING: {Text(loss, settings)}");
-            if (report.Texts.Count + losses.Count == 0)
+            if (report.Texts.Count == 0)
                 output.WriteLine("  nothing is wrong with it");
         }
 
@@ -82,6 +80,10 @@ namespace Host.Baking
             Say($"estimate: {Text(estimate.Resolution)} voxels of {estimate.VoxelSize:G4} m; {Mega(estimate.TotalBytes)} MiB for the bake, at most {Mega(estimate.TextureBytes)} MiB for the texture; the cap is {settings.memoryCap:N0} MiB");
             if (estimate.Problem != null)
                 throw new HostException($"'{Mesh.Name}' cannot be baked. {estimate.Problem}");
+
+            // Which voxels would be too many is the device's to say.
+            foreach (MeshLoss loss in report.LossesOf(settings))
+                output.WriteLine($"  WARNING: {Text(loss, settings)}");
 
             SdfBake bake = Measured(out double gpu, out double seconds);
             SignedDistanceField field = SignedDistanceField.Create(bake, SourceGuid());
