@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using Host.Pipelines;
@@ -194,6 +195,23 @@ namespace Host.Tests
             }
             Play(2);
             Assert.That(Volumes(), Is.EqualTo(0));
+        }
+
+        [Test]
+        public void The_water_is_there_after_a_reload_of_scripts_in_play_mode([Values("14", "17")] string version)
+        {
+            UnityEditor.EditorInitializers.Run();
+            Build(version, editor: true);
+            Play(3);
+            List<string> before = Alive();
+            for (int time = 0; time < 2; time++)
+            {
+                UnityEditor.EditorReload.Run();
+                Play(3);
+                Assert.That(Errors, Is.Empty);
+                Assert.That(Alive(), Is.EqualTo(before));
+            }
+            Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 20));
         }
 
         [Test]

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Reflection;
@@ -64,6 +65,11 @@ namespace Host.Tests
             fluid.AddComponent<FluidSurface>();
             fluid.SetActive(true);
         }
+
+        /// <summary>All that is on the GPU and in native memory, and the objects of the scene, hidden ones too.</summary>
+        private protected static List<string> Alive()
+            => LiveObjects.Report().Concat(Resources.FindObjectsOfTypeAll<GameObject>().Select(o => $"object '{o.name}'"))
+                .OrderBy(line => line, StringComparer.Ordinal).ToList();
 
         /// <summary>The same with a fault in the adapter: what the tests would see.</summary>
         private protected void BuildWithFault(PipelineKind kind, string version, string file, string line, string instead)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using System.Text.RegularExpressions;
@@ -213,6 +214,23 @@ namespace Host.Tests
             BuildWithFault(version, "SurfacePass.cs", line, instead);
             Play(1);        // in a later one, that of the frame before would be
             Assert.That(Covered(Pixels()), Is.LessThan(Width * Height / 20));
+        }
+
+        [Test]
+        public void The_water_is_there_after_a_reload_of_scripts_in_play_mode([Values("14", "17")] string version)
+        {
+            UnityEditor.EditorInitializers.Run();
+            Build(version, editor: true);
+            Play(3);
+            List<string> before = Alive();
+            for (int time = 0; time < 2; time++)
+            {
+                UnityEditor.EditorReload.Run();
+                Play(3);
+                Assert.That(Errors, Is.Empty);
+                Assert.That(Alive(), Is.EqualTo(before));
+            }
+            Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 20));
         }
 
         [Test]
