@@ -64,7 +64,8 @@ namespace Rill.Universal
 
 #if RILL_RENDER_GRAPH
         // In Compatibility Mode URP 17 draws motion vectors one step after the sky, and the water's among them: its textures are there by then.
-        RenderPassEvent LastEvent => views.needsMotion && UniversalSurfaces.IsInGraph == false ? RenderPassEvent.AfterRenderingSkybox : DefaultEvent;
+        RenderPassEvent LastEvent => views.needsMotion && UniversalSurfaces.LastPath == UniversalSurfaces.PassPath.Execute
+            ? RenderPassEvent.AfterRenderingSkybox : DefaultEvent;
 #else
         static RenderPassEvent LastEvent => DefaultEvent;
 #endif
@@ -111,7 +112,7 @@ namespace Rill.Universal
             UniversalCameraData camera = frameData.Get<UniversalCameraData>();
             if (!Begin(camera.camera))
                 return;
-            UniversalSurfaces.IsInGraph = true;
+            UniversalSurfaces.LastPath = UniversalSurfaces.PassPath.Graph;
             SetEyes(camera.xr);
             for (int eye = 0; eye < views.eyes; eye++)
                 views.SetEye(eye, camera.GetViewMatrix(eye), camera.GetProjectionMatrix(eye));
@@ -158,7 +159,7 @@ namespace Rill.Universal
         {
             if (!Begin(renderingData.cameraData.camera))
                 return;
-            UniversalSurfaces.IsInGraph = false;
+            UniversalSurfaces.LastPath = UniversalSurfaces.PassPath.Execute;
             SetEyes(renderingData.cameraData.xr);
             for (int eye = 0; eye < views.eyes; eye++)
                 views.SetEye(eye, renderingData.cameraData.GetViewMatrix(eye), renderingData.cameraData.GetProjectionMatrix(eye));

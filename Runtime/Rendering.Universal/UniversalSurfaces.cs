@@ -23,9 +23,13 @@ namespace Rill.Universal
         static CameraParts<SurfacePass> passes = new CameraParts<SurfacePass>();
         static Camera begun;        // the last that URP, or a feature, said it begins
         static bool isUnannouncedKnown;
+        static PassPath lastPath;
 
-        /// <summary>Whether URP ran its passes by the render graph when it last ran one of the package's; null before.</summary>
-        public static bool? IsInGraph { get; set; }
+        /// <summary>How URP runs passes.</summary>
+        public enum PassPath { Unknown, Graph, Execute }
+
+        /// <summary>How it last ran one of the package's.</summary>
+        public static PassPath LastPath { get => lastPath; set => lastPath = value; }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
 #if UNITY_EDITOR
@@ -36,7 +40,7 @@ namespace Rill.Universal
             passes = new CameraParts<SurfacePass>();
             begun = null;
             isUnannouncedKnown = false;
-            IsInGraph = null;
+            lastPath = PassPath.Unknown;
             ListenLast();
             RenderPipelineManager.endCameraRendering -= End;
             RenderPipelineManager.endCameraRendering += End;
@@ -102,7 +106,7 @@ namespace Rill.Universal
                 if (!surface.Prepare(views))
                     continue;
                 surface.Submit(views, null);
-                if (views.needsMotion && IsInGraph == false)
+                if (views.needsMotion && LastPath == PassPath.Execute)
                     surface.SubmitMotion(views);
                 any = true;
             }
@@ -147,7 +151,7 @@ namespace Rill.Universal
             views.width = Mathf.Max((int)(views.width * scale), 1);
             views.height = Mathf.Max((int)(views.height * scale), 1);
             // URP sets it once it draws motion vectors for the camera, and leaves it.
-            views.needsMotion = IsInGraph.HasValue && (camera.depthTextureMode & DepthTextureMode.MotionVectors) != 0;
+            views.needsMotion = LastPath != PassPath.Unknown && (camera.depthTextureMode & DepthTextureMode.MotionVectors) != 0;
             return views;
         }
     }
