@@ -164,6 +164,10 @@ namespace Host.Tests
             roof.transform.localScale = new Vector3(1.6f, 0.1f, 4);
             roof.GetComponent<MeshRenderer>().sharedMaterial = RenderPassFixture.MaterialOf("Solid.shader", Player.PipelineTag);
             Vector4[] alone = Alone();
+            surface.ReceiveShadows = false;
+            Play(1);
+            Assert.That(Unlike(Pixels(), alone), shaded ? Is.GreaterThan(50) : Is.Zero, "the shadow is seen");
+            surface.ReceiveShadows = true;
             Camera mirror = NewMirror(), mirrorInMirror = NewMirror();
             foreach ((Camera outer, Camera inner) in new[] { (camera, mirror), (mirror, mirrorInMirror) })
             {

@@ -72,18 +72,34 @@ namespace Host.Tests
         }
 
         [TestCaseSource(nameof(Pipelines))]
-        public void Where_the_camera_looks_away_nothing_is_left_of_the_picture_before(string name)
+        public void Where_the_camera_sees_the_water_no_more_nothing_is_left_of_the_picture_before(string name)
         {
             BuildFor(name);
-            Repaint();
-            Quaternion before = camera.transform.rotation;
-            camera.transform.rotation = Quaternion.Euler(0, 180, 0);
-            Vector4[] away = Repaint();
-            camera.transform.rotation = before;
-            Vector4[] back = Repaint();
+            simulation.GetComponent<DomainRenderer>().enabled = false;
+            void LookAtWater()
+            {
+                camera.transform.SetPositionAndRotation(new Vector3(0, 0, -2.2f), Quaternion.identity);
+                camera.orthographic = false;
+            }
+            // From above on where the draw lies that shades, just before where the camera was: with the water beyond the picture's edge.
+            void LookAside()
+            {
+                var down = new Vector3(0, -0.866f, 0.5f);
+                camera.transform.SetPositionAndRotation(new Vector3(0, 0, -1.6f) - 3 * down, Quaternion.LookRotation(down));
+                camera.orthographic = true;
+                camera.orthographicSize = 0.1f;
+            }
+            LookAtWater();
             Play(1);
-            Assert.That(away.All(pixel => pixel.x == 0 && pixel.y == 0), "the background alone");
-            Assert.That(Unlike(Pixels(), back), Is.Zero);
+            Vector4[] water = Pixels();
+            LookAside();
+            Vector4[] aside = Repaint();
+            LookAtWater();
+            Assert.That(Unlike(Repaint(), water), Is.Zero, "back");
+            simulation.gameObject.SetActive(false);
+            LookAside();
+            Play(1);
+            Assert.That(Unlike(aside, Pixels()), Is.Zero, "as without water");
         }
 
         [TestCaseSource(nameof(Pipelines))]

@@ -94,11 +94,11 @@ namespace Rill
             return isFirst;
         }
 
-        /// <summary>At once: the draw that waits shows nothing until <see cref="Write"/> is executed.</summary>
+        /// <summary>At once: a draw that waits in this frame shows nothing until <see cref="Write"/> is executed.</summary>
         public void TurnOff()
         {
             IsPrepared = false;
-            if (!isWritten)
+            if (!isWritten || !IsSubmitted)
                 return;
             isWritten = false;
             upload[0] = default;

@@ -144,6 +144,10 @@ namespace Rill.Tests
         public IEnumerator A_tilted_near_plane_before_all_that_is_seen_changes_nothing([Values] bool perspective, [Values] bool refracts)
         {
             LookAcross(scene.Camera);
+            // In the water: how much of that is before it is a matter of its depth.
+            Transform post = scene.NewPrimitive(PrimitiveType.Cube, scene.Keep(new Material(Shader.Find("Rill/Solid")))).transform;
+            post.position = new Vector3(0f, -0.2f, -0.25f);
+            post.localScale = new Vector3(0.4f, 0.8f, 0.1f);
             scene.Surface.Refraction = refracts;
             scene.Camera.orthographic = !perspective;
             scene.Camera.fieldOfView = 25f;
@@ -156,7 +160,9 @@ namespace Rill.Tests
                 yield return Frames(2);
                 float[] differences = scene.Pixels().Select((pixel, i) => math.cmax(math.abs(pixel.xyz - straight[i].xyz))).ToArray();
                 TestContext.Out.WriteLine($"{differences.Max():0.0000} at most, {differences.Count(one => one > 0.004f)} pixels");
-                Assert.That(differences.Count(one => one > 0.004f), Is.LessThanOrEqualTo(Size * Size / 500), $"{tilt}");
+                // Where the bent ray only just passes the post, rounding decides.
+                Assert.That(differences.Count(one => one > 0.004f), Is.LessThanOrEqualTo(refracts ? Size * Size / 100 : 0), $"{tilt}");
+                Assert.That(differences.Max(), Is.LessThan(0.05f), $"{tilt}");
             }
             Assert.That(straight.Count(pixel => pixel.y < 0.5f), Is.GreaterThan(Size * Size / 4), "water");
         }
