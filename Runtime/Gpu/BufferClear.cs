@@ -37,12 +37,17 @@ namespace Rill
 
         /// <summary>Records the clearing of a buffer with elements of 4, 16 or 24 bytes.</summary>
         /// <exception cref="ArgumentException">The elements are of another size.</exception>
-        public void Record(CommandBuffer cmd, GraphicsBuffer buffer)
+        public void Record(CommandBuffer cmd, GraphicsBuffer buffer) => Record(cmd, buffer, buffer.count);
+
+        /// <summary>The same of its first elements.</summary>
+        /// <param name="count">At least 1.</param>
+        /// <exception cref="ArgumentException">The elements are of another size.</exception>
+        public void Record(CommandBuffer cmd, GraphicsBuffer buffer, int count)
         {
             int kernel = KernelFor(buffer.stride, out int property);
-            cmd.SetComputeIntParam(shader, Ids.Count, buffer.count);
+            cmd.SetComputeIntParam(shader, Ids.Count, count);
             cmd.SetComputeBufferParam(shader, kernel, property, buffer);
-            ThreadGroups.Dispatch(cmd, shader, kernel, ((long)buffer.count + Group - 1) / Group);
+            ThreadGroups.Dispatch(cmd, shader, kernel, ((long)count + Group - 1) / Group);
         }
 
         /// <summary>Adds the kernel that clears elements of a size to those of a stage.</summary>

@@ -191,7 +191,15 @@ namespace Rill
             shaders.Follow(Stage);
         }
 
-        void LateUpdate() => DrawFrame();
+        void LateUpdate()
+        {
+            if (!ReferenceEquals(shaderMaterial, null))
+                ReleaseUnused();
+            DrawFrame();
+        }
+
+        /// <summary>Once a frame, whether the fluid runs or not: gives back what has not been needed lately.</summary>
+        private protected virtual void ReleaseUnused() { }
 
         /// <summary>Draws this frame if the simulation is running. Allocates no managed memory.</summary>
         internal void DrawFrame()

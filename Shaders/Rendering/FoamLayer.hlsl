@@ -17,7 +17,10 @@ struct FoamLayer
 
 FoamLayer FoamLayerAt(float2 picture, uint eye, SamplerState linearClamp)
 {
-    float4 foam = _SurfaceFoam.SampleLevel(linearClamp, float3(picture * 0.5 + 0.5, eye), 0);
+    uint width, height, slices;
+    _SurfaceFoam.GetDimensions(width, height, slices);
+    float2 texels = clamp(TexelsAt(picture, _FoamSize, _FoamWindow), 0.5, max(_FoamWindow.zw - 0.5, 0.5));
+    float4 foam = _SurfaceFoam.SampleLevel(linearClamp, float3(texels / float2(width, height), eye), 0);
     FoamLayer layer;
     layer.front = 1.0 - exp(-foam.x);
     layer.z = foam.y / max(foam.x, 1e-6);

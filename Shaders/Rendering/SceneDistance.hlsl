@@ -7,8 +7,6 @@
 #include "SurfaceView.hlsl"
 #include "SceneDepth.hlsl"
 
-float4 _ThicknessSize;          // width and height of the target, texels, and one over them
-
 static const uint kSamples = 4;      // along x and y
 
 struct SceneVaryings
@@ -20,8 +18,9 @@ struct SceneVaryings
 SceneVaryings SceneVertex(uint vertex : SV_VertexID)
 {
     SceneVaryings result;
-    result.picture = float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
-    result.clip = SurfacePosition(result.picture, 0.5);
+    float2 at = float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
+    result.picture = ((at * 0.5 + 0.5) * _ThicknessWindow.zw + _ThicknessWindow.xy) * _ThicknessSize.zw * 2.0 - 1.0;
+    result.clip = ViewportPosition(at, 0.5);
     return result;
 }
 

@@ -66,7 +66,7 @@ struct SurfacePoint
 
 SurfacePoint PointOn(float2 picture)
 {
-    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
+    int2 texel = SurfaceTexel(picture);
     float depth = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));
     if (depth == 0.0)
         discard;
@@ -151,10 +151,8 @@ Medium MediumAt(float2 picture)
     m.absorption = _Absorption.rgb;
     m.color = _Scattering.rgb;
     m.scattering = _Scattering.w;
-    uint width, height, slices;
-    _SurfaceThickness.GetDimensions(width, height, slices);
-    float2 size = float2(width, height);
-    float4 thickness = max(LoadBilinear(_SurfaceThickness, (picture * 0.5 + 0.5) * size, 0.0, size - 1.0, eyeIndex), 0.0);
+    float2 texels = TexelsAt(picture, _ThicknessSize, _ThicknessWindow);
+    float4 thickness = max(LoadBilinear(_SurfaceThickness, texels, 0.0, _ThicknessWindow.zw - 1.0, eyeIndex), 0.0);
     m.thickness = _HasPhases > 0.5 ? dot(thickness, 1.0) : thickness.x;
     if (_HasPhases > 0.5 && m.thickness > 1e-6)
     {
@@ -205,7 +203,7 @@ float Highlight(float3 normal, float3 toEye, float3 toLight, float roughness)
 #ifdef RILL_FOAM
 bool IsWater(float2 picture)
 {
-    return _SurfaceDepth.Load(int4(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0), eyeIndex, 0)) > 0.0;
+    return _SurfaceDepth.Load(int4(SurfaceTexel(picture), eyeIndex, 0)) > 0.0;
 }
 
 // What flies where there is no water behind it.

@@ -38,7 +38,7 @@ float3 ChordAt(int2 texel, float surface)
     static const int2 kNeighbors[4] = { int2(1, 0), int2(-1, 0), int2(0, 1), int2(0, -1) };
     for (uint i = 0; i < 4; i++)
     {
-        float4 neighbor = _SurfaceChords.Load(int4(clamp(texel + kNeighbors[i], 0, int2(_SurfaceSize.xy) - 1), eyeIndex, 0));
+        float4 neighbor = _SurfaceChords.Load(int4(clamp(texel + kNeighbors[i], 0, int2(_SurfaceWindow.zw) - 1), eyeIndex, 0));
         if (neighbor.w > chord.w)
             chord = neighbor;
     }
@@ -48,7 +48,7 @@ float3 ChordAt(int2 texel, float surface)
 // Where the water is; its motion in xy. Discards where there is none.
 float4 MotionAt(float2 picture, out float3 world)
 {
-    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
+    int2 texel = SurfaceTexel(picture);
     float surface = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));
     if (surface == 0.0)
         discard;

@@ -88,14 +88,32 @@ float FlipDepth(float depth)
 #endif
 }
 
-// What SV_Position takes for a point of the picture at a depth of the surface's textures, in a render texture.
-float4 SurfacePosition(float2 picture, float depth)
+// A point of the picture in texels of textures that hold a window of it.
+float2 TexelsAt(float2 picture, float4 size, float4 window)
+{
+    return (picture * 0.5 + 0.5) * size.xy - window.xy;
+}
+
+// The texel of the surface's textures in which a point of the picture lies; the nearest of the window beyond it.
+int2 SurfaceTexel(float2 picture)
+{
+    return int2(clamp(TexelsAt(picture, _SurfaceSize, _SurfaceWindow), 0.0, _SurfaceWindow.zw - 1.0));
+}
+
+// What SV_Position takes for a place in the viewport, -1 to 1 with y up, at a depth of the surface's textures, in a render texture.
+float4 ViewportPosition(float2 at, float depth)
 {
 #if RILL_OPENGL
-    return float4(picture, 1.0 - 2.0 * depth, 1.0);
+    return float4(at, 1.0 - 2.0 * depth, 1.0);
 #else
-    return float4(picture.x, -picture.y, depth, 1.0);
+    return float4(at.x, -at.y, depth, 1.0);
 #endif
+}
+
+// The same for a point of the picture, where the viewport is the window.
+float4 SurfacePosition(float2 picture, float depth)
+{
+    return ViewportPosition(TexelsAt(picture, _SurfaceSize, _SurfaceWindow) / max(_SurfaceWindow.zw, 1.0) * 2.0 - 1.0, depth);
 }
 
 // Of a rectangle as two triangles, on the picture.
@@ -105,10 +123,10 @@ float2 RectangleCorner(uint vertex, float2 low, float2 high)
     return lerp(low, high, kCorners[vertex % 6]);
 }
 
-// The middle of a texel on the picture.
-float2 TexelPicture(uint2 texel)
+// The middle of a texel of the surface's textures on the picture.
+float2 TexelPicture(int2 texel)
 {
-    return (texel + 0.5) * _SurfaceSize.zw * 2.0 - 1.0;
+    return (texel + _SurfaceWindow.xy + 0.5) * _SurfaceSize.zw * 2.0 - 1.0;
 }
 
 #endif

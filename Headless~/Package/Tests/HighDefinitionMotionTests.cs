@@ -15,7 +15,12 @@ namespace Host.Tests
 
         private protected override string MotionTexture => "_CameraMotionVectorsTexture";
 
-        private protected override float[] Depth(int eye) => Floats(((FluidSurfaceRecorder)Get(Surface, "recorder")).ViewOf(camera).Smoothed, eye);
+        private protected override float[] Depth(int eye)
+        {
+            SurfaceView view = ((FluidSurfaceRecorder)Get(Surface, "recorder")).ViewOf(camera);
+            RenderTexture depth = view.Smoothed;
+            return view.Window.Whole(Floats(depth, eye, depth.width, depth.height), depth.width);
+        }
 
         FluidSurface Surface => simulation.GetComponent<FluidSurface>();
 

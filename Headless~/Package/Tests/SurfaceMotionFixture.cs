@@ -60,9 +60,9 @@ namespace Host.Tests
                 .Select(i => new Vector2(Mathf.HalfToFloat(halves[2 * i]) * Wide, Mathf.HalfToFloat(halves[2 * i + 1]) * High)).ToArray();
         }
 
-        private protected static float[] Floats(Texture texture, int eye)
+        private protected static float[] Floats(Texture texture, int eye, int width = Wide, int height = High)
         {
-            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture, 0, 0, Wide, 0, High, eye, 1);
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture, 0, 0, width, 0, height, eye, 1);
             request.WaitForCompletion();
             return request.GetData<float>().ToArray();
         }

@@ -133,8 +133,8 @@ namespace Host.Tests
             Play(2);
             Vector4[] drawn = Pixels();
             Assert.That(Errors, Is.Empty);
-            int[] widths = Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name == "Rill.Surface.Depth"
-                && texture.IsCreated()).Select(texture => texture.width).ToArray();
+            FluidSurface surface = simulation.GetComponent<FluidSurface>();
+            int[] widths = { (int)((FluidSurfaceRecorder)Get(surface, "recorder")).ViewOf(camera).Window.Grid.x };
             Assert.That(Covered(whole), Is.GreaterThan(Width * Height / 20));
             var sums = new Vector4[Width / 4 * (Height / 4)];
             for (int i = 0; i < drawn.Length; i++)

@@ -24,10 +24,10 @@ namespace Rill
         /// <summary>Fills <see cref="SurfaceView.Foam"/> of each eye, after the surface's depth and the distance of the scene.</summary>
         public void Record(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
         {
+            SurfaceScratch scratch = SurfaceScratch.Shared;
             cmd.BeginSample(Marker);
-            clear.Record(cmd, view.FoamAmounts);
+            clear.Record(cmd, scratch.FoamAmounts, view.FoamWindow.Texels * camera.eyes);
             view.SetConstants(cmd, shader);
-            cmd.SetComputeVectorParam(shader, Ids.FoamSize, SurfaceIds.SizeOf(view.Foam));
             fluid.SetOn(cmd, shader);
             cmd.SetComputeVectorParam(shader, Ids.FoamLook, fluid.foam.look);
             for (int eye = 0; eye < camera.eyes; eye++)
@@ -35,22 +35,22 @@ namespace Rill
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
                 cmd.SetComputeVectorParam(shader, Ids.FoamRange,
                     new Vector4(FarthestDepth(camera.ViewOf(eye), fluid), UnderWater * fluid.spacing, 0f, 0f));
-                cmd.SetComputeTextureParam(shader, addFoam, Ids.SceneDistance, view.SceneDistance);
+                cmd.SetComputeTextureParam(shader, addFoam, Ids.SceneDistance, scratch.SceneDistance);
                 cmd.SetComputeTextureParam(shader, addFoam, SurfaceIds.Depth, view.Smoothed);
                 cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamParticles, fluid.foam.particles);
                 cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamCounters, fluid.foam.counters);
-                cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamAmounts, view.FoamAmounts);
+                cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamAmounts, scratch.FoamAmounts);
                 cmd.DispatchCompute(shader, addFoam, fluid.foam.arguments, GpuBuffer.DispatchArgumentsAt);
-                cmd.SetComputeBufferParam(shader, resolveFoam, Ids.FoamAmounts, view.FoamAmounts);
+                cmd.SetComputeBufferParam(shader, resolveFoam, Ids.FoamAmounts, scratch.FoamAmounts);
                 cmd.SetComputeTextureParam(shader, resolveFoam, Ids.Foam, view.Foam);
-                SurfaceIds.Dispatch(cmd, shader, resolveFoam, view.Foam.width, view.Foam.height);
+                SurfaceIds.Dispatch(cmd, shader, resolveFoam, view.FoamWindow.Width, view.FoamWindow.Height);
             }
             cmd.EndSample(Marker);
         }
 
-        public void Describe(StageDescription stage, int eyes, SurfaceView view)
+        public void Describe(StageDescription stage, int eyes)
         {
-            clear.Describe(stage, view.FoamAmounts.stride, 1);
+            clear.Describe(stage, SurfaceScratch.Shared.FoamAmounts.stride, 1);
             stage.Kernel(addFoam, eyes);
             stage.Kernel(resolveFoam, eyes);
         }
@@ -64,7 +64,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int FoamSize = Shader.PropertyToID("_FoamSize");
             public static readonly int FoamRange = Shader.PropertyToID("_FoamRange");
             public static readonly int FoamLook = Shader.PropertyToID("_FoamLook");
             public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");

@@ -12,6 +12,9 @@ namespace Rill
     {
         const CameraEvent Event = CameraEvent.BeforeForwardAlpha;
 
+        const int FramesKept = 3;       // for which a camera may see no surface
+        const int Patience = 60;        // frames until a copy of another size than the picture's is made again
+
         static CameraParts<CameraBuffer> buffers = new CameraParts<CameraBuffer>();
         static ShadowCopy shadow;
         static bool hasSaidWhy;     // there is none
@@ -44,6 +47,14 @@ namespace Rill
             hasSaidWhy = false;
         }
 
+        /// <summary>Once a frame: gives back the copies of cameras that have not seen a surface lately.</summary>
+        public static void ReleaseUnused()
+        {
+            buffers.RemoveGone();
+            for (int i = 0; i < buffers.Count; i++)
+                buffers[i].ReleaseUnused();
+        }
+
         public static void Describe(StageDescription stage) => shadow?.Describe(stage);
 
         static void Cull(Camera camera)
@@ -64,7 +75,7 @@ namespace Rill
                 if (surface.Refraction)
                 {
                     buffer.AskForOwnTarget();
-                    Prepare(ref buffer.sceneColor, views);
+                    buffer.PrepareSceneColor(views);
                 }
                 surface.Submit(views, buffer.sceneColor, shadow);
             }
@@ -145,19 +156,6 @@ namespace Rill
                     buffer.commands.Blit(BuiltinRenderTextureType.CameraTarget, buffer.sceneColor, eye, eye);
         }
 
-        static void Prepare(ref RenderTexture texture, in FluidViews views)
-        {
-            GraphicsFormat format = SystemInfo.GetGraphicsFormat(views.camera.allowHDR ? DefaultFormat.HDR : DefaultFormat.LDR);
-            if (texture != null && texture.width == views.width && texture.height == views.height && texture.volumeDepth == views.eyes
-                && texture.graphicsFormat == format)
-                return;
-            EngineObject.Release(ref texture);
-            texture = GpuTexture.Create("Rill.Surface.SceneColor", new RenderTextureDescriptor(views.width, views.height, format, GraphicsFormat.None)
-            {
-                dimension = views.eyes > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = views.eyes,
-            }, FilterMode.Bilinear);
-        }
-
         sealed class CameraBuffer : ICameraPart
         {
             public readonly CommandBuffer commands = new CommandBuffer { name = "Rill.Surface" },
@@ -165,6 +163,7 @@ namespace Rill
             public RenderTexture sceneColor;
             public bool isMultiPass;
             bool hasOurDepth, hasOurTarget;     // that nothing else asked for before
+            int width, height, steadySince, lastFrame;
 
             public CameraBuffer(Camera camera)
             {
@@ -176,6 +175,39 @@ namespace Rill
 
             public Camera Camera { get; }
             public bool IsGone => Camera == null;
+
+            /// <summary>For this frame. While the picture's size changes from frame to frame it is the largest, into which the picture is
+            /// stretched; of the picture's own size once that has stayed for a while.</summary>
+            public void PrepareSceneColor(in FluidViews views)
+            {
+                bool isFirst = lastFrame != Time.frameCount;
+                lastFrame = Time.frameCount;
+                if (views.width != width || views.height != height)
+                    steadySince = Time.frameCount;
+                (width, height) = (views.width, views.height);
+                GraphicsFormat format = SystemInfo.GetGraphicsFormat(views.camera.allowHDR ? DefaultFormat.HDR : DefaultFormat.LDR);
+                int madeWidth = width, madeHeight = height;
+                if (sceneColor != null && sceneColor.volumeDepth == views.eyes && sceneColor.graphicsFormat == format)
+                {
+                    bool isLarge = sceneColor.width >= width && sceneColor.height >= height;
+                    bool isExact = sceneColor.width == width && sceneColor.height == height;
+                    if (isLarge && (isExact || !isFirst || Time.frameCount - steadySince < Patience))
+                        return;
+                    if (!isLarge)
+                        (madeWidth, madeHeight) = (Mathf.Max(width, sceneColor.width), Mathf.Max(height, sceneColor.height));
+                }
+                EngineObject.Release(ref sceneColor);
+                sceneColor = GpuTexture.Create("Rill.Surface.SceneColor", new RenderTextureDescriptor(madeWidth, madeHeight, format, GraphicsFormat.None)
+                {
+                    dimension = views.eyes > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = views.eyes,
+                }, FilterMode.Bilinear);
+            }
+
+            public void ReleaseUnused()
+            {
+                if (Time.frameCount - lastFrame > FramesKept)
+                    EngineObject.Release(ref sceneColor);
+            }
 
             public void AskForDepth()
             {

@@ -30,18 +30,23 @@ namespace Rill
         /// <returns>The camera's part; null where it has none.</returns>
         public T Find(Camera camera)
         {
-            T found = null;
-            for (int i = parts.Count - 1; i >= 0; i--)
-            {
+            RemoveGone(camera);
+            for (int i = 0; i < parts.Count; i++)
                 if (ReferenceEquals(parts[i].Camera, camera))
-                    found = parts[i];
-                else if (parts[i].IsGone)
+                    return parts[i];
+            return null;
+        }
+
+        /// <summary>Disposes those that are gone.</summary>
+        /// <param name="kept">A camera whose part stays; null for none.</param>
+        public void RemoveGone(Camera kept = null)
+        {
+            for (int i = parts.Count - 1; i >= 0; i--)
+                if (!ReferenceEquals(parts[i].Camera, kept) && parts[i].IsGone)
                 {
                     parts[i].Dispose();
                     parts.RemoveAt(i);
                 }
-            }
-            return found;
         }
 
         /// <summary>Disposes all.</summary>

@@ -241,6 +241,15 @@ namespace Rill
             shadow = null;
             recorder?.Dispose();
             recorder = null;
+            if (active.Count == 0)
+                SurfaceScratch.Shared.Release();
+        }
+
+        private protected override void ReleaseUnused()
+        {
+            recorder.ReleaseUnused();
+            SurfaceScratch.Shared.ReleaseUnused();
+            BuiltInSurfaces.ReleaseUnused();
         }
 
         // The surface is found where a camera can see it or its shadow.

@@ -17,6 +17,7 @@ namespace Rill
         static readonly ProfilerMarker FilterMarker = GpuMarker.Create("Rill.Surface.Filter");
         static readonly ProfilerMarker NormalsMarker = GpuMarker.Create("Rill.Surface.Normals");
 
+        const float ScaleHysteresis = 1.25f;
         const int DepthPass = 0, ChordPass = 2; // of SurfaceRaster.shader
 
         /// <summary>texels</summary>
@@ -78,15 +79,19 @@ namespace Rill
             if (!box.IsSeen)
                 return false;
             SurfaceView view = ViewOf(camera.camera);
-            if (view.IsSubmitted && !view.IsSubmittedFor(camera.width, camera.height))
-                view = Replace(view);
-            view.IsPrepared = true;
             float pixels = SurfaceConstants.PixelsPerMeter(camera.projection, camera.height);
-            float scale = ScaleOf(fluid, pixels / box.NearestDepth);
-            int divisor = SurfaceThickness.DivisorFor(scale * fluid.spacing * pixels / box.MiddleDepth);
-            view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor, fluid.phases);
-            view.PrepareFoam(fluid.foam.particles != null);
-            view.PrepareMotion(camera.needsMotion);
+            view.Scale = ScaleOf(fluid, pixels / box.NearestDepth, view.Scale);
+            view.ThicknessDivisor = SurfaceThickness.DivisorFor(view.Scale * fluid.spacing * pixels / box.MiddleDepth, view.ThicknessDivisor);
+            if (view.IsSubmitted && !(view.IsSubmittedFor(camera.width, camera.height) && view.Holds(camera, box.Bounds, fluid)))
+            {
+                SurfaceView next = Replace(view);
+                (next.Scale, next.ThicknessDivisor) = (view.Scale, view.ThicknessDivisor);
+                view = next;
+            }
+            view.IsPrepared = true;
+            if (!view.IsSubmitted)
+                view.Prepare(camera, box.Bounds, fluid);
+            SurfaceScratch.Shared.Prepare(view);
             SetShading(view);
             if (camera.needsMotion)
                 (motion ??= new SurfaceMotion()).Set(view, fluid);
@@ -125,17 +130,21 @@ namespace Rill
             Vector4 bounds = BoxOnPicture.Of(camera, fluid).Bounds;
             constants.Set(camera);
             constants.pictureBounds = bounds;
-            constants.surfaceSize = SurfaceIds.SizeOf(view.Smoothed);
+            view.Place(camera, bounds);
+            (constants.surfaceSize, constants.surfaceWindow) = (view.Window.Grid, view.Window.Rect);
+            (constants.thicknessSize, constants.thicknessWindow) = (view.ThicknessWindow.Grid, view.ThicknessWindow.Rect);
+            (constants.foamSize, constants.foamWindow) = (view.FoamWindow.Grid, view.FoamWindow.Rect);
             constants.foamColor = fluid.foam.color;
             view.Write(cmd, constants);
-            var state = new SurfaceState(fluid.version, fluid.lag.x, fluid.filterRadius, fluid.domainToWorld, camera);
+            int passes = camera.IsProbe ? 1 : fluid.filterPasses;
+            var state = new SurfaceState(fluid, passes, camera, view.Window);
             bool isShown = view.Shown.HasValue && view.Shown.Value.Equals(state);
             view.SetConstants(properties);
             fluid.SetOn(properties);
             if (!isShown)
             {
                 RecordDepth(cmd, camera, fluid, view);
-                RecordFilter(cmd, camera, fluid, view, bounds);
+                RecordFilter(cmd, camera, fluid, view, passes);
                 view.Shown = state;
             }
             view.HasMotion = view.Chords != null;
@@ -187,15 +196,25 @@ namespace Rill
                     stage.Draw("SurfaceMotion", 1);
                 thickness.Describe(stage, eyes, view);
                 if (view.Foam != null)
-                    (foam ??= new SurfaceFoam()).Describe(stage, eyes, view);
+                    (foam ??= new SurfaceFoam()).Describe(stage, eyes);
                 view.Describe(stage);
             }
+            if (views.Count > 0)
+                SurfaceScratch.Shared.Describe(stage);
+        }
+
+        /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
+        public void ReleaseUnused()
+        {
+            views.RemoveGone();
+            DisposeReplaced();
         }
 
         void RecordDepth(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
         {
             cmd.BeginSample(DepthMarker);
             bool hasChords = view.Chords != null;
+            var window = new Rect(0f, 0f, view.Window.Width, view.Window.Height);
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 properties.SetInt(SurfaceIds.SurfaceEye, eye);
@@ -203,6 +222,7 @@ namespace Rill
                     cmd.SetRenderTarget(view.Chords, view.Drawn, 0, CubemapFace.Unknown, eye);
                 else
                     cmd.SetRenderTarget(view.Drawn, 0, CubemapFace.Unknown, eye);
+                cmd.SetViewport(window);
                 cmd.ClearRenderTarget(true, hasChords, Color.clear);
                 cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, hasChords ? ChordPass : DepthPass, MeshTopology.Triangles,
                     fluid.surfaceArguments, 0, properties);
@@ -210,17 +230,11 @@ namespace Rill
             cmd.EndSample(DepthMarker);
         }
 
-        // bounds: what the fluid's box covers of the picture; the rest was drawn empty.
-        void RecordFilter(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, Vector4 bounds)
+        void RecordFilter(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, int passes)
         {
-            int width = view.Width, height = view.Height;
-            int left = Mathf.Clamp((int)((bounds.x * 0.5f + 0.5f) * width), 0, width - 1),
-                right = Mathf.Clamp((int)((bounds.z * 0.5f + 0.5f) * width) + 1, left + 1, width);
-            int bottom = Mathf.Clamp((int)((bounds.y * 0.5f + 0.5f) * height), 0, height - 1),
-                top = Mathf.Clamp((int)((bounds.w * 0.5f + 0.5f) * height) + 1, bottom + 1, height);
+            int width = view.Window.Width, height = view.Window.Height;
+            RenderTexture filtered = SurfaceScratch.Shared.Rows;
             view.SetConstants(cmd, filter);
-            cmd.SetComputeVectorParam(filter, Ids.FilterBounds, new Vector4(left, bottom, right, top));
-            int passes = camera.IsProbe ? 1 : fluid.filterPasses;
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 SetFilterEye(cmd, camera, fluid, view, eye);
@@ -232,18 +246,18 @@ namespace Rill
                         cmd.SetComputeTextureParam(filter, rows, SurfaceIds.Depth, view.Drawn, 0, RenderTextureSubElement.Depth);
                     else
                         cmd.SetComputeTextureParam(filter, rows, SurfaceIds.Depth, view.Smoothed);
-                    cmd.SetComputeTextureParam(filter, rows, Ids.Filtered, view.Rows);
-                    SurfaceIds.Dispatch(cmd, filter, rows, right - left, top - bottom);
-                    cmd.SetComputeTextureParam(filter, filterColumns, SurfaceIds.Depth, view.Rows);
+                    cmd.SetComputeTextureParam(filter, rows, Ids.Filtered, filtered);
+                    SurfaceIds.Dispatch(cmd, filter, rows, width, height);
+                    cmd.SetComputeTextureParam(filter, filterColumns, SurfaceIds.Depth, filtered);
                     cmd.SetComputeTextureParam(filter, filterColumns, Ids.Filtered, view.Smoothed);
-                    SurfaceIds.Dispatch(cmd, filter, filterColumns, right - left, top - bottom);
+                    SurfaceIds.Dispatch(cmd, filter, filterColumns, width, height);
                 }
                 cmd.EndSample(FilterMarker);
 
                 cmd.BeginSample(NormalsMarker);
                 cmd.SetComputeTextureParam(filter, findNormals, SurfaceIds.Depth, view.Smoothed);
                 cmd.SetComputeTextureParam(filter, findNormals, Ids.Normals, view.Normals);
-                SurfaceIds.Dispatch(cmd, filter, findNormals, right - left, top - bottom);
+                SurfaceIds.Dispatch(cmd, filter, findNormals, width, height);
                 cmd.EndSample(NormalsMarker);
             }
         }
@@ -251,7 +265,7 @@ namespace Rill
         void SetFilterEye(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, int eye)
         {
             cmd.SetComputeIntParam(filter, SurfaceIds.SurfaceEye, eye);
-            float texels = camera.IsProbe ? 0f : SurfaceConstants.PixelsPerMeter(camera.ProjectionOf(eye), view.Height);
+            float texels = camera.IsProbe ? 0f : SurfaceConstants.PixelsPerMeter(camera.ProjectionOf(eye), view.Window.Grid.y);
             cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(fluid.filterRadius * texels, fluid.filterRange, 0f, 0f));
         }
 
@@ -267,7 +281,14 @@ namespace Rill
                 block.SetTexture(Ids.SurfaceFoam, view.Foam);
         }
 
-        // Where the filter would be wider than its kernel holds, the textures get smaller: a close-up costs no more than a wide view.
+        // Where the filter would be wider than its kernel holds, the textures get smaller: a close-up costs no more than a wide view. The last
+        // scale stays while it is near to what fits.
+        static float ScaleOf(in SurfaceFrame fluid, float pixelsPerMeter, float last)
+        {
+            float scale = ScaleOf(fluid, pixelsPerMeter);
+            return last == 0f ? scale : Mathf.Clamp(last, ScaleOf(fluid, pixelsPerMeter * ScaleHysteresis), scale);
+        }
+
         static float ScaleOf(in SurfaceFrame fluid, float pixelsPerMeter)
         {
             float scale = fluid.scale;
@@ -276,11 +297,8 @@ namespace Rill
             return scale;
         }
 
-        static int Scaled(int pixels, float scale) => Math.Max((int)(pixels * scale), 1);
-
         static class Ids
         {
-            public static readonly int FilterBounds = Shader.PropertyToID("_FilterBounds");
             public static readonly int FilterRadius = Shader.PropertyToID("_FilterRadius");
             public static readonly int Filtered = Shader.PropertyToID("_Filtered");
             public static readonly int Normals = Shader.PropertyToID("_Normals");

@@ -22,8 +22,14 @@ namespace Rill
         /// <summary>of each eye: a point of the world is in front of it where the product with (point, 1) is above 0; (0, 0, 0, 1) where it is
         /// straight</summary>
         public EyeVectors nearPlanes;
-        /// <summary>width and height of the surface's textures, texels, and one over them</summary>
+        /// <summary>width and height of the picture in texels of the surface's textures, and one over them</summary>
         public Vector4 surfaceSize;
+        /// <summary>what those textures hold of it, from their first texel on: its first texel, its width and height</summary>
+        public Vector4 surfaceWindow;
+        /// <summary>the same of the textures of thickness and of the scene's distance</summary>
+        public Vector4 thicknessSize, thicknessWindow;
+        /// <summary>the same of the texture of foam</summary>
+        public Vector4 foamSize, foamWindow;
         /// <summary>lowest x, y and highest x, y of the fluid's box on the picture, of both eyes; all 0: nothing is drawn</summary>
         public Vector4 pictureBounds;
         /// <summary>xy: width and height of what is in use of the scene's depth, texels; 0: all</summary>
@@ -151,6 +157,6 @@ namespace Rill
         }
 
         /// <summary>Pixels of a picture of that height that 1 m takes up at a depth of 1 m with perspective, at any without.</summary>
-        public static float PixelsPerMeter(Matrix4x4 projection, int height) => 0.5f * height * Mathf.Abs(projection.m11);
+        public static float PixelsPerMeter(Matrix4x4 projection, float height) => 0.5f * height * Mathf.Abs(projection.m11);
     }
 }

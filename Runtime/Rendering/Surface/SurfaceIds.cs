@@ -11,10 +11,6 @@ namespace Rill
         public static readonly int SurfaceEye = Shader.PropertyToID("_SurfaceEye");
         public static readonly int SurfaceDepth = Shader.PropertyToID("_SurfaceDepth");
         public static readonly int Depth = Shader.PropertyToID("_Depth");
-        public static readonly int ThicknessSize = Shader.PropertyToID("_ThicknessSize");
-
-        /// <summary>Width and height, texels, and one over them.</summary>
-        public static Vector4 SizeOf(RenderTexture texture) => new Vector4(texture.width, texture.height, 1f / texture.width, 1f / texture.height);
 
         /// <summary>A thread for each texel.</summary>
         public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int width, int height)

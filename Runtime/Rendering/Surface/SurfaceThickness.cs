@@ -15,6 +15,7 @@ namespace Rill
         const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
         const int ScenePass = 1;                            // of SurfaceRaster.shader
         const int MinDivisor = 2, MaxDivisor = 8;
+        const float Hysteresis = 1.25f;
         const float BlurRadius = 2f;                        // two standard deviations, d
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceThickness");
@@ -36,7 +37,11 @@ namespace Rill
         /// <summary>How many times smaller the textures of thickness are: their texels are about as wide as a particle, since the sums are
         /// blurred over two.</summary>
         /// <param name="pixelsPerSpacing">Of a particle in the middle of the fluid, pixels.</param>
-        public static int DivisorFor(float pixelsPerSpacing)
+        /// <param name="last">Of the frame before, which it keeps to while it is near to what fits; 0 for none.</param>
+        public static int DivisorFor(float pixelsPerSpacing, int last) =>
+            last == 0 ? DivisorFor(pixelsPerSpacing) : Mathf.Clamp(last, DivisorFor(pixelsPerSpacing / Hysteresis), DivisorFor(pixelsPerSpacing * Hysteresis));
+
+        static int DivisorFor(float pixelsPerSpacing)
         {
             int divisor = MinDivisor;
             while (divisor < MaxDivisor && 2 * divisor <= pixelsPerSpacing)
@@ -48,20 +53,20 @@ namespace Rill
         /// <param name="raster">Of SurfaceRaster.shader.</param>
         public void Record(CommandBuffer cmd, Material raster, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
         {
+            SurfaceScratch scratch = SurfaceScratch.Shared;
             RecordScene(cmd, raster, camera, view);
             int add = fluid.phases.AreShown ? addPhases : addParticles, blur = fluid.phases.AreShown ? blurPhases : blurThickness;
 
             cmd.BeginSample(ThicknessMarker);
-            clear.Record(cmd, view.Amounts);
-            cmd.SetComputeVectorParam(shader, SurfaceIds.ThicknessSize, SurfaceIds.SizeOf(view.Thickness));
+            clear.Record(cmd, scratch.Amounts, view.ThicknessWindow.Texels * camera.eyes * view.Phases);
             cmd.SetComputeFloatParam(shader, Ids.ParticleSpacing, fluid.spacing);
             fluid.SetOn(cmd, shader);
             view.SetConstants(cmd, shader);
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
-                cmd.SetComputeTextureParam(shader, add, Ids.SceneDistance, view.SceneDistance);
-                cmd.SetComputeBufferParam(shader, add, Ids.Amounts, view.Amounts);
+                cmd.SetComputeTextureParam(shader, add, Ids.SceneDistance, scratch.SceneDistance);
+                cmd.SetComputeBufferParam(shader, add, Ids.Amounts, scratch.Amounts);
                 cmd.SetComputeBufferParam(shader, add, Ids.Positions, fluid.positions);
                 cmd.SetComputeBufferParam(shader, add, Ids.StartPositions, fluid.startPositions);
                 cmd.SetComputeBufferParam(shader, add, Ids.Velocities, fluid.velocities);
@@ -77,20 +82,20 @@ namespace Rill
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
                 cmd.SetComputeFloatParam(shader, Ids.BlurRadius,
-                    BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMeter(camera.ProjectionOf(eye), view.Thickness.height));
-                cmd.SetComputeBufferParam(shader, blur, Ids.Amounts, view.Amounts);
+                    BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMeter(camera.ProjectionOf(eye), view.ThicknessWindow.Grid.y));
+                cmd.SetComputeBufferParam(shader, blur, Ids.Amounts, scratch.Amounts);
                 cmd.SetComputeTextureParam(shader, blur, SurfaceIds.Depth, view.Smoothed);
                 cmd.SetComputeTextureParam(shader, blur, Ids.Thickness, view.Thickness);
-                SurfaceIds.Dispatch(cmd, shader, blur, view.Thickness.width, view.Thickness.height);
+                SurfaceIds.Dispatch(cmd, shader, blur, view.ThicknessWindow.Width, view.ThicknessWindow.Height);
             }
             cmd.EndSample(BlurMarker);
         }
 
         public void Describe(StageDescription stage, int eyes, SurfaceView view)
         {
-            bool hasPhases = view.Thickness.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat;
+            bool hasPhases = view.Phases > 1;
             stage.Draw("SurfaceRaster", eyes);
-            clear.Describe(stage, view.Amounts.stride, 1);
+            clear.Describe(stage, SurfaceScratch.Shared.Amounts.stride, 1);
             stage.Kernel(hasPhases ? addPhases : addParticles, eyes);
             stage.Kernel(hasPhases ? blurPhases : blurThickness, eyes);
         }
@@ -100,11 +105,11 @@ namespace Rill
             cmd.BeginSample(SceneMarker);
             cmd.SetKeyword(raster, sceneArray, camera.sceneIsArray);
             view.SetConstants(properties);
-            properties.SetVector(SurfaceIds.ThicknessSize, SurfaceIds.SizeOf(view.Thickness));
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 properties.SetInt(SurfaceIds.SurfaceEye, eye);
-                cmd.SetRenderTarget(view.SceneDistance, 0, CubemapFace.Unknown, eye);
+                cmd.SetRenderTarget(SurfaceScratch.Shared.SceneDistance, 0, CubemapFace.Unknown, eye);
+                cmd.SetViewport(new Rect(0f, 0f, view.ThicknessWindow.Width, view.ThicknessWindow.Height));
                 cmd.DrawProcedural(Matrix4x4.identity, raster, ScenePass, MeshTopology.Triangles, 3, 1, properties);
             }
             cmd.EndSample(SceneMarker);

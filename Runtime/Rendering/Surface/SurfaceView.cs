@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
@@ -8,6 +9,7 @@ namespace Rill
     sealed class SurfaceView : ICameraPart
     {
         const int FramesKept = 3;       // for which a camera may stay away
+        const int FoamDivisor = 2;
 
         readonly SurfaceConstants[] upload = new SurfaceConstants[1];
         GraphicsBuffer constants = GpuBuffer.Constants<SurfaceConstants>("Rill.Surface.Constants");
@@ -21,32 +23,35 @@ namespace Rill
         /// <summary>Depth alone: the ellipsoids as they were drawn.</summary>
         public RenderTexture Drawn;
 
-        /// <summary>The same smoothed, see SurfaceView.hlsl; <see cref="Smoothed"/> is what counts, the other holds the rows.</summary>
-        public RenderTexture Rows, Smoothed;
+        /// <summary>The same smoothed, see SurfaceView.hlsl.</summary>
+        public RenderTexture Smoothed;
 
         /// <summary>xyz unit normal, world; w variance.</summary>
         public RenderTexture Normals;
 
-        /// <summary>Distance of the scene along the view, m; of the size of <see cref="Thickness"/>.</summary>
-        public RenderTexture SceneDistance;
-
         /// <summary>Water in front of the scene along the ray, m; of each phase where their looks differ.</summary>
         public RenderTexture Thickness;
 
-        /// <summary>uint, of each texel of <see cref="Thickness"/>, slice after slice; see SurfaceThickness.compute.</summary>
-        public GraphicsBuffer Amounts;
-
         /// <summary>See FoamLayer.hlsl; half the size. Null where there is no foam.</summary>
         public RenderTexture Foam;
-
-        /// <summary>uint4, of each texel of <see cref="Foam"/>, slice after slice; see SurfaceFoam.compute.</summary>
-        public GraphicsBuffer FoamAmounts;
 
         /// <summary>xyz displacement of the nearest particle in the last substep, d, in the domain's frame. Null where no motion is needed.</summary>
         public RenderTexture Chords;
 
         /// <summary>Of the draw that writes motion vectors.</summary>
         public MaterialPropertyBlock Motion;
+
+        /// <summary>The part of the picture that the textures hold, from their first texel on: in their texels, in those of
+        /// <see cref="Thickness"/> and in those of <see cref="Foam"/>.</summary>
+        public PictureWindow Window, ThicknessWindow, FoamWindow;
+
+        /// <summary>Width of the textures over that of the picture; 0 before the first frame.</summary>
+        public float Scale;
+
+        /// <summary>Width of the textures over that of <see cref="Thickness"/>; 0 before the first frame.</summary>
+        public int ThicknessDivisor;
+
+        ScreenSize size, thicknessSize;
 
         public SurfaceView(Camera camera)
         {
@@ -118,115 +123,137 @@ namespace Rill
         public void SetConstants(CommandBuffer cmd, ComputeShader shader)
             => cmd.SetComputeConstantBufferParam(shader, SurfaceIds.Constants, constants, 0, constants.stride);
 
-        public int Width => Smoothed.width;
-        public int Height => Smoothed.height;
+        /// <summary>Whose thickness is told apart: 1 or 4.</summary>
+        public int Phases => Thickness.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? PhaseFrame.MaxPhases : 1;
 
-        /// <summary>Makes the textures where they are missing or of another size.</summary>
-        /// <param name="thicknessDivisor">Width of the others over that of the textures of thickness.</param>
-        /// <param name="phases">Whose thickness is told apart.</param>
-        public void Prepare(int width, int height, int eyes, int thicknessDivisor, in PhaseFrame phases)
+        /// <summary>Sets which part of the picture is in use, as far as the textures go.</summary>
+        /// <param name="bounds">Lowest x and y, highest x and y of the fluid's box on the picture, -1 to 1.</param>
+        public void Place(in FluidViews camera, Vector4 bounds)
         {
-            PrepareSurface(width, height, eyes);
-            PrepareThickness((width + thicknessDivisor - 1) / thicknessDivisor, (height + thicknessDivisor - 1) / thicknessDivisor, eyes,
-                phases.Components);
+            Window = WindowOf(camera, bounds);
+            if (Smoothed != null)
+                Window = Window.Within(Smoothed.width, Smoothed.height);
+            ThicknessWindow = Window.Coarser(ThicknessDivisor);
+            if (Thickness != null)
+                ThicknessWindow = ThicknessWindow.Within(Thickness.width, Thickness.height);
+            FoamWindow = Window.Coarser(FoamDivisor);
         }
 
-        void PrepareSurface(int width, int height, int eyes)
+        /// <summary>Whether the textures do for a frame as they are.</summary>
+        public bool Holds(in FluidViews camera, Vector4 bounds, in SurfaceFrame fluid)
         {
-            if (Holds(Smoothed, width, height, eyes))
-                return;
-            ReleaseSurface();
-            Drawn = Make("Rill.Surface.Drawn", width, height, eyes, GraphicsFormat.None, false);
-            Rows = Make("Rill.Surface.Rows", width, height, eyes, GraphicsFormat.R32_SFloat, true);
-            Smoothed = Make("Rill.Surface.Depth", width, height, eyes, GraphicsFormat.R32_SFloat, true);
-            Normals = Make("Rill.Surface.Normals", width, height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
+            PictureWindow window = WindowOf(camera, bounds), thickness = window.Coarser(ThicknessDivisor);
+            return Smoothed != null && Smoothed.volumeDepth == camera.eyes && window.Width <= Smoothed.width && window.Height <= Smoothed.height
+                && Thickness.graphicsFormat == ThicknessFormat(fluid.phases) && thickness.Width <= Thickness.width && thickness.Height <= Thickness.height
+                && HasFoam(fluid) == (Foam != null) && camera.needsMotion == (Chords != null);
         }
 
-        void PrepareThickness(int width, int height, int eyes, int components)
+        /// <summary>Makes the textures where they are missing, too small, or for long much too large.</summary>
+        /// <param name="bounds">Lowest x and y, highest x and y of the fluid's box on the picture, -1 to 1.</param>
+        public void Prepare(in FluidViews camera, Vector4 bounds, in SurfaceFrame fluid)
         {
-            GraphicsFormat format = components > 1 ? GraphicsFormat.R16G16B16A16_SFloat : GraphicsFormat.R32_SFloat;
-            if (Holds(Thickness, width, height, eyes) && Thickness.graphicsFormat == format)
-                return;
-            ReleaseThickness();
-            SceneDistance = Make("Rill.Surface.SceneDistance", width, height, eyes, GraphicsFormat.R32_SFloat, false);
-            Thickness = Make("Rill.Surface.Thickness", width, height, eyes, format, true);
-            Amounts = GpuBuffer.Structured<uint>("Rill.Surface.Amounts", (long)width * height * eyes * components);
+            PictureWindow window = WindowOf(camera, bounds), thickness = window.Coarser(ThicknessDivisor);
+            // The camera's full resolution, whatever is drawn of it now.
+            int maxWidth = Math.Max((int)window.Grid.x, Scaled(camera.camera.pixelWidth, Scale)),
+                maxHeight = Math.Max((int)window.Grid.y, Scaled(camera.camera.pixelHeight, Scale));
+            if (size.Fit(Math.Min(window.Width + PictureWindow.Play, maxWidth), Math.Min(window.Height + PictureWindow.Play, maxHeight), maxWidth,
+                maxHeight) || Smoothed == null || Smoothed.volumeDepth != camera.eyes)
+                MakeSurface(camera.eyes);
+            bool isUnfit = thicknessSize.Fit(thickness.Width + PictureWindow.Play / ThicknessDivisor, thickness.Height + PictureWindow.Play
+                / ThicknessDivisor, Coarse(maxWidth, ThicknessDivisor), Coarse(maxHeight, ThicknessDivisor));
+            PrepareThickness(isUnfit, camera.eyes, ThicknessFormat(fluid.phases));
+            PrepareFoam(HasFoam(fluid));
+            PrepareMotion(camera.needsMotion);
         }
 
-        /// <summary>The same for foam, after <see cref="Prepare"/>; gives back what is not needed.</summary>
-        public void PrepareFoam(bool isNeeded)
+        PictureWindow WindowOf(in FluidViews camera, Vector4 bounds)
+            => PictureWindow.Around(Scaled(camera.width, Scale), Scaled(camera.height, Scale), bounds);
+
+        static bool HasFoam(in SurfaceFrame fluid) => fluid.foam.particles != null;
+
+        static GraphicsFormat ThicknessFormat(in PhaseFrame phases)
+            => phases.Components > 1 ? GraphicsFormat.R16G16B16A16_SFloat : GraphicsFormat.R32_SFloat;
+
+        void MakeSurface(int eyes)
         {
-            int width = (Width + 1) / 2, height = (Height + 1) / 2, eyes = Smoothed.volumeDepth;
-            if (isNeeded && Holds(Foam, width, height, eyes))
-                return;
-            ReleaseFoam();
-            if (!isNeeded)
-                return;
-            Foam = Make("Rill.Surface.Foam", width, height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
-            FoamAmounts = GpuBuffer.Structured<Unity.Mathematics.uint4>("Rill.Surface.FoamAmounts", (long)width * height * eyes);
+            ReleaseTextures();
+            Drawn = Make("Rill.Surface.Drawn", size.Width, size.Height, eyes, GraphicsFormat.None, false);
+            Smoothed = Make("Rill.Surface.Depth", size.Width, size.Height, eyes, GraphicsFormat.R32_SFloat, true);
+            Normals = Make("Rill.Surface.Normals", size.Width, size.Height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
         }
 
-        /// <summary>The same for motion vectors, after <see cref="Prepare"/>; gives back what is not needed.</summary>
-        public void PrepareMotion(bool isNeeded)
+        void PrepareThickness(bool isUnfit, int eyes, GraphicsFormat format)
+        {
+            if (!isUnfit && Thickness != null && Thickness.graphicsFormat == format)
+                return;
+            EngineObject.Release(ref Thickness);
+            Thickness = Make("Rill.Surface.Thickness", thicknessSize.Width, thicknessSize.Height, eyes, format, true);
+        }
+
+        void PrepareFoam(bool isNeeded)
+        {
+            if (isNeeded == (Foam != null))
+                return;
+            EngineObject.Release(ref Foam);
+            if (isNeeded)
+                Foam = Make("Rill.Surface.Foam", Coarse(size.Width, FoamDivisor), Coarse(size.Height, FoamDivisor), Smoothed.volumeDepth,
+                    GraphicsFormat.R16G16B16A16_SFloat, true);
+        }
+
+        void PrepareMotion(bool isNeeded)
         {
             if (isNeeded == (Chords != null))
                 return;
             EngineObject.Release(ref Chords);
             if (!isNeeded)
                 return;
-            Chords = Make("Rill.Surface.Chords", Width, Height, Smoothed.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, false);
+            Chords = Make("Rill.Surface.Chords", size.Width, size.Height, Smoothed.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, false);
             Motion ??= new MaterialPropertyBlock();
             Shown = null;
         }
 
+        static int Coarse(int texels, int divisor) => (texels + divisor - 1) / divisor;
+
+        static int Scaled(int pixels, float scale) => Math.Max((int)(pixels * scale), 1);
+
         public void Dispose()
         {
             GpuBuffer.Release(ref constants);
-            ReleaseFoam();
-            ReleaseSurface();
-            ReleaseThickness();
+            ReleaseTextures();
         }
 
-        void ReleaseSurface()
+        void ReleaseTextures()
         {
             EngineObject.Release(ref Drawn);
-            EngineObject.Release(ref Rows);
             EngineObject.Release(ref Smoothed);
             EngineObject.Release(ref Normals);
             EngineObject.Release(ref Chords);
+            EngineObject.Release(ref Thickness);
+            EngineObject.Release(ref Foam);
             Shown = null;
         }
 
-        void ReleaseThickness()
-        {
-            EngineObject.Release(ref SceneDistance);
-            EngineObject.Release(ref Thickness);
-            GpuBuffer.Release(ref Amounts);
-        }
-
-        void ReleaseFoam()
-        {
-            EngineObject.Release(ref Foam);
-            GpuBuffer.Release(ref FoamAmounts);
-        }
-
-        static bool Holds(RenderTexture texture, int width, int height, int eyes) =>
-            texture != null && texture.width == width && texture.height == height && texture.volumeDepth == eyes;
-
         public void Describe(StageDescription stage)
         {
-            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, Chords, SceneDistance, Thickness, Foam })
-                if (texture != null)
-                    stage.Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture));
-            if (Amounts != null)
-                stage.Buffer("Rill.Surface.Amounts", Amounts);
-            if (FoamAmounts != null)
-                stage.Buffer("Rill.Surface.FoamAmounts", FoamAmounts);
+            Describe(stage, Drawn);
+            Describe(stage, Smoothed);
+            Describe(stage, Normals);
+            Describe(stage, Chords);
+            Describe(stage, Thickness);
+            Describe(stage, Foam);
+        }
+
+        /// <summary>Nothing where there is none.</summary>
+        public static void Describe(StageDescription stage, RenderTexture texture)
+        {
+            if (texture != null)
+                stage.Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture));
         }
 
         static int BytesOf(RenderTexture texture) => texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;
 
-        static RenderTexture Make(string name, int width, int height, int eyes, GraphicsFormat format, bool written)
+        /// <summary>With a slice for each eye.</summary>
+        public static RenderTexture Make(string name, int width, int height, int eyes, GraphicsFormat format, bool written)
         {
             return GpuTexture.Create(name, new RenderTextureDescriptor(width, height, format, format == GraphicsFormat.None
                 ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)

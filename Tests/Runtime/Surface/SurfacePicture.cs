@@ -81,9 +81,11 @@ namespace Rill.Tests
                 throw new InvalidOperationException("The fluid is not on the picture.");
             GpuTest.Run(cmd => recorder.Record(cmd, views, frame));
             SurfaceView view = recorder.ViewOf(views.camera);
-            (Depth, Normals, Thickness) = (Read<float>(view.Smoothed, slice), ReadHalves(view.Normals, slice), Read<float>(view.Thickness, slice));
-            views.width = view.Width;
-            views.height = view.Height;
+            (Depth, Normals, Thickness) = (view.Window.Whole(Read<float>(view.Smoothed, slice), view.Smoothed.width),
+                view.Window.Whole(ReadHalves(view.Normals, slice), view.Normals.width),
+                view.ThicknessWindow.Whole(Read<float>(view.Thickness, slice), view.Thickness.width));
+            views.width = (int)view.Window.Grid.x;
+            views.height = (int)view.Window.Grid.y;
             for (int i = 0; i < Depth.Length; i++)
                 Depth[i] = Depth[i] > 0f ? DepthAlongView(Depth[i]) : 0f;
             return this;

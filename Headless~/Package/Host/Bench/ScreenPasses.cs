@@ -64,8 +64,10 @@ namespace Host.Bench
         {
             get
             {
-                RenderTexture depth = recorder.ViewOf(views.camera).Smoothed;
-                AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(depth);
+                SurfaceView view = recorder.ViewOf(views.camera);
+                RenderTexture depth = view.Smoothed;
+                AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(depth, 0, 0, view.Window.Width, 0, view.Window.Height, 0,
+                    depth.volumeDepth);
                 request.WaitForCompletion();
                 int water = 0;
                 foreach (float one in request.GetData<float>(0))

@@ -1,0 +1,150 @@
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.TestTools;
+using static Rill.Tests.WaterScene;
+
+namespace Rill.Tests
+{
+    /// <summary>What the surface's textures take and when they are made: of what the fluid covers on the picture, and not again for each size.</summary>
+    public class SurfaceTexturesTests
+    {
+        const int Size = 256;       // pixels
+        const int BytesOfTexel = 23;        // depth as drawn, along rows and smoothed, normals; thickness, its sum and the scene's distance
+
+        WaterScene scene;
+
+        [SetUp]
+        public void Make() => scene = new WaterScene(Size);
+
+        [UnityTearDown]
+        public IEnumerator LeaveNothing() => scene.End();
+
+        // As a pipeline with dynamic resolution has it: another size in each frame.
+        [UnityTest]
+        public IEnumerator A_picture_whose_size_swings_makes_no_new_textures_and_shows_the_same([Values] bool refracts)
+        {
+            scene.Surface.Refraction = refracts;
+            RenderTexture[] targets = { scene.Target, scene.NewTarget(200, 200), scene.NewTarget(144, 144), scene.NewTarget(234, 234) };
+            yield return scene.Settle(10);
+            float4[] steady = scene.Pixels();
+            HashSet<int> before = null;
+            for (int i = 0; i < 150; i++)
+            {
+                scene.Camera.targetTexture = targets[i % targets.Length];
+                yield return null;
+                if (i == 2 * targets.Length)
+                    before = Textures().Select(texture => texture.GetInstanceID()).ToHashSet();
+                if (i > 2 * targets.Length)
+                    Assert.That(Textures().Select(texture => texture.GetInstanceID()), Is.EquivalentTo(before), $"frame {i}");
+            }
+            scene.Camera.targetTexture = scene.Target;
+            yield return null;
+            float4[] swung = scene.Pixels();
+            float worst = steady.Select((pixel, i) => math.cmax(math.abs(pixel.xyz - swung[i].xyz))).Max();
+            Assert.That(Textures().Select(texture => texture.GetInstanceID()), Is.EquivalentTo(before));
+            Assert.That(worst, Is.LessThan(0.004f));
+        }
+
+        [UnityTest]
+        public IEnumerator They_are_as_large_as_the_fluid_is_on_the_picture_and_go_when_it_is_not_on_it()
+        {
+            scene.Surface.Refraction = false;
+            scene.Camera.orthographicSize = 2f;
+            scene.Camera.transform.position += new Vector3(1f, 0f, 0.3f);
+            yield return scene.Settle(4);
+            long small = Bytes();
+            Assert.That(small, Is.LessThan(BytesOfTexel * Size * Size / 5), "a quarter of the width, and room to spare");
+            Vector3 aside = scene.Camera.transform.position;
+            scene.Camera.orthographicSize = 0.3f;
+            scene.Camera.transform.position = new Vector3(0f, 3f, 0f);
+            yield return Frames(2);
+            Assert.That(Bytes(), Is.InRange(4 * small, BytesOfTexel * Size * Size), "all of the picture");
+            scene.Camera.orthographicSize = 2f;
+            scene.Camera.transform.position = aside;
+            yield return Frames(260);
+            Assert.That(Bytes(), Is.LessThanOrEqualTo(small), "after a while");
+            scene.Camera.transform.position += 50f * Vector3.right;
+            yield return Frames(6);
+            Assert.That(Textures(), Is.Empty, "it looks away");
+        }
+
+        [UnityTest]
+        public IEnumerator Waters_and_cameras_share_what_they_need_one_after_the_other()
+        {
+            GameObject copy = scene.Keep(Object.Instantiate(scene.Root));
+            copy.transform.position = Vector3.right;
+            scene.Camera.orthographicSize = 2f;
+            scene.NewCamera(scene.NewTarget(2 * Size, Size), new Vector3(0f, 3f, 0f));
+            scene.Root.SetActive(true);
+            copy.SetActive(true);
+            yield return Frames(6);
+            Assert.That(Named("Rill.Surface.Depth"), Is.EqualTo(4), "a fluid and a camera each");
+            Assert.That(Named("Rill.Surface.Rows"), Is.EqualTo(1));
+            Assert.That(Named("Rill.Surface.SceneDistance"), Is.EqualTo(1));
+            copy.SetActive(false);
+            scene.Root.SetActive(false);
+            yield return null;
+            Assert.That(Textures(), Is.Empty);
+        }
+
+        [UnityTest]
+        public IEnumerator A_change_of_quality_is_seen_while_it_is_paused()
+        {
+            Look(scene.Camera, new Vector3(0.5f, 0.9f, -3f));
+            yield return scene.Settle(10);
+            float4[] medium = scene.Pixels();
+            scene.Surface.Quality = SurfaceQuality.High;
+            yield return Frames(2);
+            float4[] high = scene.Pixels();
+            scene.Surface.Quality = SurfaceQuality.Medium;
+            yield return Frames(2);
+            Assert.That(high, Is.Not.EqualTo(medium));
+            Assert.That(scene.Pixels(), Is.EqualTo(medium));
+        }
+
+        [Test]
+        public void A_size_grows_at_once_with_room_and_shrinks_when_a_second_has_not_needed_it()
+        {
+            ScreenSize size = default;
+            Assert.That(size.Fit(500, 300, 1920, 1080), Is.True);
+            Assert.That((size.Width, size.Height), Is.EqualTo((544, 320)));
+            Assert.That(size.Fit(540, 200, 1920, 1080), Is.False, "within the room");
+            Assert.That(size.Fit(600, 310, 1920, 1080), Is.True);
+            Assert.That((size.Width, size.Height), Is.EqualTo((640, 320)));
+            Assert.That(size.Fit(1900, 1070, 1920, 1080), Is.True);
+            Assert.That((size.Width, size.Height), Is.EqualTo((1920, 1080)), "no room beyond the picture");
+            for (int i = 0; i < 240; i++)
+                Assert.That(size.Fit(i % 30 == 0 ? 1800 : 200, 1000, 1920, 1080), Is.False, "that swings");
+            int made = Enumerable.Range(0, 240).Count(_ => size.Fit(200, 100, 1920, 1080));
+            Assert.That(made, Is.InRange(1, 2));
+            Assert.That((size.Width, size.Height), Is.EqualTo((224, 128)));
+        }
+
+        [Test]
+        public void Texels_of_thickness_keep_their_width_near_to_where_it_changes()
+        {
+            int last = SurfaceThickness.DivisorFor(3.9f, 0);
+            Assert.That(last, Is.EqualTo(2));
+            for (int i = 0; i < 20; i++)
+                Assert.That(last = SurfaceThickness.DivisorFor(i % 2 == 0 ? 4.1f : 3.9f, last), Is.EqualTo(2));
+            Assert.That(last = SurfaceThickness.DivisorFor(5.1f, last), Is.EqualTo(4));
+            Assert.That(last = SurfaceThickness.DivisorFor(3.9f, last), Is.EqualTo(4));
+            Assert.That(last = SurfaceThickness.DivisorFor(3f, last), Is.EqualTo(2));
+            Assert.That(SurfaceThickness.DivisorFor(100f, last), Is.EqualTo(8));
+        }
+
+        static int Named(string name) => Textures().Count(texture => texture.name == name);
+
+        static RenderTexture[] Textures() => Resources.FindObjectsOfTypeAll<RenderTexture>()
+            .Where(texture => texture.name.StartsWith("Rill.Surface") && !texture.name.Contains("Shadow") && texture.IsCreated()).ToArray();
+
+        // With the sums of thickness, which are in a buffer as large as the texture.
+        static long Bytes() => Textures().Sum(texture => (long)texture.width * texture.height
+            * (texture.name == "Rill.Surface.Thickness" || texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4));
+    }
+}
