@@ -197,10 +197,11 @@ namespace Rill
                         (madeWidth, madeHeight) = (Mathf.Max(width, sceneColor.width), Mathf.Max(height, sceneColor.height));
                 }
                 EngineObject.Release(ref sceneColor);
-                sceneColor = GpuTexture.Create("Rill.Surface.SceneColor", new RenderTextureDescriptor(madeWidth, madeHeight, format, GraphicsFormat.None)
+                var description = new RenderTextureDescriptor(madeWidth, madeHeight, format, GraphicsFormat.None)
                 {
                     dimension = views.eyes > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = views.eyes,
-                }, FilterMode.Bilinear);
+                };
+                sceneColor = GpuTexture.Create("Rill.Surface.SceneColor", description, FilterMode.Bilinear);
             }
 
             public void ReleaseUnused()

@@ -38,8 +38,8 @@ namespace Rill
         /// blurred over two.</summary>
         /// <param name="pixelsPerSpacing">Of a particle in the middle of the fluid, pixels.</param>
         /// <param name="last">Of the frame before, which it keeps to while it is near to what fits; 0 for none.</param>
-        public static int DivisorFor(float pixelsPerSpacing, int last) =>
-            last == 0 ? DivisorFor(pixelsPerSpacing) : Mathf.Clamp(last, DivisorFor(pixelsPerSpacing / Hysteresis), DivisorFor(pixelsPerSpacing * Hysteresis));
+        public static int DivisorFor(float pixelsPerSpacing, int last) => last == 0 ? DivisorFor(pixelsPerSpacing)
+            : Mathf.Clamp(last, DivisorFor(pixelsPerSpacing / Hysteresis), DivisorFor(pixelsPerSpacing * Hysteresis));
 
         static int DivisorFor(float pixelsPerSpacing)
         {

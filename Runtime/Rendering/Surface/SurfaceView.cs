@@ -144,7 +144,8 @@ namespace Rill
         {
             PictureWindow window = WindowOf(camera, bounds), thickness = window.Coarser(ThicknessDivisor);
             return Smoothed != null && Smoothed.volumeDepth == camera.eyes && window.Width <= Smoothed.width && window.Height <= Smoothed.height
-                && Thickness.graphicsFormat == ThicknessFormat(fluid.phases) && thickness.Width <= Thickness.width && thickness.Height <= Thickness.height
+                && Thickness.graphicsFormat == ThicknessFormat(fluid.phases)
+                && thickness.Width <= Thickness.width && thickness.Height <= Thickness.height
                 && HasFoam(fluid) == (Foam != null) && camera.needsMotion == (Chords != null);
         }
 

@@ -10,7 +10,8 @@ using static Rill.Tests.WaterScene;
 
 namespace Rill.Tests
 {
-    /// <summary>What the surface's textures take and when they are made: of what the fluid covers on the picture, and not again for each size.</summary>
+    /// <summary>What the surface's textures take, and when they are made: for what the fluid covers of the picture, and not again for each
+    /// size.</summary>
     public class SurfaceTexturesTests
     {
         const int Size = 256;       // pixels
