@@ -95,7 +95,11 @@ namespace Rill.Tests
             { dimension = TextureDimension.Tex2DArray, volumeDepth = 1, enableRandomWrite = true });
             output.Create();
             GraphicsBuffer constants = GpuBuffer.Constants<SurfaceConstants>("Constants");
-            var view = new SurfaceConstants { surfaceSize = new Vector4(Size, Size, 1f / Size, 1f / Size) };
+            var view = new SurfaceConstants
+            {
+                surfaceSize = new Vector4(Size, Size, 1f / Size, 1f / Size),
+                surfaceWindow = new Vector4(0f, 0f, Size, Size),
+            };
             view.surfaceDepths[0] = new Vector4(0f, 1f, 0f, 0f);
             view.surfaceClipX[0] = new Vector4(1f, 0f, 0f, 0f);
             view.surfaceClipY[0] = new Vector4(0f, 1f, 0f, 0f);
