@@ -10,8 +10,7 @@ float _FullSpeed;           // m/s
 struct Glint
 {
     float4 clip : SV_Position;
-    float2 corner : TEXCOORD0;
-    nointerpolation float brightness : TEXCOORD1;
+    float4 corner : TEXCOORD0;      // xy corner, z brightness; a whole register, as some translators of SV_RenderTargetArrayIndex need it
     RILL_VIEW_OUTPUT
 };
 
@@ -26,8 +25,8 @@ Glint GlintVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
     if (!drawn || i >= RillCount() || RillPhase(i) != (uint)_Phase)
         return glint;
 
-    glint.corner = float2(k == 0 || k == 2 || k == 3 ? -1.0 : 1.0, k == 0 || k == 1 || k == 4 ? -1.0 : 1.0);
-    glint.brightness = saturate(length(RillVelocity(i)) / _FullSpeed);
+    glint.corner.xy = float2(k == 0 || k == 2 || k == 3 ? -1.0 : 1.0, k == 0 || k == 1 || k == 4 ? -1.0 : 1.0);
+    glint.corner.z = saturate(length(RillVelocity(i)) / _FullSpeed);
     float3 center = RillDrawnPosition(i);
     float3 across = RILL_VIEW_MATRIX[0].xyz * glint.corner.x + RILL_VIEW_MATRIX[1].xyz * glint.corner.y;
     glint.clip = WorldToClip(center + across * (_Radius * RillSpacing()) + ToEye(center) * RillSpacing());
@@ -37,6 +36,6 @@ Glint GlintVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 float4 GlintFragment(Glint glint) : SV_Target
 {
     RestoreView(glint);
-    float round = saturate(1.0 - dot(glint.corner, glint.corner));
-    return float4(_Color.rgb * (round * round * glint.brightness), 1.0);
+    float round = saturate(1.0 - dot(glint.corner.xy, glint.corner.xy));
+    return float4(_Color.rgb * (round * round * glint.corner.z), 1.0);
 }
