@@ -20,7 +20,6 @@
 Texture2DArray<float> _SurfaceDepth;
 Texture2DArray<float4> _SurfaceNormals;
 Texture2DArray<float4> _SurfaceThickness;
-SamplerState rill_linear_clamp_sampler;
 
 #ifdef RILL_REFRACTION
 #if defined(RILL_HIGH_DEFINITION)
@@ -216,7 +215,7 @@ float4 Spray(FoamLayer foam, float2 picture, out float depth)
     float4 clip = WorldToClip(world);
     depth = DeviceDepth(clip);
     MainLight light = LightOfSurface();
-    float3 lit = LitFoam(Environment(float3(0.0, 1.0, 0.0), 1.0), light.color * MainLightShadow(light, world, clip), light.direction.y);
+    float3 lit = LitFoam(Ambient(world, float3(0.0, 1.0, 0.0)), light.color * MainLightShadow(light, world, clip), light.direction.y);
     return float4(ApplyFog(lit * foam.front, foam.front, foam.z), foam.front);
 }
 #endif
@@ -246,9 +245,9 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
 
     MainLight light = LightOfSurface();
     float3 lightColor = light.color * MainLightShadow(light, p.world + light.direction * _SurfaceOptics.w, clip);
-    float3 around = Environment(p.normal, 1.0);
+    float3 around = Ambient(p.world, p.normal);
     float reflectance = Fresnel(facing, p.roughness);
-    float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye,
+    float3 mirrored = Mirrored(p.world, reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye,
         light.direction, p.roughness);
 
     float path = medium.thickness;

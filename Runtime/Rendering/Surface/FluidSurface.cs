@@ -212,6 +212,7 @@ namespace Rill
             parameters.shadowCastingMode = ShadowCastingMode.Off;
             parameters.motionVectorMode = MotionVectorGenerationMode.Camera;
             parameters.reflectionProbeUsage = ReflectionProbeUsage.BlendProbes;
+            parameters.lightProbeUsage = LightProbeUsage.BlendProbes;
             if (copy != null)
                 parameters.material = copy;
             Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, 6);

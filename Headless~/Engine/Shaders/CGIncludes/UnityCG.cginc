@@ -257,7 +257,14 @@ inline float3 SHEvalLinearL2(float4 normal)
     float3 first = float3(dot(unity_SHBr, products), dot(unity_SHBg, products), dot(unity_SHBb, products));
     return first + unity_SHC.rgb * (normal.x * normal.x - normal.y * normal.y);
 }
-inline float3 ShadeSH9(float4 normal) { return SHEvalLinearL0L1(normal) + SHEvalLinearL2(normal); }
+inline float3 ShadeSH9(float4 normal)
+{
+    float3 light = SHEvalLinearL0L1(normal) + SHEvalLinearL2(normal);
+#ifdef UNITY_COLORSPACE_GAMMA
+    light = LinearToGammaSpace(light);
+#endif
+    return light;
+}
 inline float3 ShadeSH3Order(float4 normal) { return SHEvalLinearL2(normal); }
 inline float3 ShadeSH12Order(float4 normal) { return SHEvalLinearL0L1(normal); }
 

@@ -155,7 +155,7 @@ namespace UnityEngine.Headless
             if (RenderSettings.ambientMode == Rendering.AmbientMode.Skybox && EnvironmentLighting.Harmonics != null)
                 SetSkyHarmonics();
             else
-                SetGradient(sky, equator, ground);
+                SetGradient();
 
             foreach ((FogMode mode, string keyword) in fogKeywords)
                 GlobalKeywords.Set.Set(keyword, RenderSettings.fog && RenderSettings.fogMode == mode);
@@ -180,8 +180,12 @@ namespace UnityEngine.Headless
             Globals.SetVector(shC, new Vector4(red, green, blue, 1));
         }
 
-        static void SetGradient(Vector4 sky, Vector4 equator, Vector4 ground)
+        static void SetGradient()
         {
+            // Linear in a gamma project too.
+            bool isFlat = RenderSettings.ambientMode != Rendering.AmbientMode.Trilight;
+            Vector4 sky = RenderSettings.ambientSkyColor.linear, equator = isFlat ? sky : (Vector4)RenderSettings.ambientEquatorColor.linear,
+                ground = isFlat ? sky : (Vector4)RenderSettings.ambientGroundColor.linear;
             // Ambient light as constant and linear harmonics in y: what ShadeSH9 of a lit shader evaluates.
             Vector4 mean = (sky + equator * 2 + ground) / 4, slope = (sky - ground) / 2;
             Globals.SetVector(shAr, new Vector4(0, slope.x, 0, mean.x));

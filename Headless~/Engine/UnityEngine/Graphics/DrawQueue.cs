@@ -14,6 +14,7 @@ namespace UnityEngine.Headless
         public Rendering.ShadowCastingMode Shadows;
         public bool ReceivesShadows;
         public MotionVectorGenerationMode Motion;
+        public Rendering.ReflectionProbeUsage Reflections;
     }
 
     /// <summary>

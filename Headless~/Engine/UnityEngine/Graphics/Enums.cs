@@ -67,6 +67,7 @@ namespace UnityEngine.Rendering
     public enum ShadowCastingMode { Off, On, TwoSided, ShadowsOnly }
     public enum LightProbeUsage { Off = 0, BlendProbes = 1, UseProxyVolume = 2, CustomProvided = 4 }
     public enum ReflectionProbeUsage { Off, BlendProbes, BlendProbesAndSkybox, Simple }
+    public enum ReflectionProbeMode { Baked, Realtime, Custom }
     public enum ShadowSamplingMode { CompareDepths, RawDepth, None }
     public enum RenderTextureSubElement { Color, Depth, Stencil, Default }
     public enum ShaderPropertyType { Color, Vector, Float, Range, Texture, Int }

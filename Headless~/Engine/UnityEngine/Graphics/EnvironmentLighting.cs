@@ -61,12 +61,22 @@ namespace UnityEngine.Headless
         /// <summary>For the draws of a camera; in between, unity_SpecCube0 is no one's.</summary>
         public static void Bind()
         {
-            Texture texture = RenderSettings.defaultReflectionMode == DefaultReflectionMode.Custom ? RenderSettings.customReflectionTexture
-                : reflection;
-            Shader.Globals.SetTexture(cubeId, texture == null ? BuiltinTextures.Named("black", DeviceTextureDimension.Cube) : texture);
-            // Stored as it is: only the intensity is to be applied.
-            Shader.Globals.SetVector(decodeId, new Vector4(RenderSettings.reflectionIntensity, 1, 0, 0));
+            Shader.Globals.SetTexture(cubeId, DefaultCube);
+            Shader.Globals.SetVector(decodeId, DefaultDecode);
         }
+
+        public static Texture DefaultCube
+        {
+            get
+            {
+                Texture texture = RenderSettings.defaultReflectionMode == DefaultReflectionMode.Custom ? RenderSettings.customReflectionTexture
+                    : reflection;
+                return texture == null ? BuiltinTextures.Named("black", DeviceTextureDimension.Cube) : texture;
+            }
+        }
+
+        // Stored as it is: only the intensity is to be applied.
+        public static Vector4 DefaultDecode => new Vector4(RenderSettings.reflectionIntensity, 1, 0, 0);
 
         public static void Unbind() => Shader.Globals.SetTexture(cubeId, null);
 

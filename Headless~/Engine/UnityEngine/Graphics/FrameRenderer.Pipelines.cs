@@ -25,17 +25,21 @@ namespace UnityEngine.Headless
         /// <summary>Draws what was culled in the order of the Built-in pipeline: each object's passes whose LightMode is wanted.</summary>
         /// <param name="wanted">Gets the value of LightMode, "" for a pass without.</param>
         /// <param name="ofDraws">Null: all.</param>
-        internal static void DrawCulled(bool opaque, Func<string, bool> wanted, Func<QueuedDraw, bool> ofDraws = null) =>
-            DrawCulled(opaque ? 0 : LastOpaqueQueue + 1, opaque ? LastOpaqueQueue : int.MaxValue, wanted, ofDraws);
+        /// <param name="beforeEach">Sets what is of the draw alone.</param>
+        internal static void DrawCulled(bool opaque, Func<string, bool> wanted, Func<QueuedDraw, bool> ofDraws = null,
+            Action<QueuedDraw> beforeEach = null) =>
+            DrawCulled(opaque ? 0 : LastOpaqueQueue + 1, opaque ? LastOpaqueQueue : int.MaxValue, wanted, ofDraws, beforeEach);
 
         /// <summary>Of the render queues from one to another, both included.</summary>
-        internal static void DrawCulled(int firstQueue, int lastQueue, Func<string, bool> wanted, Func<QueuedDraw, bool> ofDraws = null)
+        internal static void DrawCulled(int firstQueue, int lastQueue, Func<string, bool> wanted, Func<QueuedDraw, bool> ofDraws = null,
+            Action<QueuedDraw> beforeEach = null)
         {
             foreach (Item item in items)
             {
                 if (item.Queue < firstQueue || item.Queue > lastQueue || ofDraws != null && !ofDraws(item.Draw))
                     continue;
                 Material material = item.Draw.Call.Material;
+                beforeEach?.Invoke(item.Draw);
                 for (int pass = 0; pass < material.passCount; pass++)
                 {
                     material.shader.Source.Passes[pass].Tags.TryGetValue("LightMode", out string mode);

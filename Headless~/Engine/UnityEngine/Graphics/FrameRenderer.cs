@@ -295,6 +295,7 @@ namespace UnityEngine.Headless
                         Bounds = renderer.bounds, HasBounds = true, Layer = renderer.gameObject.layer, Priority = renderer.rendererPriority,
                             Order = next++,
                         Shadows = renderer.shadowCastingMode, ReceivesShadows = renderer.receiveShadows, Motion = renderer.motionVectorGenerationMode,
+                        Reflections = renderer.reflectionProbeUsage,
                     }, camera, culling, eye);
                 }
             }
@@ -339,11 +340,13 @@ namespace UnityEngine.Headless
                 Material material = item.Draw.Call.Material;
                 // Unity turns it on for the one draw, whatever the keywords of scripts.
                 GlobalKeywords.Set.Set(ScreenShadows.Keyword, shadows && item.Draw.ReceivesShadows);
+                ObjectProbes.Bind(item.Draw, universal: false);
                 for (int pass = 0; pass < material.passCount; pass++)
                     if (IsForward(material, pass))
                         Drawing.DrawPass(item.Draw.Call, pass);
             }
             GlobalKeywords.Set.Set(ScreenShadows.Keyword, false);
+            ObjectProbes.Unbind();
             EnvironmentLighting.Unbind();
         }
 

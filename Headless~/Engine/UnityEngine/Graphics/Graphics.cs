@@ -68,6 +68,7 @@ namespace UnityEngine
             {
                 Call = call, Bounds = bounds, HasBounds = true, Camera = rparams.camera, Layer = rparams.layer, Priority = rparams.rendererPriority,
                 Shadows = rparams.shadowCastingMode, ReceivesShadows = rparams.receiveShadows, Motion = rparams.motionVectorMode,
+                Reflections = rparams.reflectionProbeUsage,
             }, rparams.matProps);
         }
 

@@ -13,6 +13,8 @@ namespace UnityEngine.Rendering.Universal
                 builtInCube = Id("unity_SpecCube0"), builtInHdr = Id("unity_SpecCube0_HDR"),
             environmentColor = Id("_GlossyEnvironmentColor");
 
+        static readonly System.Action<QueuedDraw> probes = draw => ObjectProbes.Bind(draw, universal: true);
+
         static int Id(string name) => Shader.PropertyToID(name);
 
         /// <summary>SetPerCameraShaderVariables: these two follow the render scale, _ScreenParams does not.</summary>
@@ -44,7 +46,8 @@ namespace UnityEngine.Rendering.Universal
         public static void DrawCulled(bool opaque, System.Func<string, bool> wanted, System.Func<QueuedDraw, bool> ofDraws = null)
         {
             EnvironmentLighting.Bind();
-            FrameRenderer.DrawCulled(opaque, wanted, ofDraws);
+            FrameRenderer.DrawCulled(opaque, wanted, ofDraws, probes);
+            ObjectProbes.Unbind();
             EnvironmentLighting.Unbind();
         }
     }
