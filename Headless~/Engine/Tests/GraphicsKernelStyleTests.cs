@@ -208,7 +208,7 @@ RWTexture2D<float> Height; RWTexture2D<int> Number; RWTexture2D<float2> Pair; RW
         [Test]
         public void Textures_are_sampled_by_their_own_and_by_inline_samplers()
         {
-            var texture = new Texture2D(2, 2, TextureFormat.RGBAFloat, false, true) { wrapMode = TextureWrapMode.Clamp,
+            var texture = new Texture2D(2, 2, TextureFormat.RGBAHalf, false, true) { wrapMode = TextureWrapMode.Clamp,
                 filterMode = FilterMode.Point };
             texture.SetPixels(new[] { new Color(0, 0, 0, 1), new Color(1, 0, 0, 1), new Color(0, 1, 0, 1), new Color(1, 1, 0, 1) });
             texture.Apply();
