@@ -330,8 +330,12 @@ namespace Rill
         /// <summary>Gives back what measuring needs, where it is no longer wanted.</summary>
         public void ReleaseStatistics()
         {
-            statistics?.Dispose();
+            if (statistics == null)
+                return;
+            statistics.Dispose();
             statistics = null;
+            if (access == null)     // what a script has bound it keeps
+                neighborSearch.ReleaseAtRest();
         }
 
         /// <summary>How deep the water can be, d: as far as what was added reaches along gravity, or across where there is none.</summary>

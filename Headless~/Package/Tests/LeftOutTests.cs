@@ -81,7 +81,7 @@ namespace Host.Tests
             {
                 "+1 Statistics.compute Measure", "+1 Statistics.compute Reduce", "+1 Rill.Statistics.*",
                 "+1 NeighborSearch.compute CountCellsAtRest", "+1 NeighborSearch.compute ScatterOrder", "+1 PrefixSum.compute *",
-                "+1 Rill.CellStartsAtRest",
+                "+1 Rill.CellStartsAtRest *",
             }),
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
             ("a mesh that deforms far away", null, s => AddDeforming(1000f * Vector3.right), new string[0]),

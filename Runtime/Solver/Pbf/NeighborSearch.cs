@@ -128,6 +128,9 @@ namespace Rill
             RecordOrder(step.Commands, step.Particles, CellStartsAtRest);
         }
 
+        /// <summary>Gives back what listing particles at rest takes; it is made again when asked for.</summary>
+        public void ReleaseAtRest() => GpuBuffer.Release(ref cellStartsAtRest);
+
         /// <summary>Records a kernel that asks for the order of the particles, by OrderedSlot.hlsl.</summary>
         /// <param name="cellStarts">Those of the order.</param>
         public void DispatchOrdered(CommandBuffer cmd, ComputeShader asks, int kernel, ParticleBuffers particles, GraphicsBuffer cellStarts)
