@@ -358,7 +358,7 @@ namespace Rill
             new KernelNeed("Solid", "Vertex", "", 0, 0, 0, 0, 0),
             new KernelNeed("Solid", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("Surface", "Vertex", "", 0, 0, 0, 0, 0),
-            new KernelNeed("Surface", "Fragment", "", 0, 0, 0, 0, 9),
+            new KernelNeed("Surface", "Fragment", "", 0, 0, 0, 0, 11),
             new KernelNeed("SurfaceMotion", "Vertex", "", 0, 0, 0, 0, 0),
             new KernelNeed("SurfaceMotion", "Fragment", "", 0, 0, 0, 0, 3),
             new KernelNeed("SurfaceRaster", "Vertex", "", 0, 0, 1, 0, 0),
