@@ -34,8 +34,9 @@ namespace Rill
         readonly List<SurfaceView> replaced = new List<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
 
-        /// <summary>Why no surface can be drawn on this device; null where one can.</summary>
-        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.Depth, false)
+        /// <summary>Why no surface can be drawn on this device; null where one can, and where there are no compute shaders, which the fluid says
+        /// itself.</summary>
+        public static string DeviceProblem => !SystemInfo.supportsComputeShaders ? null : GpuTexture.WhyNot(RenderTextureFormat.Depth, false)
             ?? GpuTexture.WhyNot(RenderTextureFormat.RFloat, false) ?? GpuTexture.WhyNot(RenderTextureFormat.RFloat, true)
             ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, false) ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, true);
 

@@ -46,7 +46,7 @@ namespace Host.Scripts.Stubs
 
         public string Text(Manner manner)
         {
-            if (owner.FullName == "UnityEngine.Physics" && signature == "static Vector3 gravity { get set }") return Gravity;
+            if (OfTheHost() is string known) return known;
             if (owner.Kind == "interface") return InInterface();
             if (IsConstructor) return Constructor(manner);
             if (signature.StartsWith("const ", StringComparison.Ordinal)) return $"{Access}{signature} = default;";
@@ -122,9 +122,29 @@ namespace Host.Scripts.Stubs
             }
         }
 
-        // Rigidbodies of the host fall by it.
-        const string Gravity = "public static Vector3 gravity { get => global::UnityEngine.Headless.PhysicsWorld.Gravity; set => " +
-            "global::UnityEngine.Headless.PhysicsWorld.Gravity = value; }";
+        // By which the rigidbodies of the host fall and are stepped; all of a project's are in one physics scene.
+        string OfTheHost()
+        {
+            const string World = "global::UnityEngine.Headless.PhysicsWorld";
+            switch (owner.FullName)
+            {
+                case "UnityEngine.Physics" when signature == "static Vector3 gravity { get set }":
+                    return $"public static Vector3 gravity {{ get => {World}.Gravity; set => {World}.Gravity = value; }}";
+                case "UnityEngine.Physics" when signature == "static SimulationMode simulationMode { get set }":
+                    return $"public static SimulationMode simulationMode {{ get => (SimulationMode){World}.Stepped; set => {World}.Stepped = " +
+                        "(global::UnityEngine.Headless.PhysicsStepping)value; }";
+                case "UnityEngine.Physics" when signature == "static PhysicsScene defaultPhysicsScene { get }":
+                    return "public static PhysicsScene defaultPhysicsScene => default;";
+                case "UnityEngine.PhysicsSceneExtensions" when signature.Contains(" GetPhysicsScene("):
+                    return $"{Access}{signature} => default;";
+                case "UnityEngine.PhysicsScene" when signature.Contains("operator =="):
+                    return "public static bool operator ==(PhysicsScene lhs, PhysicsScene rhs) => true;";
+                case "UnityEngine.PhysicsScene" when signature.Contains("operator !="):
+                    return "public static bool operator !=(PhysicsScene lhs, PhysicsScene rhs) => false;";
+                default:
+                    return null;
+            }
+        }
 
         string Thrown => $"throw global::UnityEngine.Headless.StubCalls.Missing({Named})";
         string Counted => $"global::UnityEngine.Headless.StubCalls.Count({Named})";
