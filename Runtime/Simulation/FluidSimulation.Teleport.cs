@@ -9,7 +9,7 @@ namespace Rill
         DomainFrame collectedFrame;                     // where the box was in the last steps
         [NonSerialized] bool isTeleported;              // since the last steps
 
-        /// <summary>Sum of the ways of all teleports, m: a place that was found before one is now this much further on.</summary>
+        /// <summary>Sum of the displacements of all teleports, m: a position that was measured before one is now this much further on.</summary>
         [field: NonSerialized] internal Vector3 WorldShift { get; private set; }
 
         /// <summary>
