@@ -83,6 +83,7 @@ namespace Rill
 
         static void Render(Camera camera)
         {
+            shadow?.Turn(SeesAny(camera));
             CameraBuffer buffer = buffers.Find(camera);
             if (buffer == null)
                 return;
@@ -101,6 +102,14 @@ namespace Rill
                 isCopied |= surface.Refraction;
                 surface.Record(buffer.commands, views, shadow);
             }
+        }
+
+        static bool SeesAny(Camera camera)
+        {
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+                if (FluidSurface.Active[i].IsPreparedFor(camera))
+                    return true;
+            return false;
         }
 
         // With a headset the active eye is the left one, but for the second of two passes (multi-pass): from that one on, each has one eye.

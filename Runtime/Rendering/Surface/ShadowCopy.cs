@@ -47,17 +47,11 @@ namespace Rill
         RenderTexture map = Make("Rill.Surface.ShadowMap", Size, Size, GraphicsFormat.R32_SFloat);
         RenderTexture valueTexels = Make("Rill.Surface.ShadowValues", Values, 1, GraphicsFormat.R32G32B32A32_SFloat);
         int stamp;
+        bool isOn;
 
         public ShadowCopy(Light light)
         {
             this.light = light;
-            copy.SetShadowSamplingMode(BuiltinRenderTextureType.CurrentActive, ShadowSamplingMode.RawDepth);
-            copy.SetGlobalTexture(Ids.ShadowMapSource, BuiltinRenderTextureType.CurrentActive);
-            copy.SetGlobalVector(Ids.ShadowCopySize, new Vector4(map.width, map.height, 0f, 0f));
-            copy.SetRenderTarget(map);
-            copy.DrawProcedural(Matrix4x4.identity, material, MapPass, MeshTopology.Triangles, 3);
-            values.SetRenderTarget(valueTexels);
-            values.DrawProcedural(Matrix4x4.identity, material, ValuesPass, MeshTopology.Triangles, 3);
             light.AddCommandBuffer(LightEvent.AfterShadowMap, copy);
             light.AddCommandBuffer(LightEvent.BeforeScreenspaceMask, values);
         }
@@ -71,6 +65,26 @@ namespace Rill
 
         /// <summary>Whether it is that of this light, which is still there, at the quality of now.</summary>
         public bool IsOf(Light other) => light != null && ReferenceEquals(light, other) && map.width == Size;
+
+        /// <summary>Whether the camera that draws next needs it: a draw as large as the map otherwise.</summary>
+        public void Turn(bool on)
+        {
+            if (on == isOn)
+                return;
+            isOn = on;
+            copy.Clear();
+            values.Clear();
+            if (!on)
+                return;
+            copy.SetShadowSamplingMode(BuiltinRenderTextureType.CurrentActive, ShadowSamplingMode.RawDepth);
+            copy.SetGlobalTexture(Ids.ShadowMapSource, BuiltinRenderTextureType.CurrentActive);
+            copy.SetGlobalVector(Ids.ShadowCopySize, new Vector4(map.width, map.height, 0f, 0f));
+            // All of it is drawn: a tiler need not load what was there.
+            copy.SetRenderTarget(map, RenderBufferLoadAction.DontCare, RenderBufferStoreAction.Store);
+            copy.DrawProcedural(Matrix4x4.identity, material, MapPass, MeshTopology.Triangles, 3);
+            values.SetRenderTarget(valueTexels, RenderBufferLoadAction.DontCare, RenderBufferStoreAction.Store);
+            values.DrawProcedural(Matrix4x4.identity, material, ValuesPass, MeshTopology.Triangles, 3);
+        }
 
         /// <summary>Records what a camera does before its shadows are drawn, for its next picture.</summary>
         public void Begin(CommandBuffer cmd)

@@ -94,6 +94,24 @@ namespace Rill.Tests
                 "the nearer one before the opaque scene, without the other");
         }
 
+        [UnityTest]
+        public IEnumerator The_shadow_is_copied_for_cameras_that_see_it_alone()
+        {
+            Light sun = scene.AddSun();
+            sun.type = LightType.Directional;
+            sun.shadows = LightShadows.Hard;
+            sun.enabled = true;
+            yield return scene.Settle(4);
+            CommandBuffer copy = sun.GetCommandBuffers(LightEvent.AfterShadowMap)[0];
+            Assert.That(copy.sizeInBytes, Is.GreaterThan(0));
+            scene.Camera.transform.position += 50f * Vector3.right;
+            yield return Frames(1);
+            Assert.That(copy.sizeInBytes, Is.Zero);
+            scene.Camera.transform.position -= 50f * Vector3.right;
+            yield return Frames(1);
+            Assert.That(copy.sizeInBytes, Is.GreaterThan(0));
+        }
+
         // From an angle, over a floor of two colors: what is refracted is looked up beside where it is seen.
         void LookAcross(Camera camera)
         {

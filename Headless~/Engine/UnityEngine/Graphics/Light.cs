@@ -75,6 +75,7 @@ namespace UnityEngine
         }
 
         public void RemoveCommandBuffer(LightEvent evt, CommandBuffer buffer) => commandBuffers.Remove(evt, buffer);
+        public CommandBuffer[] GetCommandBuffers(LightEvent evt) => commandBuffers.Of(evt);
         public int commandBufferCount => commandBuffers.Count;
         internal void Execute(LightEvent evt) => commandBuffers.Execute(evt);
     }
