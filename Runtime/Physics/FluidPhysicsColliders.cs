@@ -147,7 +147,7 @@ namespace Rill
             int count = Ask(center, rotation, size, spacing);
             for (int i = 0; i < count; i++)
                 if (!IsLeftOut(found[i]))
-                    Take(found[i]);
+                    TryTake(found[i]);
             DropOthers();
             listens = contacts.HasListeners;
             FollowBodies();
@@ -258,6 +258,19 @@ namespace Rill
             Rigidbody body = collider.attachedRigidbody;
             return body != null && (body.TryGetComponent(out own) && own.isActiveAndEnabled
                 || body.TryGetComponent(out FluidBuoyancy buoyancy) && buoyancy.isActiveAndEnabled);
+        }
+
+        // What stands for a collider's ground may throw: the others are taken all the same.
+        void TryTake(Collider collider)
+        {
+            try
+            {
+                Take(collider);
+            }
+            catch (Exception problem) when (fluid != null)
+            {
+                fluid.Thrown.Log(problem, collider, fluid);
+            }
         }
 
         void Take(Collider collider)

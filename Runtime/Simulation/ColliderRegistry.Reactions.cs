@@ -1,3 +1,4 @@
+using System;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -56,21 +57,34 @@ namespace Rill
             double scale = -takenImpulse / reactions.Duration;
             for (int i = 0; i < takenCount; i++)
             {
-                IFluidCollider owner = taken[i].owner;
-                bool left = i >= Set.Count || !ReferenceEquals(entries[i].owner, owner);
-                taken[i].delivered = !left && owner.IsThere && owner.MeasuresForce;
-                if (!taken[i].delivered)
-                    continue;
-                reactions.Get(i, out double3 sum, out double3 moment);
-                var force = (Vector3)(float3)(sum * scale);
-                var torque = (Vector3)(float3)(moment * (scale * spacing * taken[i].arm));
-                owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[i].motion,
-                    reactions.Duration, takenStep, takenShift));
+                taken[i].delivered = false;
+                try
+                {
+                    Deliver(reactions, fluid, spacing, scale, i);
+                }
+                catch (Exception problem)
+                {
+                    fluid.Thrown.Log(problem, taken[i].owner, fluid);
+                }
             }
             // What a listener changes, such as restarting the fluid, is of the next result.
             for (int i = 0; i < takenCount; i++)
                 if (taken[i].delivered)
                     taken[i].owner.TellContacts(fluid);
+        }
+
+        void Deliver(ColliderReactions reactions, FluidSimulation fluid, float spacing, double scale, int index)
+        {
+            IFluidCollider owner = taken[index].owner;
+            bool left = index >= Set.Count || !ReferenceEquals(entries[index].owner, owner);
+            if (left || !owner.IsThere || !owner.MeasuresForce)
+                return;
+            reactions.Get(index, out double3 sum, out double3 moment);
+            var force = (Vector3)(float3)(sum * scale);
+            var torque = (Vector3)(float3)(moment * (scale * spacing * taken[index].arm));
+            owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[index].motion,
+                reactions.Duration, takenStep, takenShift));
+            taken[index].delivered = true;
         }
 
         /// <summary>Drops what the colliders felt of a fluid that begins again, or goes on from another state: also what is pending.</summary>
@@ -87,7 +101,16 @@ namespace Rill
         public void TellLeft(FluidSimulation fluid)
         {
             for (int i = 0; i < leavers.Count; i++)
-                leavers[i].TellLeft(fluid);
+            {
+                try
+                {
+                    leavers[i].TellLeft(fluid);
+                }
+                catch (Exception problem)
+                {
+                    fluid.Thrown.Log(problem, leavers[i], fluid);
+                }
+            }
             leavers.Clear();
         }
     }

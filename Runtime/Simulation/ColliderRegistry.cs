@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 
@@ -55,14 +56,29 @@ namespace Rill
             DropOtherLayers(steps.fluid);
             foreach (FluidCollider collider in FluidCollider.Enabled)
                 if (steps.fluid.Takes(collider))
-                    Collect(steps, collider);
+                    TryCollect(steps, collider);
             for (int i = 0; hasOwn && i < own.Count; i++)
-                Collect(steps, own[i]);
+                TryCollect(steps, own[i]);
             Jumped = false;
             if (changed || Set.Count != lastCount)
                 Set.Version++;
             if (reordered)
                 Set.Order++;
+        }
+
+        // One that throws is left out, as one that is disabled.
+        void TryCollect(in CollectedSteps steps, IFluidCollider collider)
+        {
+            int before = Set.Count;
+            try
+            {
+                Collect(steps, collider);
+            }
+            catch (Exception problem)
+            {
+                Set.Count = before;
+                steps.fluid.Thrown.Log(problem, collider, steps.fluid);
+            }
         }
 
         void Collect(in CollectedSteps steps, IFluidCollider collider)

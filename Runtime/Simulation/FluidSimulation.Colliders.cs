@@ -40,13 +40,24 @@ namespace Rill
         /// <summary>Finds colliders for this fluid alone; null for none.</summary>
         internal IColliderSource ColliderSource { get; set; }
 
+        /// <summary>What this fluid calls and has thrown since it was enabled.</summary>
+        internal ThrownSources Thrown { get; } = new ThrownSources();
+
         // Those of this fluid alone; null for none.
         List<IFluidCollider> GatherOwnColliders()
         {
             if (ColliderSource == null)
                 return null;
             GetPose(out Vector3 place, out Quaternion rotation);
-            return ColliderSource.Gather(place, rotation, domainSize, particleSpacing);
+            try
+            {
+                return ColliderSource.Gather(place, rotation, domainSize, particleSpacing);
+            }
+            catch (Exception problem)
+            {
+                Thrown.Log(problem, ColliderSource, this);
+                return null;
+            }
         }
 
         /// <summary>Gathers the colliders that can touch the fluid in the coming steps.</summary>

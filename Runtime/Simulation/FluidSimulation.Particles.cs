@@ -17,7 +17,7 @@ namespace Rill
         /// </summary>
         /// <remarks>
         /// Passes run in the order in which they were added, before drains, force fields and the fluid's own passes. One that throws is
-        /// logged, and the others go on. Water that sleeps wakes where particles were removed or got a velocity above the sleep speed.
+        /// logged once, and the others go on. Water that sleeps wakes where particles were removed or got a velocity above the sleep speed.
         /// While there is any, each step also looks for particles to remove.
         /// </remarks>
         public event Action<CommandBuffer, FluidParticles> BeforeStep
@@ -109,7 +109,7 @@ namespace Rill
                 }
                 catch (Exception problem)       // of a script, as in any of its messages
                 {
-                    Debug.LogException(problem, this);
+                    Thrown.Log(problem, pass, this);
                 }
                 if (pbf != before)      // disabled by the pass
                     break;

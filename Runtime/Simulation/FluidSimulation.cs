@@ -215,6 +215,7 @@ namespace Rill
         void OnEnable()
         {
             failure = null;
+            Thrown.Clear();
             layoutChanged = false;
             isTooViscous = saidTooViscous = false;
             if (HasNoGraphics)

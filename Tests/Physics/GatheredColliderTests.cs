@@ -314,6 +314,28 @@ namespace Rill.Tests
             return collider;
         }
 
+        [Test]
+        public void A_collider_whose_ground_throws_is_left_out_alone_and_logged_once()
+        {
+            System.Func<Collider, IColliderGround> installed = ColliderGround.Find;
+            Add<BoxCollider>(Vector3.zero, Quaternion.identity, Vector3.one).name = "Whole";
+            Add<SphereCollider>(Vector3.zero, Quaternion.identity, Vector3.one).name = "Faulty";
+            colliders.gameObject.SetActive(true);
+            try
+            {
+                ColliderGround.Find = collider => collider.name == "Faulty" ? throw new System.InvalidOperationException("planted") : null;
+                LogAssert.Expect(LogType.Exception, new Regex("planted"));
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Pool' goes on without SphereCollider 'Faulty'"));
+                for (int i = 0; i < 3; i++)
+                    Assert.That(TheOnly().shape, Is.EqualTo(ColliderShape.Box));
+            }
+            finally
+            {
+                ColliderGround.Find = installed;
+            }
+            LogAssert.NoUnexpectedReceived();
+        }
+
         List<IFluidCollider> Gather() => ((IColliderSource)colliders).Gather(Vector3.zero, Quaternion.identity, Vector3.one, 0.05f);
 
         ColliderMotion TheOnly()
