@@ -7,18 +7,18 @@ namespace Rill
 {
     /// <summary>
     /// Lets the fluid carry this object's Rigidbody: at each step of the physics it gets the force and the torque that the fluid exerts on its
-    /// <see cref="FluidCollider"/>, and on those of objects below it that have no other Rigidbody, stable although they come a few
-    /// frames late.
+    /// <see cref="FluidCollider"/>s, here and on objects below that have no other Rigidbody, stable although they come a few frames late.
     /// </summary>
     /// <remarks>
     /// Forces, torques and volumes of several colliders add up: where they overlap, their volume counts twice.
     /// The water looks at the object frame by frame, so a body that does not interpolate is set to. Kinematic bodies are left
-    /// alone. See the page on floating bodies for how a late force is made stable. Without the physics module this component
+    /// alone. Code adds the colliders that shall carry the body; in the Editor a new one that finds none adds one that fits the object.
+    /// See the page on floating bodies for how a late force is made stable. Without the physics module this component
     /// is not there; <see cref="FluidCollider.TryGetForce"/> gives the force to an integrator of your own.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating.md")]
     [DisallowMultipleComponent]
-    [RequireComponent(typeof(FluidCollider), typeof(Rigidbody))]
+    [RequireComponent(typeof(Rigidbody))]
     public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IAppliesSettings
     {
         const float PatienceTime = 5f;          // s without a fluid before that is logged
@@ -49,8 +49,13 @@ namespace Rill
         readonly List<Part> parts = new List<Part>();
         [NonSerialized] Rigidbody body;
         [NonSerialized] float waited;
-        [NonSerialized] bool problemIsKnown;
+        [NonSerialized] bool problemIsKnown, lackIsKnown;
         [NonSerialized] ClampedSettings clamped;
+
+        [KeptBetweenPlays] static Action<GameObject> addCollider;
+
+        /// <summary>Adds a <see cref="FluidCollider"/> in the Editor, where it can be undone. Null in a player.</summary>
+        internal static Action<GameObject> AddCollider { get => addCollider; set => addCollider = value; }
 
         /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it
         /// displaces, 0.25 to 16.</summary>
@@ -83,6 +88,20 @@ namespace Rill
             FloatingBody.Smooth(body);
             FindColliders();
             waited = 0f;
+            lackIsKnown = false;
+        }
+
+        // In the Editor, where the component was added or reset.
+        void Reset() => AddMissingCollider();
+
+        /// <summary>Adds a collider to the object where the body has none yet.</summary>
+        internal void AddMissingCollider()
+        {
+            body = GetComponent<Rigidbody>();
+            foreach (FluidCollider collider in GetComponentsInChildren<FluidCollider>(true))
+                if (IsOf(body, collider))
+                    return;
+            addCollider?.Invoke(gameObject);
         }
 
         void OnDisable()
@@ -109,10 +128,17 @@ namespace Rill
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped.Problem);
+            bool lacksColliders = true;
             foreach (FluidCollider collider in GetComponentsInChildren<FluidCollider>())
-                if (collider.enabled && IsOf(GetComponent<Rigidbody>(), collider) && collider.Describe(out ColliderMotion shape) == null
+            {
+                if (!collider.enabled || !IsOf(GetComponent<Rigidbody>(), collider))
+                    continue;
+                lacksColliders = false;
+                if (collider.Describe(out ColliderMotion shape) == null
                     && Problem(shape, FloatingBody.VolumeOf(shape, collider.Field)) is string problem)
                     problems.Add($"'{collider.name}': {problem}");
+            }
+            problems.AddIfAny(lacksColliders ? LackProblem : null);
         }
 
         void FixedUpdate() => Act(PhysicsStep.OfFixedUpdate(gameObject));
@@ -125,6 +151,8 @@ namespace Rill
                 return;
             FindColliders();
             FindParts();
+            if (colliders.Count == 0)
+                LogLack();
             if (parts.Count == 0)
                 return;
             floating.Begin(body, step, virtualMass, damping);
@@ -204,6 +232,16 @@ namespace Rill
             if (!(volume > 0f))
                 return "its FluidCollider has no volume. Give the shape sizes above 0; a mesh needs a field whose texture can be read.";
             return null;
+        }
+
+        const string LackProblem = "neither its object nor one below, without a Rigidbody of its own, has a Fluid Collider that is enabled. " +
+            "Add one to each shape that shall float, or leave the body to Floating Layers of a Fluid Physics Colliders.";
+
+        void LogLack()
+        {
+            if (!lackIsKnown)
+                Debug.LogWarning($"Rill: FluidBuoyancy '{name}' carries nothing: {LackProblem}", this);
+            lackIsKnown = true;
         }
 
         void Wait(float time)

@@ -67,18 +67,23 @@ namespace Rill
                 Refuse(heights.Problem);
                 return;
             }
-            shapeBefore = fluidCollider.Shape;
-            fluidCollider.Shape = ColliderShape.HeightField;
             fluidCollider.Heights = heights.Field;
         }
 
         void OnEnable()
         {
             fluidCollider = GetComponent<FluidCollider>();
+            shapeBefore = fluidCollider.Shape;
+            fluidCollider.Shape = ColliderShape.HeightField;        // without heights too: it is no solid of another shape then
             Refresh();
         }
 
-        void OnDisable() => Release();
+        void OnDisable()
+        {
+            Release();
+            if (fluidCollider != null && !Application.isPlaying)        // the scene keeps what it stores
+                fluidCollider.Shape = shapeBefore;
+        }
 
         // Before the steps of the frame; once, however many edits there were.
         void LateUpdate()
@@ -124,11 +129,7 @@ namespace Rill
         void Release()
         {
             if (fluidCollider != null && heights?.Field != null && ReferenceEquals(fluidCollider.Heights, heights.Field))
-            {
                 fluidCollider.Heights = null;
-                if (!Application.isPlaying)         // the scene keeps what it stores
-                    fluidCollider.Shape = shapeBefore;
-            }
             heights?.Dispose();
             heights = null;
         }

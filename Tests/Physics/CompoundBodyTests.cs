@@ -181,7 +181,6 @@ namespace Rill.Tests
             if (byLayer)
                 return;
             thing.AddComponent<FluidBuoyancy>();
-            thing.GetComponent<FluidCollider>().enabled = false;        // its children have the shapes
         }
 
         void Begin()

@@ -57,6 +57,16 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_terrain_without_data_is_no_solid_of_another_shape()
+        {
+            thing.GetComponent<Terrain>().terrainData = null;
+            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is no collider: its Terrain has no terrain data"));
+            thing.AddComponent<FluidTerrain>();
+            thing.SetActive(true);
+            Assert.That(thing.GetComponent<FluidCollider>().Describe(out _), Is.Not.Null, "no box of 1 m that nobody chose");
+        }
+
+        [Test]
         public void Changed_heights_count_after_a_refresh()
         {
             FluidTerrain terrain = Add();
