@@ -23,6 +23,7 @@ namespace Rill
         {
             queried = input;
             PrepareConstants();
+            QueryShader.HasRemoved = HasMarked;
             queries.Record(BetweenSteps(cmd), tags, input, slot);
         }
 
@@ -31,6 +32,7 @@ namespace Rill
         public void RecordBatch(CommandBuffer cmd, QueryBatch batch, in BatchInput input, int slot)
         {
             PrepareConstants();
+            QueryShader.HasRemoved = HasMarked;
             batch.Record(BetweenSteps(cmd), QueryShader, tags, input, slot);
         }
 

@@ -47,13 +47,15 @@ namespace Host.Bench
                 DefaultValueFactory = _ => new[] { 100_000, 1_000_000 }, AllowMultipleArgumentsPerToken = true };
             var frames = new Option<int>("--frames") { Description = $"Frames measured of each, at least {StepTimes.MinSteps}.",
                 DefaultValueFactory = _ => StepTimes.MinSteps };
+            Option<bool> kernels = KernelsOption.Create();
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
             var command = new Command("game", "Measures what probes, contacts, floating bodies, recorder and requests add to a frame.") {
-                particles, frames, csv, shaders };
+                particles, frames, kernels, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                KernelsOption.Use(parsed.GetValue(kernels));
                 foreach (int count in parsed.GetValue(particles))
                     GivenNumber.CheckOption("--particles", count, ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(frames) < StepTimes.MinSteps)
@@ -86,11 +88,15 @@ namespace Host.Bench
                 double off = double.NaN;
                 foreach ((string name, Parts parts) in Rows)
                 {
-                    (StepTimes.Spread gpu, StepTimes.Spread cpu) = Measure(scene, parts, frames, output);
+                    var stages = Player.TimesKernels ? new Dictionary<string, List<double>>() : null;
+                    (StepTimes.Spread gpu, StepTimes.Spread cpu) = Measure(scene, parts, frames, stages, output);
                     off = double.IsNaN(off) ? gpu.Median : off;
                     output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name,-24}{gpu.Median,10:0.0000}" +
                         $"{gpu.Low,10:0.0000}{gpu.High,10:0.0000}{gpu.Median - off,10:0.0000}{cpu.Median,10:0.000}"));
                     table.Add(scene.Particles, name, gpu.Median, gpu.Low, gpu.High, cpu.Median, gpu.Count);
+                    foreach ((string stage, List<double> times) in stages ?? new Dictionary<string, List<double>>())
+                        output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                            $"  {stage,-54}{StepTimes.Spread.Of(times).Median,10:0.0000}"));
                 }
             }
             if (csv != null)
@@ -98,7 +104,7 @@ namespace Host.Bench
         }
 
         static (StepTimes.Spread Gpu, StepTimes.Spread Cpu) Measure(ExperimentScene scene, Parts parts, int frames,
-            TextWriter output)
+            Dictionary<string, List<double>> stages, TextWriter output)
         {
             string file = Path.Combine(Path.GetTempPath(), $"rill-bench-{Guid.NewGuid():N}.rillrec");
             var readback = new ParticleReadback();
@@ -122,7 +128,10 @@ namespace Host.Bench
                     if (frame < First)
                         continue;
                     cpu.Add(passed);
-                    gpu.Add(device.CollectSamples().Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds));
+                    IReadOnlyList<DeviceSample> samples = device.CollectSamples();
+                    gpu.Add(samples.Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds));
+                    if (stages != null)
+                        Add(stages, samples);
                 }
                 device.WaitIdle();
                 FluidRecorder recorder = fluid.GetComponent<FluidRecorder>();
@@ -137,6 +146,16 @@ namespace Host.Bench
                 File.Delete(file);
             }
             return (StepTimes.Spread.Of(gpu), StepTimes.Spread.Of(cpu));
+        }
+
+        static void Add(Dictionary<string, List<double>> stages, IReadOnlyList<DeviceSample> samples)
+        {
+            foreach (IGrouping<string, DeviceSample> stage in samples.GroupBy(sample => sample.Name))
+            {
+                if (!stages.TryGetValue(stage.Key, out List<double> times))
+                    stages[stage.Key] = times = new List<double>();
+                times.Add(stage.Sum(sample => sample.Milliseconds));
+            }
         }
 
         static FluidSimulation Make(ExperimentScene scene, Parts parts, List<GameObject> made)
