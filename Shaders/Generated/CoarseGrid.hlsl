@@ -2,6 +2,8 @@
 #ifndef RILL_GENERATED_COARSE_GRID_INCLUDED
 #define RILL_GENERATED_COARSE_GRID_INCLUDED
 
+static const uint kOpenCellsPerGroup = 8;    // cells of a group of OpenCells
+
 static const float kInactive = 1E+30;    // right-hand side of a cell that is not solved for: its potential is 0
 static const uint kTiedFaces = 6;    // bit in _OpenFaces of the first end at which a neighbor's solution is known, in the order of the open ones
 

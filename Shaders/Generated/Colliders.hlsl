@@ -57,5 +57,6 @@ struct Collider
     float lastBlend;    // and at its start
     float padding;
 };
+static const uint kVolumeLanes = 16;    // threads that measure how much of a cell is solid
 
 #endif

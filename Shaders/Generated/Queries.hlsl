@@ -51,6 +51,7 @@ static const uint kParticlesPerThread = 4;    // particles that a thread of the 
 static const uint kProbeGroup = 256;    // threads of a probe's groups
 static const uint kSamples = 32;    // densities along a line that a group finds
 static const uint kColumns = 16;    // columns around a point of the surface in which it is found too
+static const uint kGroupColumns = 4;    // columns of a group
 
 // What a ray's result has.
 static const uint kRayHit = 1;

@@ -9,6 +9,9 @@ namespace Rill
     /// <summary>What solid colliders leave open of the coarse grid, for its solves: made when deep water and colliders meet.</summary>
     sealed class CoarseColliders : IDisposable
     {
+        /// <summary>cells of a group of OpenCells</summary>
+        [GenerateHlsl("CoarseGrid")] const int OpenCellsPerGroup = 8;
+
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.CoarseColliders");
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseColliders");
@@ -57,7 +60,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, openCells, Ids.OpenCells, raw);
             cmd.SetComputeBufferParam(shader, openCells, Ids.CellCenters, centers);
             cmd.SetComputeBufferParam(shader, openCells, Ids.CellFlow, flow);
-            CoarseGrid.Dispatch(cmd, shader, openCells, grid.Total);
+            ThreadGroups.Dispatch(cmd, shader, openCells, (grid.Total + OpenCellsPerGroup - 1) / OpenCellsPerGroup);
             cmd.SetComputeBufferParam(shader, linkCells, Ids.RawCells, raw);
             cmd.SetComputeBufferParam(shader, linkCells, Ids.OpenCells, open);
             CoarseGrid.Dispatch(cmd, shader, linkCells, grid.Total);

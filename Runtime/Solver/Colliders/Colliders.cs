@@ -21,6 +21,9 @@ namespace Rill
         /// <summary>Keyword of the kernels that know of meshes that deform.</summary>
         public const string DeformingKeyword = "RILL_DEFORMING";
 
+        /// <summary>threads that measure how much of a cell is solid</summary>
+        [GenerateHlsl("Colliders")] const int VolumeLanes = 16;
+
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
         /// <summary>Measures at rest what the colliders add; the statistics list it among their kernels.</summary>
@@ -157,7 +160,7 @@ namespace Rill
                 CoarseGrid.Dispatch(cmd, shader, binColliders, total * words);
                 BindShapes(cmd, shader, measureColliderVolume);
                 cmd.SetComputeBufferParam(shader, measureColliderVolume, Ids.ColliderVolume, colliderVolume);
-                CoarseGrid.Dispatch(cmd, shader, measureColliderVolume, total);
+                CoarseGrid.Dispatch(cmd, shader, measureColliderVolume, total * VolumeLanes);
             }
             cmd.EndSample(Marker);
         }

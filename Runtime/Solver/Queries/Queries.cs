@@ -125,8 +125,8 @@ namespace Rill
 
         readonly QueryShader shader;
         readonly ReadbackRing ring;
-        readonly uint[] zeros = new uint[MaxDetectors * DetectorWords];
-        GraphicsBuffer points, detectors;
+        readonly uint[] zeros = new uint[Words];
+        GraphicsBuffer points, detectors, ringHeights;
 
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
         public Queries(QueryShader shader, ReadbackErrors errors = null)
@@ -134,6 +134,7 @@ namespace Rill
             this.shader = shader;
             points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
             detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
+            ringHeights = GpuBuffer.Structured<float>("Rill.Queries.RingHeights", MaxProbes * QueryShader.Columns);
             ring = new ReadbackRing("Rill.Queries.Results", RingSize, Words, slot => Arrived?.Invoke(slot));
             ring.Report(errors, ReadbackKinds.Queries);
         }
@@ -154,7 +155,8 @@ namespace Rill
             if (input.pointCount > 0)
             {
                 cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
-                shader.RecordPoints(step, tags, input.up, points, results, input.pointCount);
+                cmd.SetBufferData(results, zeros, 0, 0, input.pointCount * ProbeWords);
+                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount);
             }
             if (input.detectorCount > 0)
             {
@@ -193,6 +195,7 @@ namespace Rill
             ring?.Dispose();
             GpuBuffer.Release(ref points);
             GpuBuffer.Release(ref detectors);
+            GpuBuffer.Release(ref ringHeights);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -210,6 +213,7 @@ namespace Rill
                 stage.shader.DescribeDetectors(description, tags, regions - input.meshCount, input.meshCount);
             description.Buffer("Rill.Queries.Points", stage.points);
             description.Buffer("Rill.Queries.Detectors", stage.detectors);
+            description.Buffer("Rill.Queries.RingHeights", stage.ringHeights);
             stage.ring.Describe(description);
             return description;
         }

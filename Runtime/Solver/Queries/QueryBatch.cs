@@ -18,7 +18,7 @@ namespace Rill
         readonly BufferClear clear = new BufferClear();
         readonly ReadbackRing ring;
         readonly int firstRayWord;
-        GraphicsBuffer points, rays, lines;
+        GraphicsBuffer points, rays, lines, ringHeights;
         NativeArray<uint> lineUpload;
 
         /// <param name="pointCapacity">0 or more.</param>
@@ -32,6 +32,8 @@ namespace Rill
                 points = GpuBuffer.Structured<float4>("Rill.QueryBatch.Points", pointCapacity);
             if (rayCapacity > 0)
                 rays = GpuBuffer.Structured<RayQuery>("Rill.QueryBatch.Rays", rayCapacity);
+            ringHeights = GpuBuffer.Structured<float>("Rill.QueryBatch.RingHeights",
+                (long)math.max(pointCapacity, rayCapacity) * QueryShader.Columns);
             int words = firstRayWord + rayCapacity * RayQuery.RayWords;
             ring = new ReadbackRing("Rill.QueryBatch.Results", RingSize, words, arrived, lost);
         }
@@ -46,19 +48,18 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             GraphicsBuffer results = ring.Buffer(slot);
             cmd.BeginSample(Marker);
-            if (input.rayCount > 0)
-                clear.Record(cmd, results);
+            clear.Record(cmd, results);
             if (input.pointCount > 0)
             {
                 cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
-                shader.RecordPoints(step, tags, input.up, points, results, input.pointCount);
+                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount);
             }
             if (input.rayCount > 0)
             {
                 cmd.SetBufferData(rays, input.rays, 0, 0, input.rayCount);
                 var buffers = new RayBuffers { rays = rays, rayCount = input.rayCount, lineCount = UploadLines(cmd, input.rays, input.rayCount) };
                 buffers.lines = lines;
-                shader.RecordRays(step, tags, input.up, buffers, input.rayLength, results, firstRayWord);
+                shader.RecordRays(step, tags, input.up, buffers, input.rayLength, ringHeights, results, firstRayWord);
             }
             cmd.EndSample(Marker);
         }
@@ -95,6 +96,7 @@ namespace Rill
             description.Buffer("Rill.QueryBatch.Points", points);
             description.Buffer("Rill.QueryBatch.Rays", rays);
             description.Buffer("Rill.QueryBatch.Lines", lines);
+            description.Buffer("Rill.QueryBatch.RingHeights", ringHeights);
             ring.Describe(description);
         }
 
@@ -106,6 +108,7 @@ namespace Rill
             GpuBuffer.Release(ref points);
             GpuBuffer.Release(ref rays);
             GpuBuffer.Release(ref lines);
+            GpuBuffer.Release(ref ringHeights);
         }
 
         // How many there are depends on the radii: the buffer grows with the most that were needed.

@@ -18,62 +18,81 @@ namespace Rill
         [GenerateHlsl("Queries")] const int Samples = 32;
 
         /// <summary>columns around a point of the surface in which it is found too</summary>
-        [GenerateHlsl("Queries")] const int Columns = 16;
+        [GenerateHlsl("Queries")] public const int Columns = 16;
+
+        /// <summary>columns of a group</summary>
+        [GenerateHlsl("Queries")] const int GroupColumns = 4;
 
         const string Name = "Queries";
         const float ChunkLength = 0.5f * (Samples - 1);        // as in SurfaceLines.hlsl, d
 
         readonly ComputeShader shader = StageShader.LoadCompute(Name);
-        readonly Kernel answerPoints, detect, detectMesh, searchLines, answerRays;
+        readonly Kernel findSurface, findSurroundings, fitNormal, detect, detectMesh, searchLines, findHits, findRayColumns, fitRayNormal;
         readonly LocalKeyword withTags;
 
         public QueryShader()
         {
-            answerPoints = new Kernel(shader, "AnswerPoints");
+            findSurface = new Kernel(shader, "FindSurface");
+            findSurroundings = new Kernel(shader, "FindSurroundings");
+            fitNormal = new Kernel(shader, "FitNormal");
             detect = new Kernel(shader, "Detect");
             detectMesh = new Kernel(shader, "DetectMesh");
             searchLines = new Kernel(shader, "SearchLines");
-            answerRays = new Kernel(shader, "AnswerRays");
+            findHits = new Kernel(shader, "FindHits");
+            findRayColumns = new Kernel(shader, "FindRayColumns");
+            fitRayNormal = new Kernel(shader, "FitRayNormal");
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
         }
 
-        /// <summary>Whether particles were removed since the last step: positions that are not finite are asked for only then.</summary>
+        /// <summary>Whether particles were removed since the last step: positions that are not finite are looked for only then.</summary>
         public bool HasRemoved { get; set; }
 
         /// <summary>Records what is at points: density, velocity, phase, and the surface along gravity.</summary>
         /// <param name="up">Against gravity, length 1; 0 without gravity.</param>
         /// <param name="points">float4, xyz within the domain, d.</param>
-        /// <param name="results">uint, <see cref="Queries.ProbeWords"/> for each point.</param>
+        /// <param name="ringHeights">float, <see cref="Columns"/> for each point.</param>
+        /// <param name="results">uint, <see cref="Queries.ProbeWords"/> for each point, 0 at entry.</param>
         /// <param name="count">1 to <see cref="ThreadGroups.MaxGroups"/>.</param>
-        public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer results, int count)
+        public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
+            GraphicsBuffer results, int count)
         {
             CommandBuffer cmd = step.Commands;
-            float length = math.dot(math.abs(up), step.Layout.DomainSize);
-            Begin(step, tags, up, math.any(up != 0f) ? Chunks(length) : 0);
-            cmd.SetComputeBufferParam(shader, answerPoints, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, answerPoints, Ids.Points, points);
-            Bind(step, answerPoints, tags, results);
-            cmd.DispatchCompute(shader, answerPoints, count, 1, 1);
+            Begin(step, tags);
+            cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
+            if (math.any(up != 0f))
+            {
+                BindPoints(step, findSurface, tags, points, ringHeights, results);
+                cmd.DispatchCompute(shader, findSurface, count, Chunks(math.dot(math.abs(up), step.Layout.DomainSize)), 1);
+            }
+            BindPoints(step, findSurroundings, tags, points, ringHeights, results);
+            cmd.DispatchCompute(shader, findSurroundings, count, Columns / GroupColumns + 2, 1);
+            BindPoints(step, fitNormal, tags, points, ringHeights, results);
+            cmd.DispatchCompute(shader, fitNormal, count, 1, 1);
         }
 
         /// <summary>Records where rays and balls cross the surface, and density, velocity and phase at that point.</summary>
         /// <param name="up">Against gravity, length 1; 0 without gravity.</param>
         /// <param name="length">At least that of each ray in the box, d.</param>
         /// <param name="firstWord">Of the results, from which on there are <see cref="RayQuery.RayWords"/> for each ray.</param>
-        public void RecordRays(in StepContext step, ParticleTags tags, float3 up, in RayBuffers buffers, float length, GraphicsBuffer results,
-            int firstWord)
+        public void RecordRays(in StepContext step, ParticleTags tags, float3 up, in RayBuffers buffers, float length, GraphicsBuffer ringHeights,
+            GraphicsBuffer results, int firstWord)
         {
             CommandBuffer cmd = step.Commands;
-            // One sample more than the length: it tells where the water ends at a wall.
-            Begin(step, tags, up, Chunks(length + 1f));
+            Begin(step, tags);
+            cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
             cmd.SetComputeIntParam(shader, Ids.FirstRayWord, firstWord);
             cmd.SetComputeIntParam(shader, Ids.LineCount, buffers.lineCount);
             int perRow = math.min(buffers.lineCount, ThreadGroups.MaxGroups);
-            BindRays(step, searchLines, tags, buffers, results);
+            BindRays(step, searchLines, tags, buffers, null, results);
             cmd.SetComputeBufferParam(shader, searchLines, Ids.Lines, buffers.lines);
-            cmd.DispatchCompute(shader, searchLines, perRow, (buffers.lineCount + perRow - 1) / perRow, 1);
-            BindRays(step, answerRays, tags, buffers, results);
-            cmd.DispatchCompute(shader, answerRays, buffers.rayCount, 1, 1);
+            // One sample more than the length: it tells where the water ends at a wall.
+            cmd.DispatchCompute(shader, searchLines, perRow, Chunks(length + 1f), (buffers.lineCount + perRow - 1) / perRow);
+            BindRays(step, findHits, tags, buffers, null, results);
+            cmd.DispatchCompute(shader, findHits, buffers.rayCount, 1, 1);
+            BindRays(step, findRayColumns, tags, buffers, ringHeights, results);
+            cmd.DispatchCompute(shader, findRayColumns, buffers.rayCount, Columns / GroupColumns, 1);
+            BindRays(step, fitRayNormal, tags, buffers, ringHeights, results);
+            cmd.DispatchCompute(shader, fitRayNormal, buffers.rayCount, 1, 1);
         }
 
         /// <summary>Records what is in shapes: all that need no field at once, then each mesh, since a kernel cannot choose among
@@ -84,7 +103,7 @@ namespace Rill
         public void RecordDetectors(in StepContext step, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int firstWord,
             int simpleCount, Texture3D[] fields, int meshCount)
         {
-            Begin(step, tags, 0f, 0);
+            Begin(step, tags);
             if (simpleCount > 0)
                 Detect(step, detect, tags, detectors, results, 0, simpleCount, firstWord);
             for (int i = simpleCount; i < simpleCount + meshCount; i++)
@@ -94,12 +113,19 @@ namespace Rill
             }
         }
 
-        public void DescribePoints(StageDescription description, ParticleTags tags) => description.Kernel(answerPoints, 0, Variant(tags));
+        public void DescribePoints(StageDescription description, ParticleTags tags)
+        {
+            description.Kernel(findSurface, 0, Variant(tags));
+            description.Kernel(findSurroundings, 0, Variant(tags));
+            description.Kernel(fitNormal, 0, Variant(tags));
+        }
 
         public void DescribeRays(StageDescription description, ParticleTags tags)
         {
             description.Kernel(searchLines, 0, Variant(tags));
-            description.Kernel(answerRays, 0, Variant(tags));
+            description.Kernel(findHits, 0, Variant(tags));
+            description.Kernel(findRayColumns, 0, Variant(tags));
+            description.Kernel(fitRayNormal, 0, Variant(tags));
         }
 
         public void DescribeDetectors(StageDescription description, ParticleTags tags, int simpleCount, int meshCount)
@@ -112,17 +138,15 @@ namespace Rill
 
         static string Variant(ParticleTags tags) => tags != null ? ParticleTags.Keyword : null;
 
-        // Chunks along a line of this length, d. A line through the box is never longer than its sides together.
+        // Groups along a line of this length, d. A line through the box is never longer than its sides together.
         static int Chunks(float length) => math.max((int)math.ceil(length / ChunkLength), 1);
 
-        void Begin(in StepContext step, ParticleTags tags, float3 up, int chunks)
+        void Begin(in StepContext step, ParticleTags tags)
         {
             step.BindConstants(shader);
             step.Commands.SetKeyword(shader, withTags, tags != null);
             step.Commands.SetComputeIntParam(shader, Ids.IsSorted, step.Search.IsSorted ? 1 : 0);
             step.Commands.SetComputeIntParam(shader, Ids.HasRemoved, HasRemoved ? 1 : 0);
-            step.Commands.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
-            step.Commands.SetComputeIntParam(shader, Ids.Chunks, chunks);
         }
 
         void Detect(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int first, int count,
@@ -138,10 +162,21 @@ namespace Rill
             cmd.DispatchCompute(shader, kernel, (step.Layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
         }
 
-        void BindRays(in StepContext step, int kernel, ParticleTags tags, in RayBuffers buffers, GraphicsBuffer results)
+        void BindPoints(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer points, GraphicsBuffer ringHeights,
+            GraphicsBuffer results)
+        {
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Points, points);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
+            Bind(step, kernel, tags, results);
+        }
+
+        void BindRays(in StepContext step, int kernel, ParticleTags tags, in RayBuffers buffers, GraphicsBuffer ringHeights, GraphicsBuffer results)
         {
             step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             step.Commands.SetComputeBufferParam(shader, kernel, Ids.Rays, buffers.rays);
+            if (ringHeights != null)
+                step.Commands.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
             Bind(step, kernel, tags, results);
         }
 
@@ -167,7 +202,7 @@ namespace Rill
             public static readonly int Results = Shader.PropertyToID("_Results");
             public static readonly int IsSorted = Shader.PropertyToID("_IsSorted");
             public static readonly int Up = Shader.PropertyToID("_Up");
-            public static readonly int Chunks = Shader.PropertyToID("_Chunks");
+            public static readonly int RingHeights = Shader.PropertyToID("_RingHeights");
             public static readonly int HasRemoved = Shader.PropertyToID("_HasRemoved");
             public static readonly int FirstDetectorWord = Shader.PropertyToID("_FirstDetectorWord");
             public static readonly int Rays = Shader.PropertyToID("_Rays");

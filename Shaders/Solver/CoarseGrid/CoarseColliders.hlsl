@@ -67,6 +67,12 @@ uint PackOpen(float volume, uint owner, uint link, bool clear, bool surface)
     return uint(saturate(volume) * kVolumeSteps + 0.5) | (owner & 0x1FFu) << 12 | link << 21 | (clear ? 1u << 24 : 0u) | (surface ? 1u << 25 : 0u);
 }
 
+// The second word of a cell, which is clear only where what else counts is so too.
+uint ClearIf(uint word, bool other)
+{
+    return other ? word : word & ~(1u << 24);
+}
+
 // The collider nearest to a cell that is not all open, from its words.
 uint OwnerOf(uint2 bits)
 {

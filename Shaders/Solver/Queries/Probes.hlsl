@@ -1,104 +1,106 @@
-// The kernel of probes and of the points of a batch, see Queries.compute.
+// The kernels of probes and of the points of a batch, see Queries.compute.
 
-groupshared float g_Height;         // of the surface over the point, d
-groupshared uint g_HasSurface;
+groupshared uint g_Found;
 
-// Finds the highest surface on the line along gravity through a point: downwards in chunks, from where the line leaves the box above. All
-// threads come here.
-void FindSurface(uint thread, float3 p)
+// A chunk of the line along gravity, which begins where the line leaves the box above.
+[numthreads(kProbeGroup, 1, 1)]
+void FindSurface(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
+    float3 p = _Points[group.x].xyz;
     float3 up = _Up.xyz;
     float2 range = RangeInBox(p, up);
+    float lowest = range.x;
+    float top = range.y - group.y * kChunkLength;
+
+    uint k = min(thread, kSamples - 1);
     if (thread == 0)
     {
-        g_HasSurface = 0;
-        g_Height = 0.0;
+        g_First = kNone;
+        g_ListCount = 0;
+        g_Found = _Results[group.x * kProbeWords + kProbeHeight];       // what chunks above have found so far
     }
-    uint k = min(thread, kSamples - 1);
-    for (uint first = 0; first < _Chunks; first += kMarked)
-    {
-        if (thread == 0)
-            g_Chunks = 0;
-        GroupMemoryBarrierWithGroupSync();
-        if (g_HasSurface == 0)
-            MarkChunks(thread, p + (range.y - first * kChunkLength) * up, -up);
-        GroupMemoryBarrierWithGroupSync();
-        uint rounds = min(_Chunks - first, kMarked);
-        for (uint round = 0; round < rounds; round++)
-        {
-            uint left = g_Chunks;
-            uint chunk = first + firstbitlow(left);
-            float top = range.y - chunk * kChunkLength;
-            bool isNeeded = left != 0 && g_HasSurface == 0 && top >= range.x;
-            ClearSamples(thread);
-            if (thread == 0)
-                g_First = kNone;
-            GroupMemoryBarrierWithGroupSync();
-            if (thread == 0)
-                g_Chunks = left & (left - 1);
-            if (isNeeded)
-                AddChunk(thread, p + top * up, -up);
-            AddListed(thread, false);
-            float height = top - k * kSampleStep;
-            float density = 0.0;
-            if (isNeeded && thread < kSamples)
-            {
-                density = DensityOf(k, p + height * up);
-                g_Densities[k] = density;
-                if (height >= range.x && density >= kHalfDensity)
-                    InterlockedMin(g_First, k);
-            }
-            GroupMemoryBarrierWithGroupSync();
-            // The first sample of a chunk is the last of the chunk above, which finds the surface there.
-            if (isNeeded && thread == g_First && (thread > 0 || chunk == 0))
-            {
-                float above = g_Densities[max(k, 1) - 1];
-                float rest = k == 0 ? 0.0 : (density - kHalfDensity) / max(density - above, 1e-6);      // water up to the lid: there
-                g_Height = height + rest * kSampleStep;
-                g_HasSurface = 1;
-            }
-            GroupMemoryBarrierWithGroupSync();
-        }
-    }
+    if (thread < kSamples)
+        g_Column[thread] = 0;
     GroupMemoryBarrierWithGroupSync();
+    if (top >= lowest && g_Found <= Sortable(top))
+        AddChunk(thread, p + top * up, -up);
+    AddListed(thread, false);
+    float height = top - k * kSampleStep;
+    float density = DensityOf(k, p + height * up);
+    if (thread < kSamples)
+        g_Densities[thread] = density;
+    if (height >= lowest && density >= kHalfDensity)
+        InterlockedMin(g_First, k);
+    GroupMemoryBarrierWithGroupSync();
+    // The first sample of a chunk is the last of the chunk above, which finds the surface there.
+    if (thread == g_First && (thread > 0 || group.y == 0))
+    {
+        float above = g_Densities[max(thread, 1) - 1];
+        float rest = thread == 0 ? 0.0 : (density - kHalfDensity) / max(density - above, 1e-6);     // water up to the lid: there
+        InterlockedMax(_Results[group.x * kProbeWords + kProbeHeight], Sortable(height + rest * kSampleStep));
+    }
 }
 
-// Sums the water around p over the group's threads: xyz of the result velocity, w density without its scale. All threads come here.
-float4 SumAround(uint thread, float3 p, bool isAsked, bool ofPhases)
+// Of each probe kColumnGroups groups of columns, the water around its surface, and that around itself.
+[numthreads(kProbeGroup, 1, 1)]
+void FindSurroundings(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
+    uint at = group.x * kProbeWords;
+    uint found = _Results[at + kProbeHeight];
+    bool ofColumns = group.y < kColumnGroups;
+    bool ofProbe = group.y > kColumnGroups;
+    bool isAsked = ofProbe || found != 0;
+    float3 p = _Points[group.x].xyz;
+    float3 center = ofProbe ? p : p + FromSortable(found) * _Up.xyz;
+    if (thread < kPhases)
+        g_Phases[thread] = 0;
+    if (thread < kGroupColumns * kRingSamples)
+        g_Ring[thread] = 0;
+    if (thread == 0)
+        g_ListCount = 0;
+    GroupMemoryBarrierWithGroupSync();
+
     float4 near = 0.0;
-    if (isAsked)
-        near = SumNear(thread, p, ofPhases);
+    if (isAsked && ofColumns)
+        AddRings(thread, group.y * kGroupColumns, center, _Up.xyz);
+    else if (isAsked)
+        near = SumNear(thread, center, ofProbe);
+    AddListed(thread, true);
     SetValues(thread, 0, near.xyz);
     SetValue(thread, 3, near.w);
     SumValues(thread, 4);
-    return float4(Sum3(0) / max(g_Sums[3], 1e-9), g_Sums[3]);
+    float height = FindRingHeight(thread, ofColumns && isAsked, group.y * kGroupColumns, center, _Up.xyz);
+    if (ofColumns && thread < kGroupColumns)
+        _RingHeights[group.x * kColumns + group.y * kGroupColumns + thread] = height;
+    if (thread != 0 || ofColumns)
+        return;
+    float3 velocity = Sum3(0) / max(g_Sums[3], 1e-9);
+    if (!ofProbe)
+    {
+        StoreVector(at + kProbeSurfaceVelocity, velocity);
+        return;
+    }
+    StoreFloat(at + kProbeDensity, _DensityScale * g_Sums[3] / OpenPart(p));
+    StoreVector(at + kProbeVelocity, velocity);
+    _Results[at + kProbePhase] = DominantPhase();
+    _Results[at + kProbeFlags] = (g_Sums[3] > 0.0 ? kNearWater : 0) | (found != 0 ? kHasSurface : 0);
 }
 
-// A group for each point: the water around it, the surface over it, and the water and the slope there.
-[numthreads(kProbeGroup, 1, 1)]
-void AnswerPoints(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+// A group for each probe, a thread for each of its columns.
+[numthreads(kColumns, 1, 1)]
+void FitNormal(uint3 group : SV_GroupID, uint column : SV_GroupIndex)
 {
-    float3 p = _Points[group.x].xyz;
-    if (thread < kPhases)
-        g_Phases[thread] = 0;
-    FindSurface(thread, p);
-    bool hasSurface = g_HasSurface != 0;
-    float3 surface = p + g_Height * _Up.xyz;
-    float4 around = SumAround(thread, p, true, true);
-    float3 surfaceVelocity = SumAround(thread, surface, hasSurface, false).xyz;
-    FindColumns(thread, hasSurface, surface, _Up.xyz);
-    if (thread != 0)
+    uint at = group.x * kProbeWords;
+    uint found = _Results[at + kProbeHeight];
+    float height = found != 0 ? FromSortable(found) : 0.0;
+    float3 center = _Points[group.x].xyz + height * _Up.xyz;
+    g_Columns[column] = float3(RingOffset(column, center, _Up.xyz), _RingHeights[group.x * kColumns + column]);
+    GroupMemoryBarrierWithGroupSync();
+    if (column != 0)
         return;
     float3 normal = _Up.xyz;
-    if (hasSurface)
+    if (found != 0)
         normal = NormalOfRing(_Up.xyz, _Up.xyz);
-    uint at = group.x * kProbeWords;
-    StoreFloat(at + kProbeDensity, _DensityScale * around.w / OpenPart(p));
-    StoreVector(at + kProbeVelocity, around.xyz);
-    _Results[at + kProbePhase] = DominantPhase();
-    StoreFloat(at + kProbeHeight, g_Height);
+    StoreFloat(at + kProbeHeight, height);
     StoreVector(at + kProbeNormal, normal);
-    StoreVector(at + kProbeSurfaceVelocity, surfaceVelocity);
-    _Results[at + kProbeFlags] = (around.w > 0.0 ? kNearWater : 0) | (hasSurface ? kHasSurface : 0);
 }

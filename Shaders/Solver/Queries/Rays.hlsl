@@ -3,8 +3,9 @@
 //   _Rays    [rays]          in   see Generated/Queries.hlsl
 //   _Lines   [_LineCount]    in   uint, ray << kLineShift | number of the line
 //
-// SearchLines finds where a line enters or leaves the water; the nearest counts. A ball is as many lines from the half of it that is ahead:
-// it touches the water where the first of them enters. AnswerRays finds what is there, and the slope of the surface as for probes.
+// SearchLines finds where a line enters or leaves the water, in chunks that are all searched at once; the nearest counts. A ball is as many
+// lines from the half of it that is ahead: it touches the water where the first of them enters. FindHits finds what is there, FindRayColumns
+// and FitRayNormal the slope of the surface, as for probes.
 
 StructuredBuffer<RayQuery> _Rays;
 StructuredBuffer<uint> _Lines;
@@ -22,7 +23,6 @@ static const float kBeyondWall = -1.0;      // instead of the density of a sampl
 groupshared uint g_StartsInWater;
 groupshared uint g_Densest;
 groupshared uint g_Touching;
-groupshared float3 g_Normal;
 
 // A point of 'count' on a sphere or, of the half of it ahead, on a hemisphere: evenly spread along a spiral. Length 1.
 float3 OnSphere(uint number, uint count, float3 ahead, bool isHalf)
@@ -126,11 +126,10 @@ uint Nearness(float distance)
     return ~asuint(distance);
 }
 
-// A group for each line.
 [numthreads(kProbeGroup, 1, 1)]
 void SearchLines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint number = group.y * kMaxGroups + group.x;
+    uint number = group.z * kMaxGroups + group.x;
     bool isLine = number < _LineCount;
     uint packed = _Lines[min(number, _LineCount - 1)];
     RayQuery ray = _Rays[packed >> kLineShift];
@@ -138,68 +137,47 @@ void SearchLines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float3 origin = ray.origin + LineOffset(ray, packed & ((1u << kLineShift) - 1));
     float2 range = RangeInBox(origin, ray.direction);
     float begin = max(range.x, 0.0);
-    float end = min(range.y, ray.maxDistance);
-    uint k = min(thread, kSamples - 1);
-    for (uint marked = 0; marked < _Chunks; marked += kMarked)
+    float first = begin + group.y * kChunkLength;
+    if (thread == 0)
     {
-        if (thread == 0)
-            g_Chunks = 0;
-        GroupMemoryBarrierWithGroupSync();
-        if (isLine && begin + marked * kChunkLength <= end)
-            MarkChunks(thread, origin + (begin + marked * kChunkLength) * ray.direction, ray.direction);
-        GroupMemoryBarrierWithGroupSync();
-        uint rounds = min(_Chunks - marked, kMarked);
-        for (uint round = 0; round < rounds; round++)
-        {
-            uint left = g_Chunks;
-            uint chunk = marked + firstbitlow(left);
-            float first = begin + chunk * kChunkLength;
-            if (thread == 0)
-            {
-                g_First = kNone;
-                g_Touching = _Results[at];      // what this line and others of the ball have found so far: none that is further is of use
-            }
-            ClearSamples(thread);
-            GroupMemoryBarrierWithGroupSync();
-            bool isNeeded = left != 0 && first <= end && g_Touching <= Nearness(first);
-            if (thread == 0)
-                g_Chunks = left & (left - 1);
-            if (isNeeded)
-                AddChunk(thread, origin + first * ray.direction, ray.direction);
-            AddListed(thread, false);
-            float along = first + k * kSampleStep;
-            float density = 0.0;
-            if (isNeeded && thread < kSamples)
-            {
-                density = along <= range.y ? DensityOf(k, origin + along * ray.direction) : kBeyondWall;
-                g_Densities[k] = density;
-            }
-            GroupMemoryBarrierWithGroupSync();
-
-            // The first sample of a chunk is the last of the one before, which finds what is there; that of the line is at its start or at a
-            // wall.
-            float before = g_Densities[max(k, 1) - 1];
-            bool isWet = density >= kHalfDensity;
-            bool wasWet = k > 0 ? before >= kHalfDensity : !(chunk == 0 && range.x > 0.0) && isWet;
-            float change = density - before;
-            change = abs(change) > 1e-6 ? change : 1e-6;
-            float crossing = along - kSampleStep * (1.0 - saturate((kHalfDensity - before) / change));
-            crossing = k == 0 ? begin : density == kBeyondWall ? range.y : crossing;
-            bool isWanted = (ray.crossings & (isWet ? kCrossingEnter : kCrossingLeave)) != 0;
-            bool isFound = isNeeded && thread < kSamples && isWet != wasWet && isWanted && crossing <= ray.maxDistance;
-            if (isFound)
-                InterlockedMin(g_First, k);
-            GroupMemoryBarrierWithGroupSync();
-            if (isFound && k == g_First)
-                InterlockedMax(_Results[at], Nearness(crossing));
-            AllMemoryBarrierWithGroupSync();
-        }
+        g_ListCount = 0;
+        g_First = kNone;
+        g_Touching = _Results[at];      // what other chunks have found so far: none that is further is of use
     }
+    if (thread < kSamples)
+        g_Column[thread] = 0;
+    GroupMemoryBarrierWithGroupSync();
+    bool isNeeded = isLine && first <= min(range.y, ray.maxDistance) && g_Touching <= Nearness(first);
+    if (isNeeded)
+        AddChunk(thread, origin + first * ray.direction, ray.direction);
+    AddListed(thread, false);
+    uint k = min(thread, kSamples - 1);
+    float along = first + k * kSampleStep;
+    float density = along <= range.y ? DensityOf(k, origin + along * ray.direction) : kBeyondWall;
+    if (thread < kSamples)
+        g_Densities[thread] = density;
+    GroupMemoryBarrierWithGroupSync();
+
+    // The first sample of a chunk is the last of the one before, which finds what is there; that of the line is at its start or at a wall.
+    float before = g_Densities[max(k, 1) - 1];
+    bool isWet = density >= kHalfDensity;
+    bool wasWet = k > 0 ? before >= kHalfDensity : !(group.y == 0 && range.x > 0.0) && isWet;
+    float change = density - before;
+    change = abs(change) > 1e-6 ? change : 1e-6;
+    float crossing = along - kSampleStep * (1.0 - saturate((kHalfDensity - before) / change));
+    crossing = k == 0 ? begin : density == kBeyondWall ? range.y : crossing;
+    bool isWanted = (ray.crossings & (isWet ? kCrossingEnter : kCrossingLeave)) != 0;
+    bool isFound = isNeeded && thread < kSamples && isWet != wasWet && isWanted && crossing <= ray.maxDistance;
+    if (isFound)
+        InterlockedMin(g_First, k);
+    GroupMemoryBarrierWithGroupSync();
+    if (isFound && k == g_First)
+        InterlockedMax(_Results[at], Nearness(crossing));
 }
 
 // A group for each ray.
 [numthreads(kProbeGroup, 1, 1)]
-void AnswerRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+void FindHits(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     RayQuery ray = _Rays[group.x];
     uint at = _FirstRayWord + group.x * kRayWords;
@@ -217,8 +195,11 @@ void AnswerRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     GroupMemoryBarrierWithGroupSync();
 
     // Of a ball a thread asks for a point on it, and one for each line where it touches: all threads together ask for a ray's start.
-    bool isStartInBox = IsInBox(ray.origin);
-    float startDensity = SumAround(thread, ray.origin, !isBall && isStartInBox, false).w * _DensityScale / OpenPart(ray.origin);
+    float4 near = 0.0;
+    if (!isBall && IsInBox(ray.origin))
+        near = SumNear(thread, ray.origin, false);
+    SetValue(thread, 3, near.w);
+    SumValues(thread, 4);
     float density = 0.0;
     if (isBall)
     {
@@ -230,8 +211,8 @@ void AnswerRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             density = DensityAt(touch);
         InterlockedMax(g_Densest, asuint(density));
     }
-    else if (thread == 0)
-        g_StartsInWater = startDensity >= kHalfDensity ? 1 : 0;
+    else if (thread == 0 && _DensityScale * g_Sums[3] / OpenPart(ray.origin) >= kHalfDensity)
+        g_StartsInWater = 1;
     GroupMemoryBarrierWithGroupSync();
     if (thread < ray.lines && asuint(density) == g_Densest)
         InterlockedMin(g_Touching, thread);
@@ -240,34 +221,67 @@ void AnswerRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     // A ball that is in water enters none.
     bool isHit = found != 0 && !(isBall && g_StartsInWater != 0);
     float3 p = clamp(ray.origin + distance * ray.direction + LineOffset(ray, g_Touching), 0.0, _DomainSize);
-    float4 around = SumAround(thread, p, isHit, true);
+    near = 0.0;
+    if (isHit)
+        near = SumNear(thread, p, true);
+    SetValues(thread, 0, near.xyz);
+    SetValue(thread, 3, near.w);
+    SumValues(thread, 4);
+    float3 velocity = Sum3(0) / max(g_Sums[3], 1e-9);
+    float sum = g_Sums[3];
     float3 slope = 0.0;
     if (isHit)
         slope = SumSlope(thread, p);
     SetValues(thread, 0, slope);
     SumValues(thread, 3);
-    float open = OpenPart(p);
-    float3 wall = NormalOfWall(p);
-    bool isAtSurface = isHit && !(any(wall != 0.0) && _DensityScale * around.w / open > kWallDensity);
-    if (thread == 0)
-    {
-        float3 outward = around.w * SlopeOfOpenPart(p) - open * Sum3(0);
-        float length2 = dot(outward, outward);
-        g_Normal = length2 > 0.0 ? outward * rsqrt(max(length2, 1e-30)) : -ray.direction;
-    }
-    GroupMemoryBarrierWithGroupSync();
-    float3 normal = g_Normal;
-    float3 axis = ColumnAxis(normal);
-    FindColumns(thread, isAtSurface, p, axis);
     if (thread != 0)
         return;
-    normal = isHit && !isAtSurface ? wall : normal;
-    if (isAtSurface)
-        normal = NormalOfRing(axis, normal);
+    float open = OpenPart(p);
+    float3 outward = sum * SlopeOfOpenPart(p) - open * Sum3(0);
+    float length2 = dot(outward, outward);
+    float3 normal = length2 > 0.0 ? outward * rsqrt(max(length2, 1e-30)) : -ray.direction;
+    float3 wall = NormalOfWall(p);
+    bool isAtWall = any(wall != 0.0) && _DensityScale * sum / open > kWallDensity;
     StoreFloat(at + kRayDistance, distance);
     StoreVector(at + kRayPoint, p);
-    StoreVector(at + kRayNormal, normal);
-    StoreVector(at + kRayVelocity, around.xyz);
+    StoreVector(at + kRayNormal, isAtWall ? wall : normal);
+    StoreVector(at + kRayVelocity, velocity);
     _Results[at + kRayPhase] = DominantPhase();
-    _Results[at + kRayFlags] = (isHit ? kRayHit : 0) | (g_StartsInWater != 0 ? kRayStartsInWater : 0) | (isAtSurface ? kRayAtSurface : 0);
+    _Results[at + kRayFlags] = (isHit ? kRayHit : 0) | (g_StartsInWater != 0 ? kRayStartsInWater : 0) | (isHit && !isAtWall ? kRayAtSurface : 0);
+}
+
+float3 RayVector(uint at)
+{
+    return asfloat(uint3(_Results[at], _Results[at + 1], _Results[at + 2]));
+}
+
+// Of each ray kColumnGroups groups of columns around what it hits.
+[numthreads(kProbeGroup, 1, 1)]
+void FindRayColumns(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint at = _FirstRayWord + group.x * kRayWords;
+    bool isAsked = (_Results[at + kRayFlags] & kRayAtSurface) != 0;
+    float3 center = RayVector(at + kRayPoint), axis = ColumnAxis(RayVector(at + kRayNormal));
+    if (thread < kGroupColumns * kRingSamples)
+        g_Ring[thread] = 0;
+    if (thread == 0)
+        g_ListCount = 0;
+    GroupMemoryBarrierWithGroupSync();
+    if (isAsked)
+        AddRings(thread, group.y * kGroupColumns, center, axis);
+    AddListed(thread, true);
+    float height = FindRingHeight(thread, isAsked, group.y * kGroupColumns, center, axis);
+    if (thread < kGroupColumns)
+        _RingHeights[group.x * kColumns + group.y * kGroupColumns + thread] = height;
+}
+
+[numthreads(kColumns, 1, 1)]
+void FitRayNormal(uint3 group : SV_GroupID, uint column : SV_GroupIndex)
+{
+    uint at = _FirstRayWord + group.x * kRayWords;
+    float3 normal = RayVector(at + kRayNormal), axis = ColumnAxis(normal);
+    g_Columns[column] = float3(RingOffset(column, RayVector(at + kRayPoint), axis), _RingHeights[group.x * kColumns + column]);
+    GroupMemoryBarrierWithGroupSync();
+    if (column == 0 && (_Results[at + kRayFlags] & kRayAtSurface) != 0)
+        StoreVector(at + kRayNormal, NormalOfRing(axis, normal));
 }

@@ -4,6 +4,8 @@
 #define RILL_SURFACE_COLUMNS_INCLUDED
 
 static const uint kRingColumns = kColumns / 2;  // of a ring around the center's
+static const uint kRingLanes = kProbeGroup / kGroupColumns;     // threads of a column
+static const uint kColumnGroups = kColumns / kGroupColumns;
 static const float kNearRing = 3.0;             // radius, d
 static const float kFarRing = 6.0;
 static const float kFolded = 1.6;
@@ -11,8 +13,10 @@ static const float kRingReach = 3.5;            // of heights that differ from t
 static const float kRingMargin = 0.25;          // columns that come nearer to a wall are left out, d
 static const float kMinSpread = 1.0;            // determinant of the columns' second moments, d^4
 static const float kNoHeight = 1e9;
+static const float kBeyondWalls = -1.0;
 
-groupshared float3 g_Columns[kColumns];     // xy offset from the center's, d, kNowhere for one that is left out; z height over it, d
+groupshared float g_RingDensities[kGroupColumns * kRingSamples];
+groupshared float3 g_Columns[kColumns];     // xy offset from the center's, z height over it, d
 
 // Two directions across 'up' and each other, length 1.
 void Across(float3 up, out float3 x, out float3 y)
@@ -34,64 +38,17 @@ bool IsInside(float3 p)
 }
 
 // Of a column from the center's. One that would be beyond a wall stands on the other side and further off: beside a wall there are
-// then as many columns, as far apart. kNowhere where that is beyond a wall too.
+// then as many columns, as far apart.
 float2 RingOffset(uint column, float3 center, float3 up)
 {
     float turn = (column % kRingColumns + 0.5 * (column / kRingColumns)) * (6.2831853 / kRingColumns);
     float2 offset = (column < kRingColumns ? kNearRing : kFarRing) * float2(cos(turn), sin(turn));
-    if (IsInside(FromCenter(center, up, offset)))
-        return offset;
-    return IsInside(FromCenter(center, up, -kFolded * offset)) ? -kFolded * offset : kNowhere;
+    return IsInside(FromCenter(center, up, offset)) ? offset : -kFolded * offset;
 }
 
-// Lists a particle, 'away' from the center, for each column whose tube it is in.
-void ListInColumns(float3 away, float3 up, float3 x, float3 y)
+float3 RingPoint(uint column, float3 center, float3 up)
 {
-    float along = kRingReach - dot(away, up);
-    if (along < -kSupport || along >= 2.0 * kRingReach + kSupport)
-        return;
-    float2 offset = float2(dot(away, x), dot(away, y));
-    for (uint column = 0; column < kColumns; column++)
-    {
-        float2 aside = offset - g_Columns[column].xy;
-        float asideSquared = dot(aside, aside);
-        if (asideSquared < kSupportSquared)
-            List(column, true, along, asideSquared);
-    }
-}
-
-// Lists what lies around the columns, from kRingReach above the center to as much below: in the part of a ball that a slab of that height
-// cuts out.
-void AddRings(uint thread, float3 center, float3 up)
-{
-    float widestSquared = 0.0;
-    for (uint column = 0; column < kColumns; column++)
-    {
-        float2 offset = g_Columns[column].xy;
-        float offsetSquared = dot(offset, offset);
-        widestSquared = offset.x > kNowhere ? max(widestSquared, offsetSquared) : widestSquared;
-    }
-    float aside = sqrt(widestSquared) + kSupport, half = kRingReach + kSupport;
-    float reach = sqrt(aside * aside + half * half) + kReachMargin;
-    float3 x, y;
-    Across(up, x, y);
-    uint4 rows = RowsWithin(center, reach);
-    uint2 counts = rows.zw - rows.xy + 1;
-    for (uint row = thread / kTubeRowLanes; row < counts.x * counts.y; row += kProbeGroup / kTubeRowLanes)
-    {
-        uint2 at = rows.xy + uint2(row % counts.x, row / counts.x);
-        uint2 range = SortedRange(center, reach * reach, at.x, at.y);
-        for (uint i = range.x + thread % kTubeRowLanes * kAtOnce; i < range.y; i += kTubeRowLanes * kAtOnce)
-        {
-            float3 particles[kAtOnce];
-            LoadParticles(i, range.y, particles);
-            [unroll]
-            for (uint k = 0; k < kAtOnce; k++)
-                ListInColumns(particles[k] - center, up, x, y);
-        }
-    }
-    for (uint late = FirstUnsorted() + thread; late < _Counters[kAlive]; late += kProbeGroup)
-        ListInColumns(PositionOf(late) - center, up, x, y);
+    return FromCenter(center, up, RingOffset(column, center, up));
 }
 
 float RingHeight(uint k)
@@ -99,22 +56,57 @@ float RingHeight(uint k)
     return kRingReach - k * kSampleStep;
 }
 
-// Density at a sample of a column; below 0 where that is beyond a wall.
-float RingDensity(uint column, uint k, float3 center, float3 up)
+// Densities along the columns of a group, from kRingReach above the center to as much below.
+void AddRings(uint thread, uint firstColumn, float3 center, float3 up)
 {
-    float3 p = FromCenter(center, up, g_Columns[column].xy) + RingHeight(k) * up;
-    bool isWithin = all(p > 0.0) && all(p < _DomainSize);
-    return isWithin ? g_Weights[column * kRingSamples + k] / (kColumnScale * OpenPart(p)) : -1.0;
+    uint slot = thread / kRingLanes;
+    uint lane = thread % kRingLanes;
+    float3 p = RingPoint(firstColumn + slot, center, up);
+    if (!IsInside(p))
+        return;
+    float tube = kRingReach + kSupport;         // length of each half of it
+    float reach = sqrt(0.25 * tube * tube + kSupportSquared) + kReachMargin;
+    float from = lane < kRingLanes / 2 ? -kSupport : kRingReach;       // below its first sample; half of the threads search each
+    float3 start = p + kRingReach * up;
+    float3 middle = start - (from + 0.5 * tube) * up;
+    uint4 rows = RowsWithin(middle, reach);
+    uint2 counts = rows.zw - rows.xy + 1;
+    uint rowLane = lane % (kRingLanes / 2);
+    for (uint row = rowLane / kTubeRowLanes; row < counts.x * counts.y; row += kRingLanes / 2 / kTubeRowLanes)
+    {
+        uint2 range = SortedRange(middle, reach * reach, rows.x + row % counts.x, rows.y + row / counts.x);
+        for (uint i = range.x + rowLane % kTubeRowLanes * kAtOnce; i < range.y; i += kTubeRowLanes * kAtOnce)
+        {
+            float3 particles[kAtOnce];
+            LoadParticles(i, range.y, particles);
+            [unroll]
+            for (uint k = 0; k < kAtOnce; k++)
+                ListInTube(slot, true, start, -up, from, from + tube, particles[k]);
+        }
+    }
+    for (uint late = FirstUnsorted() + lane; late < _Counters[kAlive]; late += kRingLanes)
+        ListInTube(slot, true, start, -up, -kSupport, 2.0 * kRingReach + kSupport, PositionOf(late));
 }
 
-// Height of the surface in a column over the center's: of those in reach the nearest; kNoHeight for none.
-float RingHeightOf(uint column)
+// Density at a sample of a column; below 0 beyond the walls.
+float RingDensity(uint slot, uint k, uint column, float3 center, float3 up)
+{
+    float3 p = RingPoint(column, center, up);
+    float3 at = p + RingHeight(k) * up;
+    if (!IsInside(p) || !all(at > 0.0) || !all(at < _DomainSize))
+        return kBeyondWalls;
+    return g_Ring[slot * kRingSamples + k] / (kColumnScale * OpenPart(at));
+}
+
+// Height of the surface in a column over the center's, from its densities: of those in reach the nearest; kNoHeight for none.
+float RingHeightOf(uint slot)
 {
     float found = kNoHeight;
     float above = 1.0;
+    [unroll]
     for (uint k = 0; k < kRingSamples; k++)
     {
-        float density = g_Densities[column * kRingSamples + k];
+        float density = g_RingDensities[slot * kRingSamples + k];
         bool isWithin = density >= 0.0;
         float crossing = RingHeight(k) + kSampleStep * (density - kHalfDensity) / max(density - above, 1e-6);
         if (isWithin && density >= kHalfDensity && above < kHalfDensity && abs(crossing) < abs(found))
@@ -124,22 +116,18 @@ float RingHeightOf(uint column)
     return found;
 }
 
-// Finds the surface in all columns around a point of it, where it is asked for. All threads come here.
-void FindColumns(uint thread, bool isAsked, float3 center, float3 up)
+// Height of the surface in a thread's column of a group, of which 'firstColumn' is the first; kNoHeight where it is not asked for. All
+// threads come here, the first kGroupColumns for an answer.
+float FindRingHeight(uint thread, bool isAsked, uint firstColumn, float3 center, float3 up)
 {
-    ClearSamples(thread);
-    if (thread < kColumns)
-        g_Columns[thread] = float3(RingOffset(thread, center, up), kNoHeight);
+    uint slot = min(thread / kRingSamples, kGroupColumns - 1), k = thread % kRingSamples;
+    if (isAsked && thread < kGroupColumns * kRingSamples)
+        g_RingDensities[thread] = RingDensity(slot, k, firstColumn + slot, center, up);
     GroupMemoryBarrierWithGroupSync();
-    if (isAsked)
-        AddRings(thread, center, up);
-    AddListed(thread, true);
-    if (isAsked && thread < kColumns * kRingSamples)
-        g_Densities[thread] = RingDensity(thread / kRingSamples, thread % kRingSamples, center, up);
-    GroupMemoryBarrierWithGroupSync();
-    if (isAsked && thread < kColumns && g_Columns[thread].x > kNowhere)
-        g_Columns[thread].z = RingHeightOf(thread);
-    GroupMemoryBarrierWithGroupSync();
+    float height = kNoHeight;
+    if (isAsked && thread < kGroupColumns)
+        height = RingHeightOf(thread);
+    return height;
 }
 
 // Of the plane through the columns' heights by least squares; 'otherwise' where too few have one.
