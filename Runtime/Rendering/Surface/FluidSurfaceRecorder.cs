@@ -223,8 +223,9 @@ namespace Rill
                     cmd.SetRenderTarget(view.Chords, view.Drawn, 0, CubemapFace.Unknown, eye);
                 else
                     cmd.SetRenderTarget(view.Drawn, 0, CubemapFace.Unknown, eye);
-                cmd.SetViewport(window);
+                // Before the viewport makes the clear one of a part: a tiler need not load then what was there.
                 cmd.ClearRenderTarget(true, hasChords, Color.clear);
+                cmd.SetViewport(window);
                 cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, hasChords ? ChordPass : DepthPass, MeshTopology.Triangles,
                     fluid.surfaceArguments, 0, properties);
             }

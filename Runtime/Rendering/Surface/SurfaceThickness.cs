@@ -109,6 +109,7 @@ namespace Rill
             {
                 properties.SetInt(SurfaceIds.SurfaceEye, eye);
                 cmd.SetRenderTarget(SurfaceScratch.Shared.SceneDistance, 0, CubemapFace.Unknown, eye);
+                cmd.ClearRenderTarget(false, true, Color.clear);        // as for the depth: a tiler need not load it
                 cmd.SetViewport(new Rect(0f, 0f, view.ThicknessWindow.Width, view.ThicknessWindow.Height));
                 cmd.DrawProcedural(Matrix4x4.identity, raster, ScenePass, MeshTopology.Triangles, 3, 1, properties);
             }
