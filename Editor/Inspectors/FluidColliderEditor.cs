@@ -29,9 +29,9 @@ namespace Rill.Editor
                 new InspectorField("measuresForce")),
             new InspectorSection("Contacts", false,
                 new InspectorField("contacts.hitImpulse", "N s"),
-                new InspectorField("contacts.touched"),
-                new InspectorField("contacts.hit"),
-                new InspectorField("contacts.left")),
+                new InspectorField("contacts.onEnter"),
+                new InspectorField("contacts.onHit"),
+                new InspectorField("contacts.onExit")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

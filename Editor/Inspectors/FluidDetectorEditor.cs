@@ -26,11 +26,13 @@ namespace Rill.Editor
                 new InspectorField("hysteresis"),
                 new InspectorField("impactSpeed", "m/s")),
             new InspectorSection("Events", false,
-                new InspectorField("entered"),
-                new InspectorField("left"),
-                new InspectorField("filled"),
-                new InspectorField("emptied"),
-                new InspectorField("impact")),
+                new InspectorField("levelStep"),
+                new InspectorField("onEnter"),
+                new InspectorField("onExit"),
+                new InspectorField("onFilled"),
+                new InspectorField("onEmptied"),
+                new InspectorField("onImpact"),
+                new InspectorField("onLevelChanged")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

@@ -14,6 +14,9 @@ namespace Rill.Editor
             new InspectorSection("Probe", true,
                 new InspectorField("simulation"),
                 new InspectorField("radius", "m")),
+            new InspectorSection("Events", false,
+                new InspectorField("levelStep", "m"),
+                new InspectorField("onLevelChanged")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

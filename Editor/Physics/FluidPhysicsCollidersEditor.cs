@@ -22,9 +22,9 @@ namespace Rill.Editor
                 new InspectorField("contributesDensity")),
             new InspectorSection("Contacts", false,
                 new InspectorField("contacts.hitImpulse", "N s"),
-                new InspectorField("contacts.touched"),
-                new InspectorField("contacts.hit"),
-                new InspectorField("contacts.left")),
+                new InspectorField("contacts.onEnter"),
+                new InspectorField("contacts.onHit"),
+                new InspectorField("contacts.onExit")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

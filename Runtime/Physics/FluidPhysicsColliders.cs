@@ -81,14 +81,14 @@ namespace Rill
 
         /// <summary>Water has come to a collider. Told two or three frames late, as all contacts are; forces are read back while somebody
         /// listens.</summary>
-        public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
+        public event Action<FluidContact> OnEnter { add => contacts.Enter.Add(value); remove => contacts.Enter.Remove(value); }
 
         /// <summary>The fluid gave a collider an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three
         /// frames.</summary>
-        public event Action<FluidContact> Hit { add => contacts.Hit += value; remove => contacts.Hit -= value; }
+        public event Action<FluidContact> OnHit { add => contacts.Hit.Add(value); remove => contacts.Hit.Remove(value); }
 
         /// <summary>A collider has felt no water for 0.2 s, or has left the fluid's box. Not told where it or the fluid is disabled.</summary>
-        public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
+        public event Action<FluidContact> OnExit { add => contacts.Exit.Add(value); remove => contacts.Exit.Remove(value); }
 
         /// <summary>Whether anybody listened before the newest steps.</summary>
         internal bool ListensToContacts => listens;
@@ -201,7 +201,7 @@ namespace Rill
         void Update()
         {
             for (int i = 0; i < leavers.Count; i++)
-                leavers[i].TellLeft(fluid);
+                leavers[i].TellExit(fluid);
             leavers.Clear();
             foreach (GatheredBody body in bodies)
                 body.Carry(fluid, true);

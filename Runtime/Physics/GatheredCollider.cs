@@ -158,10 +158,10 @@ namespace Rill
             return touched;
         }
 
-        public void TellLeft(FluidSimulation fluid)
+        public void TellExit(FluidSimulation fluid)
         {
             if (Collider != null)       // destroyed since
-                source.Tell(ContactChange.Left, FluidContact.Leaving(Collider, fluid));
+                source.Tell(ContactChange.Exit, FluidContact.Exit(Collider, fluid));
         }
 
         // The height follows the scale along it, the radius the larger of the other two.

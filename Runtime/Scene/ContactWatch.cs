@@ -8,11 +8,11 @@ namespace Rill
     {
         None = 0,
         /// <summary>Water has come to it.</summary>
-        Touched = 1,
+        Enter = 1,
         /// <summary>An impulse as large as the threshold.</summary>
         Hit = 2,
         /// <summary>Water has left it.</summary>
-        Left = 4,
+        Exit = 4,
     }
 
     /// <summary>Follows the readings of one fluid's force on one collider, and tells each change once.</summary>
@@ -40,13 +40,13 @@ namespace Rill
             {
                 quiet = 0f;
                 if (!touches)
-                    change |= ContactChange.Touched;
+                    change |= ContactChange.Enter;
                 touches = true;
             }
             else if (touches && (quiet += duration) >= QuietTime)
             {
                 touches = false;
-                change |= ContactChange.Left;
+                change |= ContactChange.Exit;
             }
             bool hit = impulse >= (hits ? CalmFraction * threshold : threshold);
             if (hit && !hits)

@@ -110,13 +110,13 @@ namespace Rill
         public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; Changed(); } }
 
         /// <summary>Water has come to it. Told two or three frames late, as all contacts are; forces are read back while somebody listens.</summary>
-        public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
+        public event Action<FluidContact> OnEnter { add => contacts.Enter.Add(value); remove => contacts.Enter.Remove(value); }
 
         /// <summary>The fluid gave it an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three frames.</summary>
-        public event Action<FluidContact> Hit { add => contacts.Hit += value; remove => contacts.Hit -= value; }
+        public event Action<FluidContact> OnHit { add => contacts.Hit.Add(value); remove => contacts.Hit.Remove(value); }
 
         /// <summary>It has felt no water for 0.2 s, or has left the fluid's box. Not told where the collider or the fluid is disabled.</summary>
-        public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
+        public event Action<FluidContact> OnExit { add => contacts.Exit.Add(value); remove => contacts.Exit.Remove(value); }
 
         /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
         public Vector3 WorldCenter => shape == ColliderShape.Mesh && Deforming != null ? Deforming.WorldCenter
@@ -301,10 +301,10 @@ namespace Rill
             return touched;
         }
 
-        void IFluidCollider.TellLeft(FluidSimulation fluid)
+        void IFluidCollider.TellExit(FluidSimulation fluid)
         {
             if (((IFluidCollider)this).IsThere)     // disabled or destroyed since
-                contacts.Raise(ContactChange.Left, FluidContact.Leaving(this, fluid));
+                contacts.Raise(ContactChange.Exit, FluidContact.Exit(this, fluid));
         }
 
         // Any fluid whose box it reaches feels it.

@@ -32,7 +32,7 @@ namespace Rill
         }
 
         /// <summary>Of a collider that has left a fluid's box.</summary>
-        internal static FluidContact Leaving(Component collider, FluidSimulation fluid)
+        internal static FluidContact Exit(Component collider, FluidSimulation fluid)
         {
             return new FluidContact(collider, new FluidForce(fluid, Vector3.zero, Vector3.zero, default, 0f, fluid.StepCount));
         }

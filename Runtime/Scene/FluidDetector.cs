@@ -46,20 +46,27 @@ namespace Rill
         [Tooltip("Mean speed of the water from which it counts as an impact, m/s. It can be one again below four fifths of it.")]
         [SerializeField] float impactSpeed = 2f;
 
+        [Tooltip("By how much the fill has to change until On Level Changed is called again. 0 to 1; 0 calls it at each change.")]
+        [Range(0f, 1f)]
+        [SerializeField] float levelStep = 0.01f;
+
         [Tooltip("Called when water has entered.")]
-        [SerializeField] UnityEvent entered = new UnityEvent();
+        [SerializeField] UnityEvent onEnter = new UnityEvent();
 
         [Tooltip("Called when the water has left.")]
-        [SerializeField] UnityEvent left = new UnityEvent();
+        [SerializeField] UnityEvent onExit = new UnityEvent();
 
         [Tooltip("Called when the fill has risen to the level.")]
-        [SerializeField] UnityEvent filled = new UnityEvent();
+        [SerializeField] UnityEvent onFilled = new UnityEvent();
 
         [Tooltip("Called when the fill has fallen below the level by the hysteresis.")]
-        [SerializeField] UnityEvent emptied = new UnityEvent();
+        [SerializeField] UnityEvent onEmptied = new UnityEvent();
 
         [Tooltip("Called when the water has become as fast as the impact speed.")]
-        [SerializeField] UnityEvent impact = new UnityEvent();
+        [SerializeField] UnityEvent onImpact = new UnityEvent();
+
+        [Tooltip("Called with the fill, 0 to 1, when it has changed by Level Step, and with the first one.")]
+        [SerializeField] UnityEvent<float> onLevelChanged = new UnityEvent<float>();
 
         const int NoSize = FirstOwnProblem;
         const float OfParticle = 0.9f;      // half the diagonal of its cube, d
@@ -68,6 +75,9 @@ namespace Rill
         FluidDetectorSample latest;
         [NonSerialized] Vector3 latestShift;        // of the fluid, when it was asked for
         [NonSerialized] bool isNew, isEntered, isFilled, isImpact;
+        [NonSerialized] LevelWatch level;
+        Delegates<Action> enter, exit, fill, empty, impact;
+        Delegates<Action<float>> levelChanged;
 
         /// <summary>A box, a sphere, a capsule or a mesh.</summary>
         public DetectorShape Shape { get => shape; set => shape = value; }
@@ -91,16 +101,23 @@ namespace Rill
         /// <summary>Mean speed of the water from which it counts as an impact, m/s. Out-of-range values are clamped with a warning.</summary>
         public float ImpactSpeed { get => impactSpeed; set { impactSpeed = value; Changed(); } }
 
+        /// <summary>By how much the fill has to change until <see cref="OnLevelChanged"/> is called again, 0 to 1. Out-of-range values are
+        /// clamped with a warning.</summary>
+        public float LevelStep { get => levelStep; set { levelStep = value; Changed(); } }
+
         /// <summary>Called when water has entered, in the frame in which the result comes. <see cref="Latest"/> is then of that state.</summary>
-        public UnityEvent Entered => entered;
+        public event Action OnEnter { add => enter.Add(value); remove => enter.Remove(value); }
         /// <summary>Called when the water has left.</summary>
-        public UnityEvent Left => left;
+        public event Action OnExit { add => exit.Add(value); remove => exit.Remove(value); }
         /// <summary>Called when the fill has risen to the level.</summary>
-        public UnityEvent Filled => filled;
+        public event Action OnFilled { add => fill.Add(value); remove => fill.Remove(value); }
         /// <summary>Called when the fill has fallen below the level by the hysteresis.</summary>
-        public UnityEvent Emptied => emptied;
+        public event Action OnEmptied { add => empty.Add(value); remove => empty.Remove(value); }
         /// <summary>Called when the water has become as fast as the impact speed.</summary>
-        public UnityEvent Impact => impact;
+        public event Action OnImpact { add => impact.Add(value); remove => impact.Remove(value); }
+        /// <summary>Called with the fill, 0 to 1, when it has changed by <see cref="LevelStep"/> since the last call, and with the first one
+        /// since the fluid started.</summary>
+        public event Action<float> OnLevelChanged { add => levelChanged.Add(value); remove => levelChanged.Remove(value); }
 
         /// <summary>Volume of the shape, m³, whether it is within the fluid's box or not.</summary>
         public float ShapeVolume
@@ -147,6 +164,7 @@ namespace Rill
             base.OnRestart();
             latest = default;
             isNew = isEntered = isFilled = isImpact = false;       // without a call: the water did not leave
+            level = default;
         }
 
         /// <summary>What is asked of the state of this frame.</summary>
@@ -262,11 +280,14 @@ namespace Rill
             isFilled = now.fill >= (wasFilled ? fillLevel - hysteresis : fillLevel) && now.volume > 0f;
             isImpact = isEntered && now.velocity.magnitude >= (wasImpact ? CalmFraction * impactSpeed : impactSpeed);
             // What a listener changes, such as restarting the fluid, is of the next result.
-            Raise(entered, !wasEntered && isEntered);
-            Raise(filled, !wasFilled && isFilled);
-            Raise(impact, !wasImpact && isImpact);
-            Raise(emptied, wasFilled && !isFilled);
-            Raise(left, wasEntered && !isEntered);
+            bool hasLevelChanged = level.Follow(now.fill, levelStep);
+            Raise(onEnter, enter, !wasEntered && isEntered);
+            Raise(onFilled, fill, !wasFilled && isFilled);
+            Raise(onImpact, impact, !wasImpact && isImpact);
+            Raise(onEmptied, empty, wasFilled && !isFilled);
+            Raise(onExit, exit, wasEntered && !isEntered);
+            if (hasLevelChanged)
+                Listeners.Tell(onLevelChanged, levelChanged, now.fill, this);
         }
 
         private protected override string ValidateValues()
@@ -279,16 +300,17 @@ namespace Rill
             Limit.Clamp("fill level", ref fillLevel, 0f, 1f, 0.5f, ref problem);
             Limit.Clamp("hysteresis", ref hysteresis, 0f, 1f, 0.05f, ref problem);
             Limit.Clamp("impact speed", ref impactSpeed, 0f, 1e4f, 2f, ref problem);
+            Limit.Clamp("level step", ref levelStep, 0f, 1f, 0.01f, ref problem);
             return problem;
         }
 
         private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
             => problems.AddIfAny(IsEmpty ? SizeProblem : null);
 
-        void Raise(UnityEvent happened, bool hasHappened)
+        void Raise(UnityEvent listed, in Delegates<Action> scripts, bool hasHappened)
         {
             if (hasHappened)
-                Listeners.Tell(happened, this);
+                Listeners.Tell(listed, scripts, this);
         }
 
         float EvenScale => math.cmax(math.abs((float3)transform.lossyScale));

@@ -1,6 +1,8 @@
+using System;
 using System.Collections.Generic;
 using Unity.Collections;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Rill
 {
@@ -15,11 +17,28 @@ namespace Rill
         [Tooltip("Radius of the ball whose submerged fraction is given, m. Above 0.")]
         [SerializeField] float radius = 0.1f;
 
+        [Tooltip("By how much the height of the surface has to change until On Level Changed is called again, m. 0 calls it at each change.")]
+        [SerializeField] float levelStep = 0.01f;
+
+        [Tooltip("Called with the height of the surface, m, when it has changed by Level Step, and with the first one.")]
+        [SerializeField] UnityEvent<float> onLevelChanged = new UnityEvent<float>();
+
         FluidProbeSample latest;
         QueryFrame frame;       // of which it is
+        [NonSerialized] bool isNew;
+        [NonSerialized] LevelWatch level;
+        Delegates<Action<float>> levelChanged;
 
         /// <summary>Radius of the ball whose submerged fraction is given, m. Out-of-range values are clamped with a warning.</summary>
         public float Radius { get => radius; set { radius = value; Changed(); } }
+
+        /// <summary>By how much the height of the surface has to change until <see cref="OnLevelChanged"/> is called again, m. Out-of-range
+        /// values are clamped with a warning.</summary>
+        public float LevelStep { get => levelStep; set { levelStep = value; Changed(); } }
+
+        /// <summary>Called with the height of the surface, m, as in <see cref="FluidProbeSample.height"/>, when it has changed by
+        /// <see cref="LevelStep"/> since the last call, and with the first one since the fluid started. Not called without a surface.</summary>
+        public event Action<float> OnLevelChanged { add => levelChanged.Add(value); remove => levelChanged.Remove(value); }
 
         /// <summary>The newest sample, whether it is valid or not.</summary>
         public FluidProbeSample Latest
@@ -51,6 +70,8 @@ namespace Rill
             base.OnRestart();
             latest = default;
             frame = default;
+            isNew = false;
+            level = default;
         }
 
         /// <param name="words">What came back, of this probe from <paramref name="at"/> on.</param>
@@ -58,12 +79,24 @@ namespace Rill
         {
             this.frame = frame;
             latest = QueryResults.Probe(frame, words, at, position, isOutside, radius);
+            isNew = true;
+        }
+
+        /// <summary>Calls what the newest result has changed; after all results of a frame are set.</summary>
+        internal void RaiseEvents()
+        {
+            if (!isNew)
+                return;
+            isNew = false;
+            if (TryGetSample(out FluidProbeSample now) && now.hasSurface && level.Follow(now.height, levelStep))
+                Listeners.Tell(onLevelChanged, levelChanged, now.height, this);
         }
 
         private protected override string ValidateValues()
         {
             string problem = null;
             Limit.Clamp("radius", ref radius, 1e-4f, 1e4f, 0.1f, ref problem);
+            Limit.Clamp("level step", ref levelStep, 0f, 1e6f, 0.01f, ref problem);
             return problem;
         }
 

@@ -5,47 +5,56 @@ using Object = UnityEngine.Object;
 
 namespace Rill
 {
-    /// <summary>Calls those who listen to an event. What one of them throws is logged by Debug.LogException, as in any message of a script, and
-    /// keeps no other event, object or step from going on. Of one event those after it are left out, as by UnityEvent and C# events.</summary>
+    /// <summary>Calls those who listen to an event of a component: first the list in its inspector, then scripts, in the order in which they
+    /// came. What one of them throws is logged by Debug.LogException, as in any message of a script, and keeps no other script, event, object
+    /// or step from going on. The list in an inspector ends at the one that throws, as Unity has it.</summary>
     static class Listeners
     {
         /// <param name="of">Whose event it is, for the console.</param>
-        public static void Tell(UnityEvent listeners, Object of)
+        public static void Tell(UnityEvent listed, in Delegates<Action> scripts, Object of)
         {
             try
             {
-                listeners.Invoke();
+                listed.Invoke();
             }
             catch (Exception problem)
             {
                 Debug.LogException(problem, of);
+            }
+            foreach (Action script in scripts.All)
+            {
+                try
+                {
+                    script();
+                }
+                catch (Exception problem)
+                {
+                    Debug.LogException(problem, of);
+                }
             }
         }
 
         /// <param name="of">Whose event it is, for the console.</param>
-        public static void Tell<T>(UnityEvent<T> listeners, in T what, Object of)
+        public static void Tell<T>(UnityEvent<T> listed, in Delegates<Action<T>> scripts, in T what, Object of)
         {
             try
             {
-                listeners.Invoke(what);
+                listed.Invoke(what);
             }
             catch (Exception problem)
             {
                 Debug.LogException(problem, of);
             }
-        }
-
-        /// <param name="listeners">Null for none.</param>
-        /// <param name="of">Whose event it is, for the console.</param>
-        public static void Tell<T>(Action<T> listeners, in T what, Object of)
-        {
-            try
+            foreach (Action<T> script in scripts.All)
             {
-                listeners?.Invoke(what);
-            }
-            catch (Exception problem)
-            {
-                Debug.LogException(problem, of);
+                try
+                {
+                    script(what);
+                }
+                catch (Exception problem)
+                {
+                    Debug.LogException(problem, of);
+                }
             }
         }
     }

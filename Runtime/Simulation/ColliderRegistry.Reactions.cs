@@ -98,13 +98,13 @@ namespace Rill
         }
 
         /// <summary>Calls the listeners of colliders that have left the box. They may do anything to the scene.</summary>
-        public void TellLeft(FluidSimulation fluid)
+        public void TellExit(FluidSimulation fluid)
         {
             for (int i = 0; i < leavers.Count; i++)
             {
                 try
                 {
-                    leavers[i].TellLeft(fluid);
+                    leavers[i].TellExit(fluid);
                 }
                 catch (Exception problem)
                 {

@@ -136,7 +136,7 @@ namespace Rill
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
             Want(NeedsSurface, DeviceFeature.Surface);
             Want(queryPartCount > 0 || AsksBatches, DeviceFeature.Queries);
-            Want(passes.Length > 0, DeviceFeature.ParticleAccess);
+            Want(!passes.IsEmpty, DeviceFeature.ParticleAccess);
             Want(input.tracksPhases, DeviceFeature.Tags);
             if (sources != null)
             {

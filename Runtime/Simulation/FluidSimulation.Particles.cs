@@ -7,7 +7,7 @@ namespace Rill
     // The particles for a project's own passes, draws and readbacks.
     public sealed partial class FluidSimulation
     {
-        Action<CommandBuffer, FluidParticles>[] passes = Array.Empty<Action<CommandBuffer, FluidParticles>>();
+        Delegates<Action<CommandBuffer, FluidParticles>> passes;
         [NonSerialized] bool isRecordingPasses;
 
         /// <summary>
@@ -20,28 +20,7 @@ namespace Rill
         /// logged once, and the others go on. Water that sleeps wakes where particles were removed or got a velocity above the sleep speed.
         /// While there is any, each step also looks for particles to remove.
         /// </remarks>
-        public event Action<CommandBuffer, FluidParticles> BeforeStep
-        {
-            add
-            {
-                if (value == null)
-                    return;
-                var more = new Action<CommandBuffer, FluidParticles>[passes.Length + 1];
-                passes.CopyTo(more, 0);
-                more[passes.Length] = value;
-                passes = more;      // another array: a pass may come and go while they are called
-            }
-            remove
-            {
-                int index = Array.LastIndexOf(passes, value);
-                if (index < 0)
-                    return;
-                var fewer = new Action<CommandBuffer, FluidParticles>[passes.Length - 1];
-                Array.Copy(passes, 0, fewer, 0, index);
-                Array.Copy(passes, index + 1, fewer, index, fewer.Length - index);
-                passes = fewer;
-            }
-        }
+        public event Action<CommandBuffer, FluidParticles> BeforeStep { add => passes.Add(value); remove => passes.Remove(value); }
 
         /// <summary>
         /// Whether particles have phases even where no emitter gives any, so that a pass can set them. From the passes of the next step on; once
@@ -96,12 +75,12 @@ namespace Rill
         bool RecordPasses()
         {
             input.removesKilled = false;
-            if (passes.Length == 0)
+            if (passes.IsEmpty)
                 return true;
             PbfSolver before = pbf;
             pbf.PreparePhases(input);
             isRecordingPasses = true;
-            foreach (Action<CommandBuffer, FluidParticles> pass in passes)
+            foreach (Action<CommandBuffer, FluidParticles> pass in passes.All)
             {
                 try
                 {

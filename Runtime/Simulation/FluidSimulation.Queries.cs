@@ -168,6 +168,9 @@ namespace Rill
                     detector.SetResult(of.frame, of.poses[i], queries, slot, i);
             }
             // After all are set; a listener may restart or disable the fluid.
+            for (int i = 0; i < of.probeCount; i++)
+                if (of.probes[i] != null)
+                    of.probes[i].RaiseEvents();
             for (int i = 0; i < of.detectorCount; i++)
                 if (of.detectors[i] != null)
                     of.detectors[i].RaiseEvents();

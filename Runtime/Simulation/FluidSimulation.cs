@@ -316,7 +316,7 @@ namespace Rill
         /// <param name="frameTime">Time since the last call, s.</param>
         internal void Advance(float frameTime)
         {
-            colliders.TellLeft(this);
+            colliders.TellExit(this);
             CheckReadbacks();
             if (layoutChanged || isNowhere && NoPoseProblem == null)
             {

@@ -30,10 +30,10 @@ namespace Rill
         void TellContacts(FluidSimulation fluid);
 
         /// <summary>Drops the result of a fluid that it has left.</summary>
-        /// <returns>Whether listeners have to be told, by <see cref="TellLeft"/>.</returns>
+        /// <returns>Whether listeners have to be told, by <see cref="TellExit"/>.</returns>
         bool Leave(FluidSimulation fluid);
 
         /// <summary>Calls the listeners to its leaving a fluid.</summary>
-        void TellLeft(FluidSimulation fluid);
+        void TellExit(FluidSimulation fluid);
     }
 }

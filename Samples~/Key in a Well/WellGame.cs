@@ -1,3 +1,4 @@
+using System;
 using System.Collections;
 using UnityEngine;
 using UnityEngine.Events;
@@ -59,31 +60,31 @@ namespace Rill.Samples
         [SerializeField] float patience = 3f;
 
         [Tooltip("Called when a game begins.")]
-        [SerializeField] UnityEvent started = new UnityEvent();
+        [SerializeField] UnityEvent onStarted = new UnityEvent();
 
         [Tooltip("Called when the key is out.")]
-        [SerializeField] UnityEvent won = new UnityEvent();
+        [SerializeField] UnityEvent onWon = new UnityEvent();
 
         [Tooltip("Called when the water is used up in vain.")]
-        [SerializeField] UnityEvent lost = new UnityEvent();
+        [SerializeField] UnityEvent onLost = new UnityEvent();
 
         FluidSnapshot start;
-        [System.NonSerialized] FluidBuoyancy buoyancy;
-        [System.NonSerialized] Vector3 tapStart, keyStart;
-        [System.NonSerialized] float direction, held, waited;
-        [System.NonSerialized] bool isPouring, isPutBack;
+        [NonSerialized] FluidBuoyancy buoyancy;
+        [NonSerialized] Vector3 tapStart, keyStart;
+        [NonSerialized] float direction, held, waited;
+        [NonSerialized] bool isPouring, isPutBack;
 
         /// <summary>How the game stands.</summary>
-        [field: System.NonSerialized] public WellState State { get; private set; }
+        [field: NonSerialized] public WellState State { get; private set; }
 
         /// <summary>Called when a game begins.</summary>
-        public UnityEvent Started => started;
+        public event Action OnStarted;
 
         /// <summary>Called when the key is out.</summary>
-        public UnityEvent Won => won;
+        public event Action OnWon;
 
         /// <summary>Called when the water is used up in vain.</summary>
-        public UnityEvent Lost => lost;
+        public event Action OnLost;
 
         /// <summary>Position of the tap along its beam, m; 0 is above the middle of the well.</summary>
         public float TapX => tap.transform.position.x;
@@ -116,7 +117,7 @@ namespace Rill.Samples
             isPutBack = true;
             buoyancy.enabled = true;
             fluid.Restore(start);                           // after all else is back in its place
-            Begin(WellState.Playing, started);
+            Begin(WellState.Playing, onStarted, OnStarted);
         }
 
         IEnumerator Start()
@@ -134,15 +135,16 @@ namespace Rill.Samples
                 yield break;
             }
             start = request.Snapshot;
-            Begin(WellState.Playing, started);
+            Begin(WellState.Playing, onStarted, OnStarted);
         }
 
-        void Begin(WellState state, UnityEvent begun)
+        void Begin(WellState state, UnityEvent listed, Action scripts)
         {
             State = state;
             direction = held = waited = tap.Rate = 0f;
             isPouring = false;
-            begun.Invoke();
+            listed.Invoke();
+            scripts?.Invoke();
         }
 
         void Update()
@@ -156,9 +158,9 @@ namespace Rill.Samples
             held = IsKeyOut ? held + Time.deltaTime : 0f;
             waited = WaterLeft > 0f ? 0f : waited + Time.deltaTime;
             if (held >= holdTime)
-                Begin(WellState.Won, won);
+                Begin(WellState.Won, onWon, OnWon);
             else if (waited >= patience && held == 0f)
-                Begin(WellState.Lost, lost);
+                Begin(WellState.Lost, onLost, OnLost);
         }
 
         // The key lies on its grate, whatever else holds it there. Its velocity has a name of its own in Unity 6, so a force stops it.

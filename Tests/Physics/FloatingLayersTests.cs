@@ -111,8 +111,8 @@ namespace Rill.Tests
             var box = wet.AddComponent<BoxCollider>();
             box.size = 0.1f * Vector3.one;
             dry.AddComponent<SphereCollider>().radius = 0.05f;
-            colliders.Touched += contact => told.Add($"{contact.Collider.name} touched");
-            colliders.Left += contact => told.Add($"{contact.Collider.name} left");
+            colliders.OnEnter += contact => told.Add($"{contact.Collider.name} touched");
+            colliders.OnExit += contact => told.Add($"{contact.Collider.name} left");
             yield return Frames(10);
             Assert.That(told, Is.EqualTo(new[] { "Wet touched" }));
             wet.transform.position = new Vector3(20f, 0f, 0f);

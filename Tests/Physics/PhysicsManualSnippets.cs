@@ -12,7 +12,7 @@ namespace Rill.Tests
             var taken = fluid.gameObject.AddComponent<FluidPhysicsColliders>();
             taken.ColliderLayers = 1 << 0;                  // what the water meets: the layer Default
             taken.FloatingLayers = 1 << 8;                  // whose Rigidbodies it carries
-            taken.Touched += contact => Debug.Log($"{contact.Collider.name} got wet in step {contact.Step}");
+            taken.OnEnter += contact => Debug.Log($"{contact.Collider.name} got wet in step {contact.Step}");
             #endregion
         }
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections;
 using System.IO;
 using NUnit.Framework;
@@ -6,6 +7,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
@@ -225,7 +227,7 @@ namespace Rill.Tests
         {
             #region Hear what the water hits
             gate.HitImpulse = 20f;                                              // N s of one reading, which is that of one to three frames
-            gate.Hit += contact => Debug.Log($"{contact.Collider.name}: {contact.Impulse.magnitude} N s in step {contact.Step}");
+            gate.OnHit += contact => Debug.Log($"{contact.Collider.name}: {contact.Impulse.magnitude} N s in step {contact.Step}");
             #endregion
         }
 
@@ -261,12 +263,22 @@ namespace Rill.Tests
             #endregion
         }
 
+        static Func<string> ReadAGauge(FluidProbe gauge)
+        {
+            string text = null;
+            #region Ask at a point (queries.md)
+            gauge.LevelStep = 0.02f;                                        // m
+            gauge.OnLevelChanged += height => text = $"{height:0.00} m";
+            #endregion
+            return () => text;
+        }
+
         static void WatchABasin(FluidDetector basin, FluidEmitter tap)
         {
             #region Watch a basin
             basin.FillLevel = 0.8f;
-            basin.Filled.AddListener(() => tap.StopEmission());
-            basin.Emptied.AddListener(() => tap.StartEmission());
+            basin.OnFilled += () => tap.StopEmission();
+            basin.OnEmptied += () => tap.StartEmission();
             if (basin.TryGetSample(out FluidDetectorSample inside))
                 Debug.Log($"{1000f * inside.volume:0.0} liters, {inside.momentum.magnitude:0.0} kg m/s, {inside.age:0.000} s ago");
             #endregion
@@ -392,7 +404,7 @@ namespace Rill.Tests
         public IEnumerator The_snippets_that_record_and_play_show_the_fluid()
         {
             root = MakeFluid();
-            string path = Path.Combine(Path.GetTempPath(), $"rill-snippet-{System.Guid.NewGuid():N}.rillrec");
+            string path = Path.Combine(Path.GetTempPath(), $"rill-snippet-{Guid.NewGuid():N}.rillrec");
             try
             {
                 FluidRecorder recorder = root.AddComponent<FluidRecorder>();
@@ -418,7 +430,7 @@ namespace Rill.Tests
         {
             root = MakeFluid();
             var fluid = root.GetComponent<FluidSimulation>();
-            string folder = Path.Combine(Path.GetTempPath(), "rill-snippets-" + System.Guid.NewGuid().ToString("N")),
+            string folder = Path.Combine(Path.GetTempPath(), "rill-snippets-" + Guid.NewGuid().ToString("N")),
                 path = Path.Combine(folder, "fluid.bin");
             Directory.CreateDirectory(folder);
             try
@@ -473,6 +485,7 @@ namespace Rill.Tests
             probe.transform.localPosition = new Vector3(-0.6f, 0f, 0f);
             FluidDetector basin = Part<FluidDetector>();
             WatchABasin(basin, jet);
+            Func<string> gauge = ReadAGauge(probe);
             MoveCollider(collider, true);
             HearHits(collider);
             AddSplash(fluid, new Vector3(0.3f, 0f, 0f));
@@ -497,6 +510,7 @@ namespace Rill.Tests
             AskTheWater(probe, buoy);
             Assert.That(buoy.position.y, Is.LessThan(-0.1f).And.GreaterThan(-1f));
             Assert.That(basin.Latest.valid);
+            Assert.That(gauge(), Does.StartWith("-0.").And.EndWith(" m"));
             var leaf = new GameObject("Leaf").transform;
             leaf.SetParent(root.transform, false);
             FluidQueryBatch batch = null;

@@ -122,7 +122,7 @@ namespace Host.Tests
             FluidDetector detector = Add<FluidDetector>(new Vector3(0f, -0.25f, 0f), added =>
             {
                 added.Size = new Vector3(0.6f, 0.3f, 0.6f);
-                added.Entered.AddListener(() => told++);
+                added.OnEnter += () => told++;
             });
             ReadbackQueue.Fails = _ => true;
             Expect("did not get an answer to probes and detectors back: .*whose age grows, and are asked again");

@@ -50,7 +50,7 @@ namespace Rill.Samples.Tests
             yield return Play(1f);
             player.Aim = Aim;
             int won = 0;
-            game.Won.AddListener(() => won++);
+            game.OnWon += () => won++;
             game.Restart();
             yield return Play(10f);
             Assert.That((game.State, won), Is.EqualTo((WellState.Won, 1)));
@@ -67,7 +67,7 @@ namespace Rill.Samples.Tests
             player.Aim = -0.6f;
             game.Supply = 0.02f;
             bool isLost = false;
-            game.Lost.AddListener(() => isLost = true);
+            game.OnLost += () => isLost = true;
             yield return Play(8f);
             Assert.That((game.State, isLost, game.WaterLeft), Is.EqualTo((WellState.Lost, true, 0f)));
             FluidAssert.NothingLost(fluid);

@@ -41,8 +41,8 @@ namespace Rill.Tests
             FluidSimulation fluid = Pool("Pool"), second = Pool("Second");
             FluidCollider stone = Ball("Stone", Layer);
             stone.MeasuresForce = true;
-            stone.Touched += contact => told.Add($"touched {contact.Fluid.name}");
-            stone.Left += contact => told.Add($"left {contact.Fluid.name} {contact.Impulse}");
+            stone.OnEnter += contact => told.Add($"touched {contact.Fluid.name}");
+            stone.OnExit += contact => told.Add($"left {contact.Fluid.name} {contact.Impulse}");
             second.FluidColliderLayers = 1 << Layer | 1 << Other;
             fluid.FluidColliderLayers = 1 << Layer;
             yield return Frames(10);

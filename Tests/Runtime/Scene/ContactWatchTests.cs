@@ -16,20 +16,20 @@ namespace Rill.Tests
         public void The_first_touch_is_told_once_and_the_end_after_a_while_without_water()
         {
             Assert.That(Follow(0f), Is.EqualTo(ContactChange.None));
-            Assert.That(Follow(1f), Is.EqualTo(ContactChange.Touched));
+            Assert.That(Follow(1f), Is.EqualTo(ContactChange.Enter));
             Assert.That(watch.Touches);
             foreach (float impulse in new[] { 1f, 0f, 0f, 0.1f, 0f, 0f, 0f })
                 Assert.That(Follow(impulse), Is.EqualTo(ContactChange.None), "drops that bounce are one contact");
-            Assert.That(Follow(0f), Is.EqualTo(ContactChange.Left), "four readings of 0.05 s");
+            Assert.That(Follow(0f), Is.EqualTo(ContactChange.Exit), "four readings of 0.05 s");
             Assert.That(watch.Touches, Is.False);
             Assert.That(Follow(0f), Is.EqualTo(ContactChange.None));
-            Assert.That(Follow(1f), Is.EqualTo(ContactChange.Touched));
+            Assert.That(Follow(1f), Is.EqualTo(ContactChange.Enter));
         }
 
         [Test]
         public void A_hit_is_told_once_until_the_impulse_fell_below_half_of_the_threshold()
         {
-            Assert.That(Follow(10f), Is.EqualTo(ContactChange.Touched | ContactChange.Hit));
+            Assert.That(Follow(10f), Is.EqualTo(ContactChange.Enter | ContactChange.Hit));
             foreach (float impulse in new[] { 9f, 11f, 5f, 12f, 4.9f, 9.9f })
                 Assert.That(Follow(impulse), Is.EqualTo(ContactChange.None), impulse.ToString());
             Assert.That(Follow(10f), Is.EqualTo(ContactChange.Hit));

@@ -25,9 +25,9 @@ namespace Rill.Tests
             });
             FluidCollider plate = Plate(new Vector3(0f, -0.2f, 0f));
             FluidContact touch = default, hit = default;
-            plate.Touched += contact => { told.Add("touched"); touch = contact; };
-            plate.Hit += contact => { told.Add("hit"); hit = contact; };
-            plate.Left += contact => told.Add("left");
+            plate.OnEnter += contact => { told.Add("touched"); touch = contact; };
+            plate.OnHit += contact => { told.Add("hit"); hit = contact; };
+            plate.OnExit += contact => told.Add("left");
             plate.HitImpulse = 5f;
             yield return Frames(12);
             Assert.That(told, Is.Empty, "while it falls");
@@ -61,14 +61,15 @@ namespace Rill.Tests
             foreach (FluidCollider plate in new[] { first, second })
             {
                 plate.HitImpulse = 1e-6f;
-                plate.Touched += contact => throw new System.InvalidOperationException("touched by " + contact.Fluid.name);
-                plate.Hit += contact => told.Add("hit");
-                plate.Left += contact => throw new System.InvalidOperationException("left " + contact.Fluid.name);
+                plate.OnEnter += contact => throw new System.InvalidOperationException("touched by " + contact.Fluid.name);
+                plate.OnEnter += contact => told.Add("enter");
+                plate.OnHit += contact => told.Add("hit");
+                plate.OnExit += contact => throw new System.InvalidOperationException("left " + contact.Fluid.name);
             }
             for (int i = 0; i < 2; i++)
                 LogAssert.Expect(LogType.Exception, new Regex("InvalidOperationException: touched by Fluid"));
             yield return Frames(10);
-            Assert.That(told, Is.EqualTo(new[] { "hit", "hit" }));
+            Assert.That(told, Is.EqualTo(new[] { "enter", "hit", "enter", "hit" }));
 
             first.transform.position = second.transform.position = new Vector3(10f, 0f, 0f);
             for (int i = 0; i < 2; i++)
@@ -84,8 +85,8 @@ namespace Rill.Tests
             told.Clear();
             FluidSimulation fluid = Fluid("Fluid", new Vector3(0.6f, 0.6f, 0.6f), 0.05f, 1000, new Vector3(0.6f, 0.3f, 0.6f));
             FluidCollider plate = Plate(new Vector3(0f, -0.2f, 0f));
-            plate.Touched += contact => told.Add("touched");
-            plate.Left += contact =>
+            plate.OnEnter += contact => told.Add("touched");
+            plate.OnExit += contact =>
             {
                 told.Add($"left {contact.Fluid.name} {contact.Impulse}");
                 plate.enabled = fluid.enabled = false;
@@ -105,8 +106,8 @@ namespace Rill.Tests
             yield return Frames(2);
             FluidCollider plate = Plate(new Vector3(0f, -0.2f, 0f));
             plate.MeasuresForce = true;
-            plate.Touched += contact => told.Add("touched");
-            plate.Left += contact => told.Add("left");
+            plate.OnEnter += contact => told.Add("touched");
+            plate.OnExit += contact => told.Add("left");
             yield return Frames(10);
             FluidSnapshotRequest request = fluid.RequestSnapshot();
             yield return Frames(6);
@@ -119,7 +120,7 @@ namespace Rill.Tests
             Assert.That(plate.TryGetForce(out _, out _), Is.False, "of before");
             int step = fluid.StepCount;
             int touched = 0;
-            plate.Touched += contact => touched = contact.Step;
+            plate.OnEnter += contact => touched = contact.Step;
             yield return Frames(10);
             Assert.That(plate.TryGetForce(out _, out _), "of now");
             Assert.That(told, Is.EqualTo(new[] { "touched", "touched" }), "it did not leave");
@@ -134,10 +135,10 @@ namespace Rill.Tests
             void Listen(FluidContact contact) => told.Add("touched");
             yield return Frames(3);
             Assert.That(fluid.Solver.Reactions, Is.Null);
-            plate.Touched += Listen;
+            plate.OnEnter += Listen;
             yield return Frames(2);
             Assert.That(fluid.Solver.Reactions, Is.Not.Null);
-            plate.Touched -= Listen;
+            plate.OnEnter -= Listen;
             yield return Frames(2);
             Assert.That(fluid.Solver.Reactions, Is.Null);
         }

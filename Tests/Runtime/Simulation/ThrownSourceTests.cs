@@ -171,7 +171,7 @@ namespace Rill.Tests
 
             public void TellContacts(FluidSimulation fluid) { }
             public bool Leave(FluidSimulation fluid) => false;
-            public void TellLeft(FluidSimulation fluid) { }
+            public void TellExit(FluidSimulation fluid) { }
 
             bool Checked(string member) => !Array.Exists(throwsIn.Split(' '), m => m == member) ? true
                 : throw new InvalidOperationException("planted in " + member);

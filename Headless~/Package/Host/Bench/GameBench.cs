@@ -181,7 +181,7 @@ namespace Host.Bench
                     collider.Shape = ColliderShape.Box;
                     collider.Size = 0.5f * ball * Vector3.one;
                     if ((parts & Parts.Contacts) != 0)
-                        collider.Hit += _ => { };
+                        collider.OnHit += _ => { };
                 }
             if ((parts & Parts.Bodies) != 0)
                 for (int i = 0; i < Bodies; i++)

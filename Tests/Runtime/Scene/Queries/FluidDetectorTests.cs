@@ -43,7 +43,7 @@ namespace Rill.Tests
 
         // A mesh that is not around its object's place, in a box that is moved and turned: in water it finds its own volume, and beside it none.
         [Test]
-        public void A_listener_that_throws_is_logged_and_other_events_and_detectors_go_on()
+        public void A_listener_that_throws_is_logged_and_all_others_hear_all_the_same()
         {
             using (var scene = new SourceScene(new Vector3(0.4f, 0.4f, 0.4f), Spacing, 300).Fill(0.2f))
             {
@@ -51,13 +51,13 @@ namespace Rill.Tests
                 for (int i = 0; i < 2; i++)
                 {
                     FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.1f, 0f), Vector3.forward, d => d.Size = 0.2f * Vector3.one);
-                    detector.Entered.AddListener(() => throw new InvalidOperationException("of a listener"));
-                    detector.Entered.AddListener(() => told.Add("entered"));
-                    detector.Filled.AddListener(() => told.Add("filled"));
+                    detector.OnEnter += () => throw new InvalidOperationException("of a listener");
+                    detector.OnEnter += () => told.Add("entered");
+                    detector.OnFilled += () => told.Add("filled");
                     LogAssert.Expect(LogType.Exception, new Regex("InvalidOperationException: of a listener"));
                 }
                 scene.Run(3);
-                Assert.That(told, Is.EqualTo(new[] { "filled", "filled" }), "as Unity, which goes no further in the same event");
+                Assert.That(told, Is.EqualTo(new[] { "entered", "filled", "entered", "filled" }));
             }
         }
 
@@ -69,7 +69,7 @@ namespace Rill.Tests
                 FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.1f, 0f), Vector3.forward, d => d.Size = 0.4f * Vector3.one);
                 const float volume = 0.4f * 0.2f * 0.4f;
                 int heard = 0, reads = 0, valid = 0;
-                detector.Filled.AddListener(() => heard++);
+                detector.OnFilled += () => heard++;
                 void Read(int count)
                 {
                     for (int i = 0; i < count; i++, reads++)
@@ -266,12 +266,12 @@ namespace Rill.Tests
                 });
                 var said = new List<string>();
                 var fills = new List<float>();
-                detector.Entered.AddListener(() => said.Add("entered"));
-                detector.Filled.AddListener(() => said.Add("filled"));
-                detector.Impact.AddListener(() => said.Add("impact"));
-                detector.Emptied.AddListener(() => said.Add("emptied"));
-                detector.Left.AddListener(() => said.Add("left"));
-                detector.Entered.AddListener(() => Assert.That(detector.Latest.fill, Is.GreaterThanOrEqualTo(detector.EnterFill)));
+                detector.OnEnter += () => said.Add("entered");
+                detector.OnFilled += () => said.Add("filled");
+                detector.OnImpact += () => said.Add("impact");
+                detector.OnEmptied += () => said.Add("emptied");
+                detector.OnExit += () => said.Add("left");
+                detector.OnEnter += () => Assert.That(detector.Latest.fill, Is.GreaterThanOrEqualTo(detector.EnterFill));
                 for (int i = 0; i < 28; i++)       // until before the splash comes up again
                 {
                     scene.Run(1);
@@ -297,8 +297,8 @@ namespace Rill.Tests
                 });
                 scene.Run(40);
                 int filled = 0, emptied = 0;
-                detector.Filled.AddListener(() => filled++);
-                detector.Emptied.AddListener(() => emptied++);
+                detector.OnFilled += () => filled++;
+                detector.OnEmptied += () => emptied++;
                 for (int i = 0; i < 30; i++)
                 {
                     detector.transform.position = new Vector3(0f, -0.2f + 0.003f * (i % 3 - 1), 0f);     // the fill by 0.015 up and down
@@ -318,6 +318,50 @@ namespace Rill.Tests
             }
         }
 
+        // The box goes up through the surface of a pool, and out of it.
+        [Test]
+        public void A_level_is_told_when_it_has_changed_by_the_step_and_with_the_first_result()
+        {
+            using (var scene = new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 2000).Fill(0.3f))
+            {
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d =>
+                {
+                    d.Size = new Vector3(0.4f, 0.2f, 0.4f);
+                    d.LevelStep = 0.25f;
+                });
+                FluidProbe probe = scene.Add<FluidProbe>(new Vector3(0f, -0.2f, 0f), Vector3.forward, p => p.LevelStep = 1e-6f);
+                FluidProbe dry = scene.Add<FluidProbe>(new Vector3(0f, 0.2f, 0f), Vector3.forward, p => p.LevelStep = 1f);
+                var fills = new List<float>();
+                var heights = new List<float>();
+                int told = 0, first = 0;
+                detector.OnLevelChanged += fills.Add;
+                probe.OnLevelChanged += heights.Add;
+                dry.OnLevelChanged += height => first++;
+                void Count(float height) => told++;
+                probe.OnLevelChanged += Count;
+                for (int i = 0; i <= 10; i++)
+                {
+                    detector.transform.position = new Vector3(0f, -0.2f + 0.04f * i, 0f);
+                    scene.Run(1);
+                }
+                TestContext.Out.WriteLine(string.Join(" ", fills) + "; " + string.Join(" ", heights));
+                Assert.That(fills.Count, Is.InRange(4, 5), "first, and each quarter of what goes from full to empty");
+                Assert.That(fills[0], Is.GreaterThan(0.9f));
+                for (int i = 1; i < fills.Count; i++)
+                    Assert.That(fills[i - 1] - fills[i], Is.GreaterThanOrEqualTo(0.25f));
+                Assert.That(heights.Count, Is.GreaterThan(4), "each change");
+                Assert.That(heights, Has.All.EqualTo(0f).Within(0.05f), "the surface's height");
+                Assert.That(told, Is.EqualTo(heights.Count));
+                Assert.That(first, Is.EqualTo(1), "a probe above the water has the surface below it");
+
+                probe.OnLevelChanged -= Count;
+                scene.Fluid.Restart();
+                scene.Run(2);
+                Assert.That(first, Is.EqualTo(2), "the first after a restart");
+                Assert.That(heights.Count, Is.GreaterThan(told), "one that no longer listens is not told");
+            }
+        }
+
         [Test]
         public void A_listener_may_restart_the_fluid_and_disable_the_detector()
         {
@@ -327,12 +371,12 @@ namespace Rill.Tests
                     d => d.Size = Vector3.one * 0.1f), second = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d
                     => d.Size = Vector3.one * 0.1f);
                 int calls = 0;
-                detector.Entered.AddListener(() =>
+                detector.OnEnter += () =>
                 {
                     calls++;
                     scene.Fluid.Restart();
                     detector.enabled = false;
-                });
+                };
                 scene.Run(1);
                 Assert.That(calls, Is.EqualTo(1));
                 Assert.That(second.TryGetSample(out _), Is.False, "what was of before the restart");
