@@ -89,7 +89,8 @@ namespace Rill
             motion = new ColliderMotion
             {
                 friction = source.Friction, bounciness = source.Bounciness,
-                contributesDensity = source.ContributesDensity, reacts = MeasuresForce
+                contributesDensity = source.ContributesDensity, reacts = MeasuresForce,
+                tellsWettedArea = source.ListensToContacts
             };
             string problem = place.Follow(Collider.transform);
             var pose = new RigidPose(place.position, place.rotation);
@@ -145,9 +146,10 @@ namespace Rill
 
         public void TellContacts(FluidSimulation fluid)
         {
-            if (source.ListensToContacts)
-                source.Tell(watch.Follow(force.Impulse.magnitude, force.Duration, source.HitImpulse),
-                    new FluidContact(Collider, force));
+            if (!source.ListensToContacts)
+                return;
+            ContactChange change = watch.Follow(force.Impulse.magnitude, force.Duration, source.HitImpulse);
+            source.Tell(change, new FluidContact(Collider, force, watch.Follow(force.Wetted, Collider.transform.position)));
         }
 
         public bool Leave(FluidSimulation fluid)

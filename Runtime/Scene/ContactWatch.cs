@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace Rill
 {
@@ -26,9 +27,22 @@ namespace Rill
 
         bool touches, hits;
         float quiet;        // s
+        WettedArea last;    // the last that there was
+        bool wasWet;
 
         /// <summary>Whether water touches it.</summary>
         public bool Touches => touches;
+
+        /// <summary>Returns what a reading says is wet, or where the last one was that did.</summary>
+        /// <param name="place">Of the collider, where there was none, m.</param>
+        public WettedArea Follow(in WettedArea wetted, Vector3 place)
+        {
+            if (!(wetted.Area > 0f))
+                return wasWet ? last.Dry : new WettedArea(0f, place, Vector3.zero);
+            wasWet = true;
+            last = wetted;
+            return wetted;
+        }
 
         /// <param name="impulse">Of the reading, N s.</param>
         /// <param name="duration">Of its steps, s.</param>

@@ -228,7 +228,7 @@ namespace Rill
             motion = new ColliderMotion
             {
                 shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut,
-                contributesDensity = contributesDensity, reacts = NeedsForce
+                contributesDensity = contributesDensity, reacts = NeedsForce, tellsWettedArea = contacts.HasListeners
             };
             switch (shape)
             {
@@ -285,8 +285,9 @@ namespace Rill
             FluidForce force = forces[index];
             ContactWatch watch = watches[index];
             ContactChange change = watch.Follow(force.Impulse.magnitude, force.Duration, contacts.HitImpulse);
+            WettedArea wetted = watch.Follow(force.Wetted, WorldCenter);
             watches[index] = watch;
-            contacts.Raise(change, new FluidContact(this, force));
+            contacts.Raise(change, new FluidContact(this, force, wetted));
         }
 
         // Its last result else acted for ever.

@@ -18,6 +18,9 @@ namespace Rill
         /// <summary>The last of them, as <see cref="FluidSimulation.StepCount"/> counts.</summary>
         public readonly int Step;
 
+        /// <summary>After the last of them; only where contacts are listened to.</summary>
+        public readonly WettedArea Wetted;
+
         readonly Vector3 shift;     // of the simulation, when Motion was followed
 
         /// <summary>N s.</summary>
@@ -27,7 +30,7 @@ namespace Rill
         public Vector3 ShiftSince => ReferenceEquals(From, null) ? Vector3.zero : From.WorldShift - shift;
 
         public FluidForce(FluidSimulation from, Vector3 force, Vector3 torque, in RelativeMotion motion, float duration = 0f, int step = 0,
-            Vector3 shift = default)
+            Vector3 shift = default, in WettedArea wetted = default)
         {
             From = from;
             Force = force;
@@ -36,6 +39,7 @@ namespace Rill
             Duration = duration;
             Step = step;
             this.shift = shift;
+            Wetted = wetted;
         }
     }
 }

@@ -13,6 +13,7 @@ namespace Rill
         {
             public IFluidCollider owner;
             public RelativeMotion motion;
+            public Vector3 place;   // world space, m
             public float arm;       // of the moment, d
             public bool delivered;
         }
@@ -27,8 +28,8 @@ namespace Rill
         /// <summary>Records the handing over of the sums since the last.</summary>
         /// <param name="rotation">Of the domain, world space.</param>
         /// <param name="fluid">Whose steps they are.</param>
-        public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, float spacing, Quaternion rotation,
-            FluidSimulation fluid)
+        public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, in DomainFrame frame,
+            Quaternion rotation, FluidSimulation fluid)
         {
             taken ??= new Taken[ColliderSet.Most];
             takenCount = Set.Count;
@@ -36,13 +37,14 @@ namespace Rill
             {
                 taken[i].owner = entries[i].owner;
                 taken[i].arm = Set.Items[i].MomentArm;
+                taken[i].place = frame.WorldPoint(Set.Items[i].end.position);
                 if (Set.Items[i].reacts)
                     taken[i].motion = entries[i].track.Take();
             }
             takenRotation = rotation;
             takenStep = fluid.StepCount;
             takenShift = fluid.WorldShift;
-            double d = spacing;
+            double d = frame.Spacing;
             takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep
                 / VelocityExtrapolation.FractionAtOnce(input);
             reactions.RecordTake(commands);
@@ -82,9 +84,22 @@ namespace Rill
             reactions.Get(index, out double3 sum, out double3 moment);
             var force = (Vector3)(float3)(sum * scale);
             var torque = (Vector3)(float3)(moment * (scale * spacing * taken[index].arm));
+            WettedArea wetted = reactions.HasWettedAreas ? TakenArea(reactions, fluid, spacing, index) : default;
             owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[index].motion,
-                reactions.Duration, takenStep, takenShift));
+                reactions.Duration, takenStep, takenShift, wetted));
             taken[index].delivered = true;
+        }
+
+        WettedArea TakenArea(ColliderReactions reactions, FluidSimulation fluid, float spacing, int index)
+        {
+            double area = reactions.WettedArea(index, out double3 facing, out double3 at);
+            if (!(area > 0.0))
+                return default;
+            Vector3 place = taken[index].place + fluid.WorldShift - takenShift;
+            var offset = (Vector3)(float3)(at * (taken[index].arm * spacing / area));
+            double3 mean = facing / area;
+            return new WettedArea((float)(area * spacing * spacing), place + takenRotation * offset,
+                math.length(mean) > WettedArea.MinFacing ? takenRotation * (Vector3)(float3)math.normalize(mean) : Vector3.zero);
         }
 
         /// <summary>Drops what the colliders felt of a fluid that begins again, or goes on from another state: also what is pending.</summary>

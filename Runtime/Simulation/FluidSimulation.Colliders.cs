@@ -79,8 +79,9 @@ namespace Rill
             if (reactions == null || reactions.IsPending)
                 return null;
             reactions.Arrived ??= OnReactions;
+            pbf.RecordWettedAreas(commands);
             GetPose(out _, out Quaternion rotation);
-            colliders.RecordTake(commands, reactions, input, particleSpacing, rotation, this);
+            colliders.RecordTake(commands, reactions, input, Frame, rotation, this);
             return reactions;
         }
 

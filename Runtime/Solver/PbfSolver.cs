@@ -113,6 +113,15 @@ namespace Rill
         /// <summary>What the fluid does to colliders; null where none wants to know.</summary>
         public ColliderReactions Reactions => colliders?.Reactions;
 
+        /// <summary>Records how much of the colliders is wet after a step, where one wants to know.</summary>
+        public void RecordWettedAreas(CommandBuffer cmd)
+        {
+            if (Reactions == null || !Reactions.HasWettedAreas)
+                return;
+            PrepareConstants();
+            colliders.RecordWettedAreas(BetweenSteps(cmd));
+        }
+
         /// <summary>Foam, spray and bubbles; null while nothing asks for them.</summary>
         public Foam Foam => foam;
 

@@ -32,6 +32,7 @@ static const uint kContributesDensity = 2;
 static const uint kReacts = 4;    // what the fluid does to it is summed
 static const uint kHoldsByViscosity = 8;    // friction is by ViscosityWalls.hlsl
 static const uint kDeforms = 16;    // its field changes in the substep
+static const uint kTellsWettedArea = 32;    // how much of it is wet is measured
 
 // A collider in a substep; lengths in d, in the domain's frame.
 struct Collider

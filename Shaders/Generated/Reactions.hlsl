@@ -4,5 +4,7 @@
 
 static const uint kReactionStride = 13;    // words of a collider: three sums, three moments, and what was added
 static const float kReactionScale = 65536.0;    // steps of a summed displacement in d
+static const uint kWettedStride = 14;    // words of a collider's wetted area: the area, three sums of its normals, three of its places
+static const uint kWettedFirst = 3328;    // word at which those begin
 
 #endif

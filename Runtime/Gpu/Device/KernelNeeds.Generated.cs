@@ -93,6 +93,8 @@ namespace Rill
             new KernelNeed("Colliders", "FindBoundary", "RILL_DEFORMING", 128, 0, 6, 2, 2),
             new KernelNeed("Colliders", "TakeReactions", "TAKE", 128, 0, 2, 2, 0),
             new KernelNeed("Colliders", "TakeReactions", "TAKE RILL_DEFORMING", 128, 0, 2, 2, 0),
+            new KernelNeed("Colliders", "MeasureWettedArea", "WETTED", 128, 0, 5, 1, 2),
+            new KernelNeed("Colliders", "MeasureWettedArea", "WETTED RILL_DEFORMING", 128, 0, 5, 1, 2),
             new KernelNeed("Colliders", "CopyField", "FIELDS", 64, 0, 0, 1, 2),
             new KernelNeed("Colliders", "CopyField", "FIELDS RILL_DEFORMING", 64, 0, 0, 1, 2),
             new KernelNeed("Colliders", "BlendFields", "FIELDS", 64, 0, 2, 1, 1),

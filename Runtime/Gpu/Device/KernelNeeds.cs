@@ -119,7 +119,8 @@ namespace Rill
                 case "WITH_COLLIDERS": return DeviceFeature.Colliders;
                 case "DEEP": return DeviceFeature.DeepWater;
                 case "REACT":
-                case "TAKE": return DeviceFeature.Reactions;
+                case "TAKE":
+                case "WETTED": return DeviceFeature.Reactions;
                 case "RILL_LIFETIMES":
                 case "RILL_TAGS": return DeviceFeature.Tags;
                 case "RILL_RECYCLING": return DeviceFeature.Drains | DeviceFeature.Emitters;

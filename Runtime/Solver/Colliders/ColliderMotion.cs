@@ -21,6 +21,8 @@ namespace Rill
         public bool insideOut, contributesDensity;
         /// <summary>Whether what the fluid does to it is summed.</summary>
         public bool reacts;
+        /// <summary>Whether how much of it is wet is measured; only with <see cref="reacts"/>.</summary>
+        public bool tellsWettedArea;
         /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for
         /// other kinds.</summary>
         public Texture3D field;

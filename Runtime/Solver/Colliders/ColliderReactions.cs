@@ -15,28 +15,42 @@ namespace Rill
         /// <summary>steps of a summed displacement in d</summary>
         [GenerateHlsl("Reactions", Prefix = "Reaction")] const double Scale = 65536.0;
 
-        const int Words = Stride * ColliderSet.Most;
+        /// <summary>words of a collider's wetted area: the area, three sums of its normals, three of its places</summary>
+        [GenerateHlsl("Reactions")] const int WettedStride = 14;
+
+        /// <summary>word at which those begin</summary>
+        [GenerateHlsl("Reactions")] const int WettedFirst = Stride * ColliderSet.Most;
+
+        readonly int words;
 
         readonly ComputeShader shader;
         readonly Kernel take;
-        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words));
+        readonly Readback readback;
         GraphicsBuffer sums;
-        readonly uint[] zeros = new uint[Words];
+        readonly uint[] zeros;
         float time, takenTime;
 
+        /// <param name="hasWettedAreas">Whether how much of colliders is wet is brought back too.</param>
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
-        public ColliderReactions(ComputeShader shader, ReadbackErrors errors = null)
+        public ColliderReactions(ComputeShader shader, bool hasWettedAreas, ReadbackErrors errors = null)
         {
+            HasWettedAreas = hasWettedAreas;
+            words = WettedFirst + (hasWettedAreas ? WettedStride * ColliderSet.Most : 0);
+            zeros = new uint[words];
+            readback = new Readback(GpuBuffer.Structured<uint>("Rill.Colliders.Taken", words));
             readback.Report(errors, ReadbackKinds.Forces);
             this.shader = shader;
             take = new Kernel(shader, "TakeReactions");
-            sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);
+            sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", words);
             BufferClear.Now(sums);
             readback.Arrived = OnArrived;
         }
 
         /// <summary>Called with each result when it has come; read it with <see cref="Get"/>.</summary>
         public Action Arrived;
+
+        /// <summary>Whether how much of colliders is wet is brought back too.</summary>
+        public bool HasWettedAreas { get; }
 
         /// <summary>Whether a result is pending; sums go on meanwhile.</summary>
         public bool IsPending => readback.IsPending;
@@ -63,10 +77,10 @@ namespace Rill
         {
             takenTime = time;
             time = 0f;
-            cmd.SetComputeIntParam(shader, Ids.ReactionWords, Words);
+            cmd.SetComputeIntParam(shader, Ids.ReactionWords, words);
             cmd.SetComputeBufferParam(shader, take, Ids.Reactions, sums);
             cmd.SetComputeBufferParam(shader, take, Ids.Taken, readback.Buffer);
-            CoarseGrid.Dispatch(cmd, shader, take, Words);
+            CoarseGrid.Dispatch(cmd, shader, take, words);
         }
 
         public void Request() => readback.Request();
@@ -78,6 +92,18 @@ namespace Rill
             int at = index * Stride;
             sum = new double3(Signed(at), Signed(at + 2), Signed(at + 4));
             moment = new double3(Signed(at + 6), Signed(at + 8), Signed(at + 10));
+        }
+
+        /// <summary>How much of collider number <paramref name="index"/> was wet when the sums were taken, d²; only with
+        /// <see cref="HasWettedAreas"/>.</summary>
+        /// <param name="normal">Sum of its parts' areas times their normals, d².</param>
+        /// <param name="place">Sum of its parts' areas times where they are, from the collider's place, over its moment arm.</param>
+        public double WettedArea(int index, out double3 normal, out double3 place)
+        {
+            int at = WettedFirst + index * WettedStride;
+            normal = new double3(Signed(at + 2), Signed(at + 4), Signed(at + 6));
+            place = new double3(Signed(at + 8), Signed(at + 10), Signed(at + 12));
+            return Signed(at);
         }
 
         public void Describe(StageDescription description)

@@ -30,6 +30,18 @@ namespace Rill
             }
         }
 
+        /// <summary>Whether one wants to know how much of it is wet.</summary>
+        public bool TellsWettedArea
+        {
+            get
+            {
+                for (int i = 0; i < Count; i++)
+                    if (Items[i].reacts && Items[i].tellsWettedArea)
+                        return true;
+                return false;
+            }
+        }
+
         public bool Moves
         {
             get

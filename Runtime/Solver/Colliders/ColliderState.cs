@@ -58,6 +58,9 @@ namespace Rill
         /// <summary>its field changes in the substep</summary>
         [GenerateHlsl("Colliders")] const uint Deforms = 16;
 
+        /// <summary>how much of it is wet is measured</summary>
+        [GenerateHlsl("Colliders")] const uint TellsWettedArea = 32;
+
         /// <summary>Whether its field changes in the substep.</summary>
         public bool IsDeforming => (flags & Deforms) != 0;
 
@@ -84,7 +87,7 @@ namespace Rill
                 shape = (uint)motion.shape,
                 lastPosition = last.position,
                 flags = (motion.insideOut ? InsideOut : 0u) | (motion.contributesDensity ? ContributesDensity : 0u)
-                    | (motion.reacts ? Reacts : 0u) | (viscous ? HoldsByViscosity : 0u),
+                    | (motion.reacts ? Reacts : 0u) | (motion.tellsWettedArea ? TellsWettedArea : 0u) | (viscous ? HoldsByViscosity : 0u),
                 size = motion.size,
                 sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value)
                     * math.max(motion.Radius, 1f),

@@ -30,7 +30,7 @@ namespace Rill
         public readonly Kernel FindBoundary;
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
-        readonly Kernel binColliders, measureColliderVolume;
+        readonly Kernel binColliders, measureColliderVolume, measureWettedArea;
         readonly KernelVariants collidePaths, collide;        // with reactions; last pass, with reactions
         readonly LocalKeyword deforming;
         readonly FieldAtlas meshes, heights;
@@ -60,6 +60,7 @@ namespace Rill
             deforming = new LocalKeyword(shader, DeformingKeyword);
             collidePaths = new KernelVariants(shader, "CollidePaths", "CollidePathsReact");
             FindBoundary = new Kernel(shader, "FindBoundary");
+            measureWettedArea = new Kernel(shader, "MeasureWettedArea");
             collide = new KernelVariants(shader, "Collide", "CollideLast", "CollideReact", "CollideLastReact");
 
             cellSize = SmallestCell;
@@ -219,6 +220,25 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
+        /// <summary>Records how much of the colliders is wet, as the particles and the colliders of the last substep lie; where one wants to
+        /// know.</summary>
+        public void RecordWettedAreas(in StepContext step)
+        {
+            if (reactions == null || !reactions.HasWettedAreas)
+                return;
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            cmd.BeginSample(Marker);
+            step.BindConstants(shader);
+            cmd.SetKeyword(shader, deforming, HasDeforming);
+            BindShapes(cmd, shader, measureWettedArea);
+            reactions.Bind(cmd, shader, measureWettedArea);
+            cmd.SetComputeBufferParam(shader, measureWettedArea, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, measureWettedArea, Ids.Positions, particles.Positions);
+            cmd.DispatchCompute(shader, measureWettedArea, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(Marker);
+        }
+
         public void Dispose()
         {
             meshes.Dispose();
@@ -255,6 +275,8 @@ namespace Rill
             if (input.settings.iterations > 1)
                 description.Kernel(colliders.collide.For(false, reacts), substeps * (input.settings.iterations - 1), variant);
             description.Kernel(colliders.collide.For(true, reacts), substeps, variant);
+            if (reacts && colliders.reactions.HasWettedAreas)
+                description.Kernel(colliders.measureWettedArea, 0, variant);
             colliders.reactions?.Describe(description);
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);
@@ -331,7 +353,13 @@ namespace Rill
                 reactions = null;
                 return;
             }
-            reactions ??= new ColliderReactions(shader, errors);
+            bool tellsWettedArea = set.TellsWettedArea;
+            if (reactions != null && reactions.HasWettedAreas != tellsWettedArea)
+            {
+                reactions.Dispose();
+                reactions = null;
+            }
+            reactions ??= new ColliderReactions(shader, tellsWettedArea, errors);
             if (seenOrder != set.Order)
                 reactions.Invalidate(cmd);
             seenOrder = set.Order;

@@ -1,0 +1,28 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>The part of a collider's surface that water touches. World space.</summary>
+    readonly struct WettedArea
+    {
+        /// <summary>Length of the mean normal from which it is a direction: below it the water is all around.</summary>
+        public const double MinFacing = 0.05;
+
+        /// <summary>m²; 0 where nothing is wet, or nobody asks.</summary>
+        public readonly float Area;
+        /// <summary>Its center, m.</summary>
+        public readonly Vector3 Point;
+        /// <summary>Mean of its normals, into the water, length 1; 0 where the water is all around.</summary>
+        public readonly Vector3 Normal;
+
+        public WettedArea(float area, Vector3 point, Vector3 normal)
+        {
+            Area = area;
+            Point = point;
+            Normal = normal;
+        }
+
+        /// <summary>The same place and normal, dry.</summary>
+        public WettedArea Dry => new WettedArea(0f, Point, Normal);
+    }
+}
