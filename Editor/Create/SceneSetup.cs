@@ -142,24 +142,36 @@ namespace Rill.Editor
         public static GameObject CreateColliderObject(GameObject parent, PrimitiveType shape, string name, float fraction,
             Action<GameObject, FluidSimulation> add)
         {
+            return Create(parent, GameObject.CreatePrimitive(shape), name, (made, fluid) =>
+            {
+                made.transform.localScale *= fraction * Shortest(fluid.DomainSize);
+                FluidCollider collider = made.AddComponent<FluidCollider>();
+                collider.Shape = shape == PrimitiveType.Sphere ? ColliderShape.Sphere : ColliderShape.Box;
+                collider.Radius = 0.5f;
+                collider.Size = Vector3.one;
+                add?.Invoke(made, fluid);
+            });
+        }
+
+        /// <summary>An object in the middle of the fluid that the parent belongs to, turned as that and not scaled.</summary>
+        /// <param name="add">Adds all that it needs.</param>
+        public static GameObject CreateObject(GameObject parent, string name, Action<GameObject, FluidSimulation> add)
+            => Create(parent, new GameObject(), name, add);
+
+        static GameObject Create(GameObject parent, GameObject made, string name, Action<GameObject, FluidSimulation> add)
+        {
             FluidSimulation fluid = FindFluid(parent);
             GameObject root = null;
+            made.SetActive(false);
             if (fluid == null)
                 fluid = (root = MakeFluid(null, true)).GetComponent<FluidSimulation>();
-
-            GameObject made = GameObject.CreatePrimitive(shape);
-            made.SetActive(false);
             made.name = name;
             Adopt(made, parent);
             made.transform.SetPositionAndRotation(fluid.transform.position, fluid.transform.rotation);
             made.transform.localScale = Vector3.one;
             Vector3 scale = made.transform.lossyScale;
-            made.transform.localScale = fraction * Shortest(fluid.DomainSize) * new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
-            FluidCollider collider = made.AddComponent<FluidCollider>();
-            collider.Shape = shape == PrimitiveType.Sphere ? ColliderShape.Sphere : ColliderShape.Box;
-            collider.Radius = 0.5f;
-            collider.Size = Vector3.one;
-            add?.Invoke(made, fluid);
+            made.transform.localScale = new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
+            add(made, fluid);
             if (root != null)
                 Register(root, name);
             return Finish(made, name);

@@ -11,19 +11,17 @@ namespace Rill.Editor
     {
         const float SameFraction = 1e-3f;
 
-        // Rounded textbook figures: the solver is coarser than what they leave out.
         public static readonly FluidPreset[] All =
         {
-            new FluidPreset("Water", 1000f, 0.001f, "20 °C"),
-            new FluidPreset("Seawater", 1025f, 0.00108f, "20 °C, 35 g salt a kg"),
-            new FluidPreset("Mercury", 13530f, 0.00153f, "25 °C"),
-            new FluidPreset("Olive oil", 910f, 0.084f, "20 °C"),
-            new FluidPreset("Glycerol", 1260f, 1.41f, "20 °C, pure"),
-            new FluidPreset("Honey", 1420f, 10f, "20 °C, typical; 2 to 20 by its water"),
-            new FluidPreset("Basaltic lava", 2700f, 100f, "1200 °C, typical; 10 to 1000"),
-            new FluidPreset("Viscoelastic slime", 1000f, 0.001f, "an order of magnitude, by its glue and borax", shearModulus: 300f,
-                relaxationTime: 0.5f),
-            new FluidPreset("Pectin gel", 1000f, 0.001f, "as jam is graded by, 150° SAG", shearModulus: 400f, relaxationTime: 1000f),
+            new FluidPreset("Water", FluidMaterial.Water, "20 °C", 0.001f),
+            new FluidPreset("Seawater", FluidMaterial.Seawater, "20 °C, 35 g salt a kg", 0.00108f),
+            new FluidPreset("Mercury", FluidMaterial.Mercury, "25 °C", 0.00153f),
+            new FluidPreset("Olive oil", FluidMaterial.OliveOil, "20 °C"),
+            new FluidPreset("Glycerol", FluidMaterial.Glycerol, "20 °C, pure"),
+            new FluidPreset("Honey", FluidMaterial.Honey, "20 °C, typical; 2 to 20 by its water"),
+            new FluidPreset("Basaltic lava", FluidMaterial.BasalticLava, "1200 °C, typical; 10 to 1000"),
+            new FluidPreset("Viscoelastic slime", FluidMaterial.ViscoelasticSlime, "an order of magnitude, by its glue and borax", 0.001f),
+            new FluidPreset("Pectin gel", FluidMaterial.PectinGel, "as jam is graded by, 150° SAG", 0.001f),
         };
 
         /// <summary>As a popup shows them, after what is none of them.</summary>

@@ -65,6 +65,15 @@ namespace Rill
             return sample.valid;
         }
 
+        /// <summary>Measures the water as it stands at this moment and waits for it: see <see cref="FluidSimulation.MeasureQueriesNow"/>, which costs
+        /// no more for all of a fluid at once.</summary>
+        /// <returns>The sample, which is not valid while this or the fluid is off.</returns>
+        public FluidProbeSample MeasureNow()
+        {
+            Measure();
+            return Latest;
+        }
+
         internal override void OnRestart()
         {
             base.OnRestart();

@@ -11,6 +11,12 @@ namespace Rill
                 Simulation.FlushQueries();
         }
 
+        private protected void Measure()
+        {
+            if (Simulation != null)
+                Simulation.MeasureQueriesNow();
+        }
+
         /// <summary>Whether the fluid runs and has room for this one.</summary>
         private protected bool IsAnswered => Simulation != null && Simulation.IsRunning && Number >= 0;
 

@@ -102,6 +102,16 @@ namespace Rill
             buffers?.Complete();
         }
 
+        /// <summary>Asks what was set of the water as it stands at this moment and waits for the results: see
+        /// <see cref="FluidSimulation.MeasureQueriesNow"/>.</summary>
+        /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
+        public void MeasureNow()
+        {
+            NeedAlive();
+            if (fluid != null)
+                fluid.MeasureQueriesNow();
+        }
+
         /// <summary>Stops asking and gives the memory back, at any time: a pending request is forgotten.</summary>
         public void Dispose()
         {

@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>What the fluid is: SI units, or relative where a unit would make the value depend on the spacing.</summary>
     [Serializable]
-    public struct FluidMaterial
+    public partial struct FluidMaterial
     {
         /// <summary>Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is
         /// elastic.</summary>

@@ -41,6 +41,22 @@ namespace Rill
                 queryBatches[i].Flush();
         }
 
+        /// <summary>
+        /// Asks for all probes, detectors and batches of this fluid of the water as it stands at this moment, waits for the GPU, and hands
+        /// the results over before it returns. For tests, tools and small scenes: it holds the frame up by all that the GPU still has to do.
+        /// Does nothing while the fluid is not running.
+        /// </summary>
+        /// <exception cref="InvalidOperationException">Called in a pass of <see cref="BeforeStep"/>.</exception>
+        public void MeasureQueriesNow()
+        {
+            ThrowInPass("measuring");
+            FlushQueries();             // so that there is a free slot
+            if (pbf == null)
+                return;
+            AnswerQueries();
+            FlushQueries();
+        }
+
         // While time crawls a step may come once in many frames.
         bool AnswersAreLate => !IsInEditMode && Time.unscaledTimeAsDouble - lastAnswers > MaxStepsWithoutAnswer * FixedStep;
 

@@ -1,4 +1,5 @@
 using System.Linq;
+using System.Reflection;
 using NUnit.Framework;
 using Rill.Tests;
 using UnityEditor;
@@ -48,7 +49,7 @@ namespace Rill.Editor.Tests
         public void A_thin_fluid_is_as_water_but_for_its_density(string name)
         {
             FluidMaterial expected = FluidMaterial.Water;
-            expected.density = Named(name).Density;
+            expected.density = Named(name).Material.density;
             Assert.That(Named(name).Material, Is.EqualTo(expected));
         }
 
@@ -81,23 +82,40 @@ namespace Rill.Editor.Tests
         [Test]
         public void An_elastic_fluid_has_its_modulus_and_what_keeps_it_whole_and_says_how_many_substeps_it_takes()
         {
-            FluidPreset[] elastic = FluidPresets.All.Where(preset => preset.ShearModulus > 0f).ToArray();
+            FluidPreset[] elastic = FluidPresets.All.Where(preset => preset.Material.shearModulus > 0f).ToArray();
             Assert.That(elastic.Select(preset => preset.Name), Has.Member("Viscoelastic slime").And.Member("Pectin gel"));
             foreach (FluidPreset preset in elastic)
             {
                 FluidMaterial material = preset.Material;
-                Assert.That(material.shearModulus, Is.EqualTo(preset.ShearModulus));
-                Assert.That(material.relaxationTime, Is.EqualTo(preset.RelaxationTime));
                 Assert.That(material.allowedTension, Is.GreaterThan(0f));
                 Assert.That(material.artificialPressure, Is.GreaterThan(0f));
-                int substeps = (int)Mathf.Ceil(Mathf.Sqrt(3f * preset.ShearModulus / material.MaxShearModulus(0.01f, 1f / 60f)));
-                Assert.That(preset.Describe(0.01f), Does.Contain(Invariant($"{preset.ShearModulus} Pa"))
+                int substeps = (int)Mathf.Ceil(Mathf.Sqrt(3f * preset.Material.shearModulus / material.MaxShearModulus(0.01f, 1f / 60f)));
+                Assert.That(preset.Describe(0.01f), Does.Contain(Invariant($"{preset.Material.shearModulus} Pa"))
                     .And.Contain(Invariant($" {substeps} substeps")));
-                Assert.That(material.MaxShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.ShearModulus));
+                Assert.That(material.MaxShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.Material.shearModulus));
                 Assert.That(preset.Describe(1f), Does.Contain(" 1 substeps"));
             }
-            Assert.That(FluidPresets.All.Where(preset => preset.ShearModulus == 0f).Select(preset => preset.Material.shearModulus),
-                Is.All.EqualTo(0f));
+        }
+
+        // Figures as the manual's table of presets has them: shear modulus in Pa, time in s.
+        [TestCase("Viscoelastic slime", 300f, 0.5f)]
+        [TestCase("Pectin gel", 400f, 1000f)]
+        public void An_elastic_fluid_has_the_modulus_and_the_time_that_the_manual_says(string name, float modulus, float time)
+        {
+            FluidMaterial material = Named(name).Material;
+            Assert.That((material.shearModulus, material.relaxationTime, material.density), Is.EqualTo((modulus, time, 1000f)));
+        }
+
+        [Test]
+        public void A_material_from_code_is_the_preset_of_that_name_in_the_inspector()
+        {
+            PropertyInfo[] fromCode = typeof(FluidMaterial).GetProperties(BindingFlags.Public | BindingFlags.Static);
+            Assert.That(fromCode.Select(property => property.Name), Is.EquivalentTo(FluidPresets.All.Select(preset => NameInCode(preset.Name))));
+            foreach (PropertyInfo property in fromCode)
+                Assert.That((FluidMaterial)property.GetValue(null),
+                    Is.EqualTo(FluidPresets.All.Single(preset => NameInCode(preset.Name) == property.Name).Material), property.Name);
+
+            string NameInCode(string name) => string.Concat(name.Split(' ').Select(word => word.Substring(0, 1).ToUpperInvariant() + word.Substring(1)));
         }
 
         [Test]

@@ -234,14 +234,17 @@ namespace Rill.Tests
         static void SetBudget(FluidSimulation fluid)
         {
             #region Set a budget and the solver
-            SolverSettings settings = fluid.Settings;       // a struct: change a copy and give it back
-            settings.deepWater = DeepWater.On;
-            settings.iterations = 2;
+            fluid.Iterations = 2;                           // also Substeps, Relaxation, SleepSpeed, NumericalDamping
+            fluid.DeepWater = DeepWater.On;
+            fluid.Material = FluidMaterial.Seawater;        // a preset; fluid.DynamicViscosity = 4f changes that alone
+            SolverSettings settings = fluid.Settings;       // all others: change a copy and give it back
+            settings.softness = 0.002f;
             fluid.Settings = settings;
 
             SolverBudget budget = fluid.Budget;             // or let a time choose them
             budget.mode = BudgetMode.Milliseconds;
             budget.milliseconds = 1.5f;
+            budget.maxIterations = 8;                       // bounds of its own, apart from fluid.Iterations
             fluid.Budget = budget;
             #endregion
         }
@@ -271,6 +274,17 @@ namespace Rill.Tests
             gauge.OnLevelChanged += height => text = $"{height:0.00} m";
             #endregion
             return () => text;
+        }
+
+        static string AskAndWait(FluidProbe probe)
+        {
+            string text = null;
+            #region Ask and wait (queries.md)
+            FluidProbeSample here = probe.MeasureNow();                     // slow: it waits for the GPU
+            if (here.hasSurface)
+                text = here.ToString();                                     // "at (0.000, -0.150, 0.000) m, step 12, ..."
+            #endregion
+            return text;
         }
 
         static void WatchABasin(FluidDetector basin, FluidEmitter tap)
@@ -510,6 +524,7 @@ namespace Rill.Tests
             AskTheWater(probe, buoy);
             Assert.That(buoy.position.y, Is.LessThan(-0.1f).And.GreaterThan(-1f));
             Assert.That(basin.Latest.valid);
+            Assert.That(AskAndWait(probe), Does.Contain($"step {fluid.StepCount}, 0.0"));
             Assert.That(gauge(), Does.StartWith("-0.").And.EndWith(" m"));
             var leaf = new GameObject("Leaf").transform;
             leaf.SetParent(root.transform, false);

@@ -33,7 +33,30 @@ namespace Host.Tests
         {
             Assert.That(Methods.Keys.Select(item => item.Split('/').Last()),
                 Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Probe", "Detector",
-                "Fluid Connection", "Floating Body" }));
+                "Fluid Connection", "Floating Body", "Floating Boat" }));
+        }
+
+        // A boat that is 0.4 as dense as the water over its hull lies 0.4 of that deep: here in water that stands 0.6 m.
+        [Test]
+        public void A_boat_floats_upright_at_four_tenths_of_its_hull()
+        {
+            GameObject fluid = SceneSetup.CreateFluid(null);
+            FluidSimulation simulation = fluid.GetComponent<FluidSimulation>();
+            simulation.Configure(new Vector3(2f, 2f, 1f), 0.05f, 20000);
+            FluidVolume water = fluid.GetComponentInChildren<FluidVolume>();
+            water.Size = new Vector3(2f, 0.6f, 1f);
+            water.transform.localPosition = new Vector3(0f, -0.7f, 0f);
+            GameObject boat = Choose("GameObject/Rill/Floating Boat", fluid);
+            var body = boat.GetComponent<Rigidbody>();
+            Assert.That(boat.GetComponentsInChildren<FluidCollider>().Length, Is.EqualTo(3));
+            Assert.That(boat.GetComponent<FluidBuoyancy>() != null);
+            Assert.That(body.mass, Is.EqualTo(0.4f * 1000f * (0.45f * 0.15f * 0.3f + 0.15f * 0.15f * 0.18f)).Within(0.01f));
+            boat.transform.position = fluid.transform.position + new Vector3(0f, -0.35f, 0f);
+            Run(240);
+            Vector3 place = fluid.transform.InverseTransformPoint(boat.transform.position);
+            TestContext.Out.WriteLine($"at {place}, up {boat.transform.up}");
+            Assert.That(Vector3.Angle(boat.transform.up, Vector3.up), Is.LessThan(12f), "upright");
+            Assert.That(place.y, Is.EqualTo(-0.4f + 0.1f * 0.15f).Within(0.05f), "within a spacing");
         }
 
         [TestCaseSource(nameof(Items))]
@@ -155,9 +178,9 @@ namespace Host.Tests
 
         static void Coarsen(FluidSimulation fluid) => fluid.Configure(fluid.DomainSize, CoarseSpacing, 2000);
 
-        void Run()
+        void Run(int frames = FramesToRun)
         {
-            for (int i = 0; i < FramesToRun; i++)
+            for (int i = 0; i < frames; i++)
                 PlayerLoop.Frame(1f / 60f);
             FluidSimulation[] fluids = Object.FindObjectsOfType<FluidSimulation>();
             Assert.That(fluids, Is.Not.Empty);

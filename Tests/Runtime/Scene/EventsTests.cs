@@ -21,7 +21,7 @@ namespace Rill.Tests
                 foreach (FieldInfo list in Lists(component))
                 {
                     lists++;
-                    string name = char.ToUpperInvariant(list.Name[0]) + list.Name.Substring(1);
+                    string name = list.Name.Substring(0, 1).ToUpperInvariant() + list.Name.Substring(1);
                     Type[] arguments = list.FieldType.GetGenericArguments();
                     Type handler = arguments.Length == 0 ? typeof(Action) : typeof(Action<>).MakeGenericType(arguments);
                     if (!list.Name.StartsWith("on") || component.GetEvent(name)?.EventHandlerType != handler)

@@ -1,0 +1,62 @@
+namespace Rill
+{
+    // Real fluids, by the figures of them that the solver can express: those of Preset in the inspector. No yield stress or surface tension:
+    // a fluid that is made of those has no preset. Rounded textbook figures: the solver is coarser than what they leave out.
+    public partial struct FluidMaterial
+    {
+        // Keep a fluid whole that is elastic or so thick that it draws threads: without tension it swells or comes apart where it is drawn out,
+        // and tension without pressure between near ones makes clumps.
+        const float Tension = 0.05f, TensionPressure = 0.1f;
+
+        const float ThreadViscosity = 5f;      // Pa s
+
+        // Pa s. Thinner fluids are as water is: passes for their viscosity would cost time and change nothing that is seen.
+        const float MinViscosity = 0.01f;
+
+        /// <summary>Seawater: 1025 kg/m³, 0.00108 Pa s at 20 °C with 35 g of salt a kg. As thin as water to the solver.</summary>
+        public static FluidMaterial Seawater => Real(1025f, 0.00108f);
+
+        /// <summary>Mercury: 13530 kg/m³, 0.00153 Pa s at 25 °C. As thin as water to the solver.</summary>
+        public static FluidMaterial Mercury => Real(13530f, 0.00153f);
+
+        /// <summary>Olive oil: 910 kg/m³, 0.084 Pa s at 20 °C.</summary>
+        public static FluidMaterial OliveOil => Real(910f, 0.084f);
+
+        /// <summary>Pure glycerol: 1260 kg/m³, 1.41 Pa s at 20 °C.</summary>
+        public static FluidMaterial Glycerol => Real(1260f, 1.41f);
+
+        /// <summary>Typical honey: 1420 kg/m³, 10 Pa s at 20 °C; 2 to 20 by its water.</summary>
+        public static FluidMaterial Honey => Real(1420f, 10f);
+
+        /// <summary>Typical basaltic lava: 2700 kg/m³, 100 Pa s at 1200 °C; 10 to 1000.</summary>
+        public static FluidMaterial BasalticLava => Real(2700f, 100f);
+
+        /// <summary>Viscoelastic slime: 1000 kg/m³, a shear modulus of 300 Pa that is forgotten in 0.5 s; an order of magnitude, by its glue
+        /// and borax.</summary>
+        public static FluidMaterial ViscoelasticSlime => Elastic(1000f, 300f, 0.5f);
+
+        /// <summary>Pectin gel: 1000 kg/m³, a shear modulus of 400 Pa that it keeps, as jam is graded by (150° SAG).</summary>
+        public static FluidMaterial PectinGel => Elastic(1000f, 400f, 1000f);
+
+        static FluidMaterial Real(float density, float viscosity)
+        {
+            FluidMaterial material = Viscous(density, viscosity < MinViscosity ? 0f : viscosity);
+            return viscosity >= ThreadViscosity ? HeldTogether(material) : material;
+        }
+
+        static FluidMaterial Elastic(float density, float shearModulus, float relaxationTime)
+        {
+            FluidMaterial material = HeldTogether(Viscous(density, 0f));
+            material.shearModulus = shearModulus;
+            material.relaxationTime = relaxationTime;
+            return material;
+        }
+
+        static FluidMaterial HeldTogether(FluidMaterial material)
+        {
+            material.allowedTension = Tension;
+            material.artificialPressure = TensionPressure;
+            return material;
+        }
+    }
+}
