@@ -30,9 +30,9 @@ namespace Host.Scripts
         /// <exception cref="ScriptException">The assembly definitions contradict each other, or a script has errors of syntax.</exception>
         public ProjectScripts(string project, ProjectIndex index, TestAssemblies tests = null)
         {
-            var hosted = new[] { typeof(UnityEngine.Object).Assembly, typeof(Unity.Mathematics.math).Assembly }.ToDictionary(a => a.GetName().Name);
+            var hosted = StubAssembly.Host.ToDictionary(a => a.GetName().Name);
             Packages = new Packages(project, index.Mounts, tests != null);
-            stubs = StubAssembly.Get(hosted.Values.ToList());
+            stubs = StubAssembly.Get();
             foreach (var assembly in tests?.All ?? Array.Empty<Assembly>()) hosted.Add(assembly.GetName().Name, assembly);
             Plan = new AssemblyPlan(project, index, Packages, hosted.Keys.Append(StubAssembly.UserInterface), tests != null);
             var compiler = new ScriptCompiler(index, stubs, hosted);

@@ -41,6 +41,7 @@ namespace UnityEngine
                     resolution = 2 * resolution - 1;
                 heights = new float[resolution, resolution];
                 ground = null;
+                Version++;
             }
         }
 
@@ -48,8 +49,15 @@ namespace UnityEngine
         public Vector3 size
         {
             get => new Vector3(scale.x * (heightmapResolution - 1), scale.y, scale.z * (heightmapResolution - 1));
-            set => scale = new Vector3(value.x / (heightmapResolution - 1), value.y, value.z / (heightmapResolution - 1));
+            set
+            {
+                scale = new Vector3(value.x / (heightmapResolution - 1), value.y, value.z / (heightmapResolution - 1));
+                Version++;
+            }
         }
+
+        /// <summary>Changes with the ground.</summary>
+        internal int Version { get; private set; }
 
         /// <summary>m.</summary>
         internal float HeightAt(int x, int z) => heights[z, x] * scale.y;
@@ -74,6 +82,7 @@ namespace UnityEngine
             for (int z = 0; z < heights.GetLength(0); z++)
                 for (int x = 0; x < heights.GetLength(1); x++)
                     this.heights[yBase + z, xBase + x] = (float)Math.Round(Mathf.Clamp01(heights[z, x]) * Steps) / Steps;
+            Version++;
             TerrainCallbacks.Tell(this, new RectInt(xBase, yBase, heights.GetLength(1), heights.GetLength(0)));
         }
 
@@ -101,6 +110,7 @@ namespace UnityEngine
             for (int z = 0; z < holes.GetLength(0); z++)
                 for (int x = 0; x < holes.GetLength(1); x++)
                     ground[yBase + z, xBase + x] = holes[z, x];
+            Version++;
             TerrainCallbacks.TellOfTexture(this, HolesTextureName, new RectInt(xBase, yBase, holes.GetLength(1), holes.GetLength(0)));
         }
 

@@ -1,49 +1,56 @@
+using System.Collections.Generic;
+using UnityEngine.Headless;
+
 namespace UnityEngine
 {
-    /// <summary>
-    /// The ground of a terrain at its object's position, whatever its rotation and scale. Queries find the box around the patches below and
-    /// over the queried one, where Unity finds the patches.
-    /// </summary>
+    /// <summary>The ground of a terrain at its object's position, whatever its rotation and scale, without what its holes leave out.</summary>
     public class TerrainCollider : Collider
     {
+        TerrainTriangles triangles;
+
         public TerrainData terrainData { get; set; }
 
-        internal override bool Overlaps(Vector3 center, Vector3 half, Quaternion rotation)
+        private protected override bool Turns => false;
+        private protected override bool IsScaled => false;
+
+        internal override ShapeDescription Describe()
         {
             if (terrainData == null)
-                return false;
-            Vector3 reach = Reach(half, rotation), size = terrainData.size, from = center - reach - Position, to = center + reach - Position;
-            if (to.x < 0f || to.z < 0f || from.x > size.x || from.z > size.z)
-                return false;
-            int last = terrainData.heightmapResolution - 1;
-            float lowest = float.PositiveInfinity, highest = float.NegativeInfinity;
-            for (int z = First(from.z, size.z, last); z <= Last(to.z, size.z, last); z++)
-                for (int x = First(from.x, size.x, last); x <= Last(to.x, size.x, last); x++)
-                {
-                    float height = terrainData.HeightAt(x, z);
-                    lowest = Mathf.Min(lowest, height);
-                    highest = Mathf.Max(highest, height);
-                }
-            return lowest <= to.y && highest >= from.y;
+                return default;
+            if (triangles == null || triangles.Data != terrainData)
+                triangles = new TerrainTriangles(terrainData);
+            return new ShapeDescription { Kind = ShapeKind.Triangles, Triangles = triangles, Version = terrainData.Version, Scale = Vector3.one };
         }
+    }
+}
 
-        // Of the heights whose patches the box stands over or below.
-        static int First(float from, float size, int last) => Mathf.Clamp(Mathf.FloorToInt(from / size * last), 0, last);
+namespace UnityEngine.Headless
+{
+    sealed class TerrainTriangles : ITriangles
+    {
+        public readonly TerrainData Data;
 
-        static int Last(float to, float size, int last) => Mathf.Clamp(Mathf.CeilToInt(to / size * last), 0, last);
+        public TerrainTriangles(TerrainData data) => Data = data;
 
-        // Half sides of the upright box around a box.
-        static Vector3 Reach(Vector3 half, Quaternion rotation)
+        public Bounds Bounds => new Bounds(0.5f * Data.size, Data.size);
+
+        public void Read(out Vector3[] points, out int[] indices)
         {
-            Vector3 reach = Vector3.zero;
-            for (int i = 0; i < 3; i++)
-            {
-                Vector3 side = Vector3.zero;
-                side[i] = half[i];
-                side = rotation * side;
-                reach += new Vector3(Mathf.Abs(side.x), Mathf.Abs(side.y), Mathf.Abs(side.z));
-            }
-            return reach;
+            int side = Data.heightmapResolution;
+            Vector3 size = Data.size;
+            bool[,] ground = Data.GetHoles(0, 0, side - 1, side - 1);
+            points = new Vector3[side * side];
+            var corners = new List<int>(6 * side * side);
+            for (int z = 0; z < side; z++)
+                for (int x = 0; x < side; x++)
+                {
+                    int at = z * side + x;
+                    points[at] = new Vector3(size.x * x / (side - 1), Data.HeightAt(x, z), size.z * z / (side - 1));
+                    if (x == side - 1 || z == side - 1 || !ground[z, x])
+                        continue;
+                    corners.AddRange(new[] { at, at + side, at + side + 1, at, at + side + 1, at + 1 });
+                }
+            indices = corners.ToArray();
         }
     }
 }

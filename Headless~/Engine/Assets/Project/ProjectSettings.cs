@@ -30,8 +30,9 @@ namespace Host.Assets
                 Time.maximumDeltaTime = time.Float("Maximum Allowed Timestep", Time.maximumDeltaTime);
                 Time.timeScale = time.Float("m_TimeScale", Time.timeScale);
             }
+            PhysicsWorld.Install();
             if (Settings(root, "DynamicsManager") is YamlNode physics)
-                PhysicsWorld.Gravity = BuiltInValues.Vector3(physics["m_Gravity"], PhysicsWorld.Gravity);
+                PhysicsSettings.Apply(physics);
             SceneManager.BuildScenes.AddRange(BuildScenes(root).Where(exists));
         }
 

@@ -11,10 +11,8 @@ namespace Host
     {
         static readonly string[] Names =
         {
-            "OnGUI", "OnAnimatorMove", "OnAnimatorIK", "OnAudioFilterRead", "OnCollisionEnter", "OnCollisionStay", "OnCollisionExit",
-                "OnCollisionEnter2D", "OnCollisionStay2D", "OnCollisionExit2D",
-            "OnTriggerEnter", "OnTriggerStay", "OnTriggerExit", "OnTriggerEnter2D", "OnTriggerStay2D", "OnTriggerExit2D",
-                "OnControllerColliderHit", "OnJointBreak",
+            "OnGUI", "OnAnimatorMove", "OnAnimatorIK", "OnAudioFilterRead", "OnCollisionEnter2D", "OnCollisionStay2D", "OnCollisionExit2D",
+            "OnTriggerEnter2D", "OnTriggerStay2D", "OnTriggerExit2D", "OnControllerColliderHit",
             "OnMouseDown", "OnMouseUp", "OnMouseUpAsButton", "OnMouseDrag", "OnMouseEnter", "OnMouseExit", "OnMouseOver",
                 "OnParticleCollision", "OnParticleTrigger", "OnParticleSystemStopped",
             "OnApplicationPause", "OnApplicationFocus",

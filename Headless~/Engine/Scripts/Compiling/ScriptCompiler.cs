@@ -146,12 +146,12 @@ namespace Host.Scripts.Compiling
             void Add(string file) => all.Add(MetadataReference.CreateFromFile(file));
             if (!assembly.NoEngineReferences)
             {
-                Add(hosted["UnityEngine"].Location);
+                foreach (var engine in StubAssembly.Engine) Add(hosted[engine].Location);
                 Add(stubs.File);
             }
             foreach (var name in assembly.Hosted.Distinct())
                 if (name == StubAssembly.UserInterface) Add(stubs.UserInterfaceFile);
-                else if (name != "UnityEngine") Add(hosted[name].Location);
+                else if (!StubAssembly.Engine.Contains(name)) Add(hosted[name].Location);
             foreach (var reference in assembly.References.Distinct()) Add(done[reference].File);
             foreach (var plugin in assembly.Plugins) Add(plugin.File);
             return all;

@@ -20,6 +20,9 @@ namespace Host.Scripts.Stubs
     internal sealed class StubAssembly
     {
         public const string Name = "UnityEngine.Stubs", UserInterface = "UnityEngine.UI";
+        /// <summary>What every script sees that does without no engine.</summary>
+        public static readonly string[] Engine = { "UnityEngine", "UnityEngine.PhysicsModule" };
+
         const string Version = "2022.3", Revision = "1";
         const int Rounds = 25;
 
@@ -39,9 +42,13 @@ namespace Host.Scripts.Stubs
             (Types, Members, Dropped) = (counts[0], counts[1], counts[2]);
         }
 
-        /// <param name="host">The assemblies whose types need no stubs.</param>
-        public static StubAssembly Get(IReadOnlyList<Assembly> host)
+        /// <summary>The assemblies whose types need no stubs.</summary>
+        public static readonly IReadOnlyList<Assembly> Host = new[] { typeof(UnityEngine.Object).Assembly, typeof(UnityEngine.Physics).Assembly,
+            typeof(Unity.Mathematics.math).Assembly };
+
+        public static StubAssembly Get()
         {
+            var host = Host;
             var key = ScriptCache.Key(host.Select(a => a.ManifestModule.ModuleVersionId.ToString())
                 .Append(typeof(UnityApiLists).Module.ModuleVersionId.ToString())
                 .Append(typeof(StubAssembly).Module.ModuleVersionId.ToString()).Append(Revision).ToArray());

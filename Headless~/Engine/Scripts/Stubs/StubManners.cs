@@ -34,8 +34,7 @@ namespace Host.Scripts.Stubs
 
         static readonly HashSet<string> Holds = new HashSet<string>
         {
-            "Collider", "BoxCollider", "SphereCollider", "CapsuleCollider", "MeshCollider", "Collider2D", "BoxCollider2D",
-                "CircleCollider2D", "PhysicMaterial",
+            "TerrainCollider", "Collider2D", "BoxCollider2D", "CircleCollider2D",
         };
 
         /// <param name="type">The outermost type's full name, without type parameters.</param>

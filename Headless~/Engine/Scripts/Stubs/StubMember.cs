@@ -46,7 +46,6 @@ namespace Host.Scripts.Stubs
 
         public string Text(Manner manner)
         {
-            if (OfTheHost() is string known) return known;
             if (owner.Kind == "interface") return InInterface();
             if (IsConstructor) return Constructor(manner);
             if (signature.StartsWith("const ", StringComparison.Ordinal)) return $"{Access}{signature} = default;";
@@ -119,30 +118,6 @@ namespace Host.Scripts.Stubs
                 foreach (Match match in Out.Matches(signature.Substring(open + 1, signature.Length - open - 2)))
                     text.Append(match.Groups["name"].Value).Append(" = default; ");
                 return text.ToString();
-            }
-        }
-
-        // By which the rigidbodies of the host fall and are stepped; all of a project's are in one physics scene.
-        string OfTheHost()
-        {
-            const string World = "global::UnityEngine.Headless.PhysicsWorld";
-            switch (owner.FullName)
-            {
-                case "UnityEngine.Physics" when signature == "static Vector3 gravity { get set }":
-                    return $"public static Vector3 gravity {{ get => {World}.Gravity; set => {World}.Gravity = value; }}";
-                case "UnityEngine.Physics" when signature == "static SimulationMode simulationMode { get set }":
-                    return $"public static SimulationMode simulationMode {{ get => (SimulationMode){World}.Stepped; set => {World}.Stepped = " +
-                        "(global::UnityEngine.Headless.PhysicsStepping)value; }";
-                case "UnityEngine.Physics" when signature == "static PhysicsScene defaultPhysicsScene { get }":
-                    return "public static PhysicsScene defaultPhysicsScene => default;";
-                case "UnityEngine.PhysicsSceneExtensions" when signature.Contains(" GetPhysicsScene("):
-                    return $"{Access}{signature} => default;";
-                case "UnityEngine.PhysicsScene" when signature.Contains("operator =="):
-                    return "public static bool operator ==(PhysicsScene lhs, PhysicsScene rhs) => true;";
-                case "UnityEngine.PhysicsScene" when signature.Contains("operator !="):
-                    return "public static bool operator !=(PhysicsScene lhs, PhysicsScene rhs) => false;";
-                default:
-                    return null;
             }
         }
 

@@ -72,7 +72,7 @@ namespace Host.Scripts.Stubs
         }
 
         // Base classes of the host whose descendants the engine makes by itself.
-        static readonly HashSet<string> HostMakes = typeof(Component).Assembly.GetExportedTypes()
+        static readonly HashSet<string> HostMakes = StubAssembly.Host.SelectMany(a => a.GetExportedTypes())
             .Where(t => typeof(Component).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t)
                 || typeof(Attribute).IsAssignableFrom(t)).Select(t => t.Name)
             .Concat(new[] { "Exception", "EventArgs", "SystemException" }).ToHashSet();

@@ -57,6 +57,7 @@ namespace UnityEngine.Headless
             var primitive = new GameObject(type.ToString());
             primitive.AddComponent<MeshFilter>().sharedMesh = BuiltinMeshes.Of(type);
             primitive.AddComponent<MeshRenderer>().sharedMaterial = DefaultMaterial;
+            PhysicsLoop.Current?.AddCollider(primitive, type);
             return primitive;
         }
 

@@ -37,17 +37,13 @@ namespace UnityEngine.Headless
             // Nothing falls in edit mode, and FixedUpdate is not called.
             while (!EditMode.IsOn && Time.Clock.StepFixed())
             {
-                if (PhysicsWorld.Stepped == PhysicsStepping.FixedUpdate)
-                    PhysicsWorld.BeginStep();
+                PhysicsLoop.Current?.BeginFixedStep();
                 fixedUpdates.Run();
-                if (PhysicsWorld.Stepped == PhysicsStepping.FixedUpdate)
-                    PhysicsWorld.Step(null, Time.fixedDeltaTime);
+                PhysicsLoop.Current?.FixedStep();
                 CoroutineScheduler.Resume(CoroutinePoint.FixedUpdate);
             }
-            if (!EditMode.IsOn && PhysicsWorld.Stepped == PhysicsStepping.FixedUpdate)
-                PhysicsWorld.Show(Time.Clock.StepShare);
-            else if (!EditMode.IsOn && PhysicsWorld.Stepped == PhysicsStepping.Update && Time.deltaTime > 0f)
-                PhysicsWorld.Step(null, Time.deltaTime);
+            if (!EditMode.IsOn)
+                PhysicsLoop.Current?.BeginUpdate();
 
             updates.Run();
             Invocations.Run();
@@ -129,7 +125,7 @@ namespace UnityEngine.Headless
             lateUpdates.Clear();
             RenderObjects.Clear();
             Time.Clock.Reset();
-            PhysicsWorld.Reset();
+            PhysicsLoop.Current?.Reset();
             RenderSettings.Reset();
             EnvironmentLighting.Invalidate();
             Random.InitState(Environment.TickCount);

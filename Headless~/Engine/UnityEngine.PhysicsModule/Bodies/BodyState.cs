@@ -9,10 +9,22 @@ namespace UnityEngine.Headless
         public Vector3 Force, VelocityChange, Torque, AngularAcceleration, AngularVelocityChange;
         public bool Sleeps;
 
+        /// <summary>Since the last step something has acted on it or moved it.</summary>
+        public bool IsTouched;
+
         Vector3 lastPosition, shownPosition;
         Quaternion lastRotation, shownRotation;
         Vector3? wantedPosition;
         Quaternion? wantedRotation;
+
+        public BodyPose Pose => new BodyPose(Position, Rotation);
+
+        /// <summary>Contacts moved it out of what it had sunk into.</summary>
+        public void Push(in BodyPose pose)
+        {
+            Position = pose.Position;
+            Rotation = pose.Rotation;
+        }
 
         public void SetPose(Vector3 position, Quaternion rotation)
         {
@@ -24,12 +36,16 @@ namespace UnityEngine.Headless
         public void Follow(Transform transform)
         {
             if (!transform.position.Equals(shownPosition) || !transform.rotation.Equals(shownRotation))
+            {
                 SetPose(transform.position, transform.rotation);
+                IsTouched = true;
+            }
         }
 
         public void Teleport(Transform transform, Vector3 position, Quaternion rotation)
         {
             SetPose(position, rotation);
+            IsTouched = true;
             transform.SetPositionAndRotation(position, rotation);
             Remember(transform);
         }
@@ -66,40 +82,51 @@ namespace UnityEngine.Headless
             shownRotation = transform.rotation;
         }
 
-        public void Step(Rigidbody body, float time)
+        /// <summary>The first half of a step: velocities by what acts, less drag. A kinematic body is moved by MovePosition and MoveRotation
+        /// alone; its velocities are those of the displacement.</summary>
+        public void Accelerate(Rigidbody body, float time)
         {
             lastPosition = Position;
             lastRotation = Rotation;
             if (body.isKinematic)
-                StepKinematic(time);
+                AccelerateKinematic(time);
             else if (!Sleeps)
-                StepFree(body, time);
+                AccelerateFree(body, time);
             ForgetForces();
+        }
+
+        void AccelerateKinematic(float time)
+        {
+            Velocity = ((wantedPosition ?? Position) - Position) / time;
+            ((wantedRotation ?? Rotation) * Quaternion.Inverse(Rotation)).ToAngleAxis(out float angle, out Vector3 axis);
+            AngularVelocity = Mathf.Abs(angle) > 1e-4f ? axis * ((angle > 180f ? angle - 360f : angle) * Mathf.Deg2Rad / time) : Vector3.zero;
+        }
+
+        void AccelerateFree(Rigidbody body, float time)
+        {
+            Vector3 acceleration = Force / body.mass + (body.useGravity ? PhysicsWorld.Gravity : Vector3.zero);
+            Velocity = (Velocity + acceleration * time + VelocityChange) * Mathf.Max(1f - body.drag * time, 0f);
+            AngularVelocity = (AngularVelocity + (body.TurnedBy(Torque) + AngularAcceleration) * time + AngularVelocityChange)
+                * Mathf.Max(1f - body.angularDrag * time, 0f);
+            Limit(body);
+        }
+
+        /// <summary>The second half, after contacts and joints were solved: places by the new velocities (semi-implicit Euler).</summary>
+        public void Move(Rigidbody body, float time)
+        {
+            if (body.isKinematic)
+            {
+                Position = wantedPosition ?? Position;
+                Rotation = wantedRotation ?? Rotation;
+            }
+            else if (!Sleeps)
+                MoveFree(body, time);
             wantedPosition = null;
             wantedRotation = null;
         }
 
-        // Moved by MovePosition and MoveRotation alone; the velocities are those of the displacement.
-        void StepKinematic(float time)
+        void MoveFree(Rigidbody body, float time)
         {
-            Position = wantedPosition ?? Position;
-            Rotation = wantedRotation ?? Rotation;
-            Velocity = (Position - lastPosition) / time;
-            (Rotation * Quaternion.Inverse(lastRotation)).ToAngleAxis(out float angle, out Vector3 axis);
-            AngularVelocity = Mathf.Abs(angle) > 1e-4f ? axis * ((angle > 180f ? angle - 360f : angle) * Mathf.Deg2Rad / time) : Vector3.zero;
-        }
-
-        // Semi-implicit Euler: velocities by what acts, less drag, then places by the new velocities.
-        void StepFree(Rigidbody body, float time)
-        {
-            Vector3 acceleration = Force / body.mass + (body.useGravity ? PhysicsWorld.Gravity : Vector3.zero);
-            Velocity = (Velocity + acceleration * time + VelocityChange) * Mathf.Max(1f - body.drag * time, 0f);
-            Velocity = Vector3.ClampMagnitude(Velocity, body.maxLinearVelocity);
-            AngularVelocity = (AngularVelocity + (body.TurnedBy(Torque) + AngularAcceleration) * time + AngularVelocityChange)
-                * Mathf.Max(1f - body.angularDrag * time, 0f);
-            AngularVelocity = Vector3.ClampMagnitude(AngularVelocity, body.maxAngularVelocity);
-            Freeze(body.constraints);
-
             Vector3 center = body.centerOfMass;
             Vector3 place = (wantedPosition ?? Position) + (wantedRotation ?? Rotation) * center + Velocity * time;
             float angle = AngularVelocity.magnitude * time;
@@ -107,6 +134,14 @@ namespace UnityEngine.Headless
             if (angle > 0f)
                 Rotation = (Quaternion.AngleAxis(angle * Mathf.Rad2Deg, AngularVelocity) * Rotation).normalized;
             Position = place - Rotation * center;
+        }
+
+        /// <summary>Keeps velocities within the body's limits and constraints.</summary>
+        public void Limit(Rigidbody body)
+        {
+            Velocity = Vector3.ClampMagnitude(Velocity, body.maxLinearVelocity);
+            AngularVelocity = Vector3.ClampMagnitude(AngularVelocity, body.maxAngularVelocity);
+            Freeze(body.constraints);
         }
 
         void Freeze(RigidbodyConstraints constraints)

@@ -4,28 +4,31 @@ using UnityEngine.Headless;
 namespace UnityEngine
 {
     /// <summary>
-    /// A free body: forces and torques are integrated at each fixed step (see <see cref="PhysicsWorld"/>). It meets nothing: the host
-    /// has no collisions.
+    /// A rigid body: forces and torques are integrated here at each step (see <see cref="PhysicsWorld"/>), contacts and joints solved by
+    /// Bullet in between.
     /// </summary>
-    public class Rigidbody : Component
+    public partial class Rigidbody : Component
     {
-        const float DefaultInertia = 1f;        // kg m², of a body without a shape, as Unity has it
-
-        float m_Mass = 1f;
-        Vector3 m_CenterOfMass, m_InertiaTensor = Vector3.one * DefaultInertia;
-        bool m_AutomaticTensor = true;
         [NonSerialized] internal BodyState State;
-        [NonSerialized] bool shapeIsKnown;
+        [NonSerialized] float m_Mass = 1f;
 
         internal override void OnActivated()
         {
             State.SetPose(transform.position, transform.rotation);
             PhysicsWorld.Bodies.Add(this);
+            PhysicsWorld.ShapesVersion++;
         }
 
-        internal override void OnDeactivated() => PhysicsWorld.Bodies.Remove(this);
+        internal override void OnDeactivated()
+        {
+            PhysicsWorld.Bodies.Remove(this);
+            PhysicsWorld.ShapesVersion++;
+            PhysicsWorld.Forget(this);
+        }
 
-        public float mass { get => m_Mass; set => m_Mass = Mathf.Max(value, 1e-7f); }
+        internal override void OnCopied(Component source) => CopiedProperties.Into(source, this);
+
+        public float mass { get => m_Mass; set { m_Mass = Mathf.Max(value, 1e-7f); massVersion = 0; } }
         public float drag { get; set; }
         public float angularDrag { get; set; } = 0.05f;
         public bool useGravity { get; set; } = true;
@@ -34,12 +37,12 @@ namespace UnityEngine
         public RigidbodyConstraints constraints { get; set; }
         public RigidbodyInterpolation interpolation { get; set; }
         public CollisionDetectionMode collisionDetectionMode { get; set; }
-        public float maxAngularVelocity { get; set; } = 7f;
+        public float maxAngularVelocity { get; set; } = Physics.defaultMaxAngularSpeed;
         public float maxLinearVelocity { get; set; } = 1e16f;
-        public float maxDepenetrationVelocity { get; set; } = 10f;
-        public float sleepThreshold { get; set; } = 0.005f;
-        public int solverIterations { get; set; } = 6;
-        public int solverVelocityIterations { get; set; } = 1;
+        public float maxDepenetrationVelocity { get; set; } = Physics.defaultMaxDepenetrationVelocity;
+        public float sleepThreshold { get; set; } = Physics.sleepThreshold;
+        public int solverIterations { get; set; } = Physics.defaultSolverIterations;
+        public int solverVelocityIterations { get; set; } = Physics.defaultSolverVelocityIterations;
         public LayerMask includeLayers { get; set; }
         public LayerMask excludeLayers { get; set; }
 
@@ -55,60 +58,6 @@ namespace UnityEngine
         public Vector3 position { get { State.Follow(transform); return State.Position; } set => State.Teleport(transform, value, State.Rotation); }
         public Quaternion rotation { get { State.Follow(transform); return State.Rotation; } set => State.Teleport(transform,
             State.Position, value); }
-
-        public Vector3 centerOfMass { get => m_CenterOfMass; set { m_CenterOfMass = value; automaticCenterOfMass = false; } }
-        public bool automaticCenterOfMass { get; set; } = true;
-        public Vector3 worldCenterOfMass => position + rotation * m_CenterOfMass;
-        public Quaternion inertiaTensorRotation { get; set; } = Quaternion.identity;
-
-        /// <summary>Automatic: that of a solid box around the object's mesh with the body's mass; Unity takes the object's colliders, which
-        /// the host has not.</summary>
-        public Vector3 inertiaTensor
-        {
-            get
-            {
-                if (m_AutomaticTensor && !shapeIsKnown)
-                    ResetInertiaTensor();
-                return m_InertiaTensor;
-            }
-            set
-            {
-                m_InertiaTensor = value;
-                m_AutomaticTensor = false;
-            }
-        }
-
-        public bool automaticInertiaTensor
-        {
-            get => m_AutomaticTensor;
-            set
-            {
-                m_AutomaticTensor = value;
-                shapeIsKnown = false;
-            }
-        }
-
-        public void ResetCenterOfMass()
-        {
-            m_CenterOfMass = Vector3.zero;
-            automaticCenterOfMass = true;
-        }
-
-        public void ResetInertiaTensor()
-        {
-            m_AutomaticTensor = true;
-            shapeIsKnown = true;
-            inertiaTensorRotation = Quaternion.identity;
-            Mesh mesh = TryGetComponent(out MeshFilter filter) ? filter.sharedMesh : null;
-            if (mesh == null)
-            {
-                m_InertiaTensor = Vector3.one * DefaultInertia;
-                return;
-            }
-            Vector3 size = Vector3.Scale(mesh.bounds.size, transform.lossyScale);
-            Vector3 squares = Vector3.Scale(size, size) * (m_Mass / 12f);
-            m_InertiaTensor = new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
-        }
 
         public void AddForce(Vector3 force) => AddForce(force, ForceMode.Force);
         public void AddForce(float x, float y, float z) => AddForce(new Vector3(x, y, z), ForceMode.Force);
@@ -180,7 +129,7 @@ namespace UnityEngine
         public void MoveRotation(Quaternion rot) => State.MoveTo(transform, null, rot);
         public void Move(Vector3 position, Quaternion rotation) => State.MoveTo(transform, position, rotation);
 
-        /// <summary>Stands still until something moves it; no body falls asleep by itself here.</summary>
+        /// <summary>Stands still until something moves it.</summary>
         public void Sleep()
         {
             State.Sleeps = true;
@@ -189,7 +138,12 @@ namespace UnityEngine
         }
 
         public bool IsSleeping() => State.Sleeps;
-        public void WakeUp() => State.Sleeps = false;
+
+        public void WakeUp()
+        {
+            State.Sleeps = false;
+            State.IsTouched = true;
+        }
 
         /// <summary>Angular acceleration by a torque: the inverse of the inertia tensor times it.</summary>
         internal Vector3 TurnedBy(Vector3 torque) => ByAxes(torque, invert: true);
