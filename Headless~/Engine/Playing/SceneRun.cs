@@ -20,6 +20,7 @@ namespace Host
         readonly RunSettings settings;
         readonly TextWriter output;
         readonly Dictionary<string, double> stageTimes = new();
+        readonly List<double> compilingSteps = new();       // ms of each: their time is that of compilers
         string folder;
         HostException toolFailure;
 
@@ -65,7 +66,7 @@ namespace Host
                     Statistics = statistics,
                     Plots = new List<Plot> { new("step-time", "Time of a step", "ms", "step_ms",
                         "gpu_ms") }.Concat(probes.SelectMany(probe => probe.Plots)).ToList(),
-                    Stages = stageTimes.Select(stage => (stage.Key, stage.Value / statistics.Rows.Count)).ToList(),
+                    Stages = stageTimes.Select(stage => (stage.Key, stage.Value / Math.Max(statistics.Rows.Count - compilingSteps.Count, 1))).ToList(),
                     Settings = OwnSettings(scene, session).Concat(probes.SelectMany(probe => probe.Settings)).ToList(),
                 }, frames);
                 foreach (string line in probes.SelectMany(probe => probe.Summary))
@@ -96,6 +97,7 @@ namespace Host
                 }
                 for (int step = 1; step <= steps; step++)
                 {
+                    int made = DeviceObjects.Made;
                     var clock = Stopwatch.StartNew();
                     PlayerLoop.Frame((float)(1 / settings.FramesPerSecond));
                     session.ThrowFault();
@@ -103,7 +105,10 @@ namespace Host
                     double milliseconds = clock.Elapsed.TotalMilliseconds;
                     double time = step / settings.FramesPerSecond;
 
-                    statistics.Add(Row(time, milliseconds, probes));
+                    bool compiled = DeviceObjects.Made > made;
+                    if (compiled)
+                        compilingSteps.Add(milliseconds);
+                    statistics.Add(Row(time, compiled ? double.NaN : milliseconds, probes));
                     if (frames != null && step % settings.DrawEvery == 0)
                         frames.Add(time, Draw());
                     if (Array.IndexOf(settings.DumpAt, step) >= 0)
@@ -114,12 +119,14 @@ namespace Host
             });
         }
 
+        /// <param name="milliseconds">NaN in a step that compiled shaders.</param>
         double[] Row(double time, double milliseconds, List<IRunProbe> probes)
         {
             List<DeviceSample> samples = Player.Device.CollectSamples();
-            foreach (DeviceSample sample in samples)
+            foreach (DeviceSample sample in samples.Where(_ => !double.IsNaN(milliseconds)))
                 stageTimes[sample.Name] = stageTimes.GetValueOrDefault(sample.Name) + sample.Milliseconds;
-            var row = new List<double> { time, milliseconds, samples.Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds) };
+            double gpu = samples.Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds);
+            var row = new List<double> { time, milliseconds, double.IsNaN(milliseconds) ? double.NaN : gpu };
             foreach (IRunProbe probe in probes)
             {
                 var values = new double[probe.Columns.Length];
@@ -155,10 +162,18 @@ namespace Host
             }
             page.Write(folder);
 
-            double[] step = page.Statistics.Known("step_ms");
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{step.Length} steps, {step.Average():0.0} ms a step, " +
-                $"{StatisticsPage.Percentile(step, 0.999):0.0} ms at the 99.9th percentile"));
+            output.WriteLine(StepTimes(page.Statistics.Known("step_ms"), compilingSteps));
             output.WriteLine($"results in {folder}");
+        }
+
+        internal static string StepTimes(double[] steps, List<double> compiling)
+        {
+            string compiled = compiling.Count == 0 ? "" : string.Create(CultureInfo.InvariantCulture,
+                $"{compiling.Count} that compiled shaders took {compiling.Sum():0} ms");
+            if (steps.Length == 0)
+                return $"no steps but {compiled}";
+            return string.Create(CultureInfo.InvariantCulture, $"{steps.Length} steps, {steps.Average():0.0} ms a step, " +
+                $"{StatisticsPage.Percentile(steps, 0.999):0.0} ms at the 99.9th percentile") + (compiled == "" ? "" : $"; beside them {compiled}");
         }
 
         // What a tool would have made is left out where it is not there or fails; the rest is written before the failure is told.

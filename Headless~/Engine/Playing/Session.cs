@@ -22,6 +22,7 @@ namespace Host
         readonly IDisposable ofPackage = BuiltInPackage.Current.Begin();
         int warned;
         readonly List<string> dropped = new();
+        readonly List<UnityEngine.Object> preloaded = new();      // as in a player: loaded before the first script runs, and kept
         ExceptionDispatchInfo fault;
 
         /// <param name="root">A Unity project's or package's folder.</param>
@@ -59,9 +60,23 @@ namespace Host
                 BuiltInPackage.Current.EnterPlayer();
             else if (foreign == null || editor)
                 EditorInitializers.Run();
+            if (player || foreign != null && !editor)
+                preloaded = Preload(root);
             Initializers.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
             Initializers.Run(RuntimeInitializeLoadType.BeforeSplashScreen);
             Initializers.Run(RuntimeInitializeLoadType.BeforeSceneLoad);
+        }
+
+        List<UnityEngine.Object> Preload(string root)
+        {
+            var found = new List<UnityEngine.Object>();
+            foreach (FileReference reference in ProjectSettings.PreloadedAssets(root))
+                if (assets.LoadAsset(reference.Guid, reference.FileId, typeof(UnityEngine.Object)) is UnityEngine.Object asset)
+                    found.Add(asset);
+                else
+                    Debug.LogWarning($"Preloaded Assets of the player settings: {reference.Location}: no asset of the project has the guid " +
+                        $"{reference.Guid} and the file id {reference.FileId}. Take the entry out, or bring the asset back.");
+            return found;
         }
 
         /// <summary>For the scene's project; <see cref="LoadScene"/> opens it.</summary>
@@ -101,7 +116,7 @@ namespace Host
         {
             SceneManager.LoadNow(scene.AssetPath, LoadSceneMode.Single);
             Initializers.Run(RuntimeInitializeLoadType.AfterSceneLoad);
-            foreach (string problem in assets.Index.Problems)
+            foreach (string problem in assets.Index.Summary())
                 Console.Error.WriteLine("warning: " + problem);
             PrintWarnings();
             ThrowFault();

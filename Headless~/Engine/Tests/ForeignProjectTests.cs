@@ -55,6 +55,16 @@ namespace Host.Tests
             Assert.That(after.Count(b => Vector3.Distance(b.Position, Center) > ViewRadius), Is.GreaterThan(20), "boids that are not to be seen");
         }
 
+        // 3 steps, and shaders are compiled in the first.
+        [Test]
+        public void Steps_that_compile_shaders_do_not_count_to_the_time_of_a_step()
+        {
+            using var run = new ForeignRun(ForeignRun.ProjectFolder("Boids"), 3, "--no-frames");
+            run.MustHaveSucceeded();
+            Assert.That(run.Output, Has.Exactly(1).Match(
+                @"^2 steps, \d+\.\d ms a step, \d+\.\d ms at the 99\.9th percentile; beside them 1 that compiled shaders took \d+ ms$"));
+        }
+
         [Test]
         public void As_many_instances_are_drawn_as_were_appended()
         {

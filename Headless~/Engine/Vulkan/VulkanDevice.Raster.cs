@@ -248,6 +248,7 @@ namespace Host.Vulkan
 
         VkPipeline CreatePipeline(VulkanPass pass, in PipelineKey key)
         {
+            DeviceObjects.Made++;
             var state = key.State;
             var vertexBindings = stackalloc VkVertexInputBindingDescription[PipelineKey.MaxStreams];
             var attributes = stackalloc VkVertexInputAttributeDescription[PipelineKey.MaxStreams];

@@ -15,7 +15,7 @@ namespace Host.Assets
     internal sealed class ObjectBuilder
     {
         const int MonoBehaviour = 114, RenderSettings = 104, SceneRoots = 1660057539;
-        const int Material = 21, Texture2D = 28, Mesh = 43, RenderTexture = 84, Texture3D = 117;
+        const int Material = 21, Texture2D = 28, Mesh = 43, RenderTexture = 84, Texture3D = 117, PhysicMaterial = 134;
 
         readonly ProjectAssets project;
         readonly UnityYaml documents;
@@ -180,6 +180,7 @@ namespace Host.Assets
                 // `rill check` has no device to put voxels on, and needs none.
                 case Texture3D: found = Player.Device == null ? null : TextureReader.MakeTexture3D(document.Fields); break;
                 case RenderTexture: found = TextureReader.MakeRenderTexture(document.Fields); break;
+                case PhysicMaterial: found = new UnityEngine.PhysicMaterial(); break;
                 case RenderSettings when isScene:
                     NativeFields.Read(null, typeof(UnityEngine.RenderSettings), document.Fields, Reader(),
                         new ReadScope(() => "the scene's RenderSettings"));

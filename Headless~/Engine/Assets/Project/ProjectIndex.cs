@@ -23,6 +23,23 @@ namespace Host.Assets
         /// <summary>Missing and unusable .meta files, GUIDs given twice: what would break the project in Unity.</summary>
         public readonly List<string> Problems = new List<string>();
 
+        /// <summary>Those among them without a .meta file.</summary>
+        public readonly List<string> WithoutMeta = new List<string>();
+
+        /// <summary>The problems with one line for all that have no .meta file.</summary>
+        public IEnumerable<string> Summary()
+        {
+            const int Named = 3;
+            if (WithoutMeta.Count > 0)
+                yield return WithoutMeta.Count == 1 ? NoMeta(WithoutMeta[0] + " has")
+                    : NoMeta($"{WithoutMeta.Count} files and folders ({string.Join(", ", WithoutMeta.Take(Named))}" +
+                        $"{(WithoutMeta.Count > Named ? ", ..." : "")}) have");
+            foreach (var problem in Problems.Except(WithoutMeta.Select(path => NoMeta(path + " has")))) yield return problem;
+        }
+
+        static string NoMeta(string who) => $"{who} no .meta file, so nothing can refer to " +
+            $"{(who.EndsWith(" has", StringComparison.Ordinal) ? "it" : "them")}: open the project in Unity or run Headless~/Engine/tools/make-meta";
+
         /// <summary>Mounting the same folder again changes nothing.</summary>
         public void Mount(MountedFolder mount)
         {
@@ -66,8 +83,8 @@ namespace Host.Assets
             byPath.TryAdd(entry.Path, entry);
             if (!hasMeta)
             {
-                Problems.Add($"{entry.Path} has no .meta file, so nothing can refer to it: open the project in Unity or run " +
-                    $"Headless~/Engine/tools/make-meta");
+                WithoutMeta.Add(entry.Path);
+                Problems.Add(NoMeta(entry.Path + " has"));
                 return;
             }
             if (!MetaFile.TryRead(entry.File + ".meta", entry.Path + ".meta", out var meta, out var problem)) Problems.Add(problem);

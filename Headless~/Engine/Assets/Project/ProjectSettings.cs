@@ -8,8 +8,8 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Assets
 {
-    /// <summary>What a project's ProjectSettings folder changes in the player: color space, names, time step, gravity of bodies, scenes of
-    /// the build.</summary>
+    /// <summary>What a project's ProjectSettings folder changes in the player: color space, names, time step, physics, scenes of the
+    /// build, preloaded assets.</summary>
     internal static class ProjectSettings
     {
         /// <param name="exists">Whether an asset path leads to a file; scenes that do not are not in the build.</param>
@@ -40,6 +40,11 @@ namespace Host.Assets
         public static IEnumerable<string> BuildScenes(string root) =>
             Settings(root, "EditorBuildSettings") is YamlNode build ? build.Items("m_Scenes").Where(s => s.Bool("enabled"))
             .Select(s => s.Text("path")) : Enumerable.Empty<string>();
+
+        /// <summary>What a player loads before the first scene, without empty entries.</summary>
+        public static IEnumerable<FileReference> PreloadedAssets(string root) =>
+            Settings(root, "ProjectSettings") is YamlNode player ? player.Items("preloadedAssets").Select(FileReference.Of).Where(r => !r.IsNone)
+            : Enumerable.Empty<FileReference>();
 
         static YamlNode Settings(string root, string name)
         {

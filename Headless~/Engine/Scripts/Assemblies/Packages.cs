@@ -19,6 +19,10 @@ namespace Host.Scripts.Assemblies
 
         const string TestFramework = "com.unity.test-framework";
 
+        // Packages of the Editor alone: a player has nothing of them, so none is missed here.
+        static readonly string[] EditorOnly = { TestFramework, "com.unity.ext.nunit", "com.unity.testtools.", "com.unity.ide.",
+            "com.unity.collab-proxy", "com.unity.editorcoroutines", "com.unity.performance.profile-analyzer", "com.unity.feature.development" };
+
         readonly Dictionary<string, string> versions = new Dictionary<string, string>();
         readonly Dictionary<string, string> hosted;
         readonly HashSet<string> testable = new HashSet<string>();
@@ -65,7 +69,8 @@ namespace Host.Scripts.Assemblies
             {
                 if (!package.Value.StartsWith("file:", StringComparison.Ordinal)) versions.TryAdd(package.Key, package.Value);
                 // The engine's own modules are what the host and its stubs are.
-                if (!hosted.ContainsKey(package.Key) && !package.Key.StartsWith("com.unity.modules.", StringComparison.Ordinal))
+                if (!hosted.ContainsKey(package.Key) && !package.Key.StartsWith("com.unity.modules.", StringComparison.Ordinal)
+                    && (tests || !Array.Exists(EditorOnly, name => package.Key.StartsWith(name, StringComparison.Ordinal))))
                     Missing.Add(package.Key + " " + package.Value);
             }
             Missing.Sort(StringComparer.Ordinal);

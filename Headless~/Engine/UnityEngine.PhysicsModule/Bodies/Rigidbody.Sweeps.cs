@@ -30,9 +30,9 @@ namespace UnityEngine
             foreach (Collider collider in GetComponentsInChildren<Collider>())
                 if (collider.enabled && !collider.isTrigger && collider.attachedRigidbody == this)
                     found.AddRange(Casts.Sweeps(PhysicsWorld.SceneOf(gameObject), collider.Describe(),
-                        State.Pose.Of(collider.PoseIn(transform)), direction, maxDistance));
-            found.RemoveAll(hit => hit.rigidbody == this || hit.distance <= 0f || !Casts.Counts(hit.collider, Physics.AllLayers,
-                queryTriggerInteraction) || Physics.GetIgnoreLayerCollision(gameObject.layer, hit.collider.gameObject.layer));
+                        State.Pose.Of(collider.PoseIn(transform)), direction, maxDistance, Physics.AllLayers, queryTriggerInteraction));
+            found.RemoveAll(hit => hit.rigidbody == this || hit.distance <= 0f
+                || Physics.GetIgnoreLayerCollision(gameObject.layer, hit.collider.gameObject.layer));
             found.Sort((a, b) => a.distance.CompareTo(b.distance));
             return found.ToArray();
         }

@@ -110,7 +110,8 @@ namespace UnityEngine
 
         public bool Raycast(Ray ray, out RaycastHit hitInfo, float maxDistance)
         {
-            foreach (RaycastHit hit in Casts.Rays(PhysicsWorld.SceneOf(gameObject), ray.origin, ray.direction, maxDistance))
+            foreach (RaycastHit hit in Casts.Rays(PhysicsWorld.SceneOf(gameObject), ray.origin, ray.direction, maxDistance,
+                Physics.AllLayers, QueryTriggerInteraction.Collide))
                 if (hit.collider == this)
                 {
                     hitInfo = hit;

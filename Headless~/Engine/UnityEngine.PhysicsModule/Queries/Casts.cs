@@ -3,63 +3,72 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What rays and moved or standing shapes find in a physics scene, before layers and triggers are looked at.</summary>
+    /// <summary>What rays and moved or standing shapes find in a physics scene. Nothing is allocated where nothing has to grow: each kind of
+    /// query fills one list, which holds until the next.</summary>
     internal static class Casts
     {
+        static readonly List<RaycastHit> rays = new List<RaycastHit>(), sweeps = new List<RaycastHit>();
+        static readonly List<Collider> overlaps = new List<Collider>();
         static HitData[] hits = new HitData[32];
         static int[] ids = new int[32];
 
         /// <summary>Nearest first; colliders that the ray begins in are not found, as in Unity.</summary>
-        public static List<RaycastHit> Rays(SceneData scene, Vector3 origin, Vector3 direction, float distance)
+        public static List<RaycastHit> Rays(SceneData scene, Vector3 origin, Vector3 direction, float distance, int layerMask,
+            QueryTriggerInteraction triggers)
         {
+            rays.Clear();
+            if (direction == Vector3.zero)
+                return rays;
             ContactWorld world = PhysicsWorld.Queried(scene);
+            int backs = Physics.queriesHitBackfaces ? 1 : 0, count;
             direction = direction.normalized;
-            int count;
-            while ((count = Bullet.Ray(world.Handle, origin, direction, distance, Physics.queriesHitBackfaces ? 1 : 0, hits, hits.Length)) > hits.Length)
+            while ((count = Bullet.Ray(world.Handle, origin, direction, distance, backs, hits, hits.Length)) > hits.Length)
                 hits = new HitData[count];
-            List<RaycastHit> found = Read(world, count);
-            found.RemoveAll(hit => hit.distance <= 0f);
-            return found;
+            for (int i = 0; i < count; i++)
+                if (hits[i].Distance > 0f && Find(world, hits[i].Collider, layerMask, triggers) is Collider found)
+                    rays.Add(new RaycastHit(found, hits[i]));
+            return rays;
         }
 
-        /// <summary>Nearest first. One that overlaps at the start is hit at distance 0, with the way back as its normal.</summary>
-        public static List<RaycastHit> Sweeps(SceneData scene, in ShapeDescription shape, BodyPose from, Vector3 direction, float distance)
+        /// <summary>Nearest first. What overlaps at the start is hit at distance 0, with the way back as its normal.</summary>
+        public static List<RaycastHit> Sweeps(SceneData scene, in ShapeDescription shape, BodyPose from, Vector3 direction, float distance,
+            int layerMask, QueryTriggerInteraction triggers)
         {
-            ContactWorld world = PhysicsWorld.Queried(scene);
+            sweeps.Clear();
+            if (direction == Vector3.zero)
+                return sweeps;
             direction = direction.normalized;
+            List<Collider> around = Overlaps(scene, shape, from, layerMask, triggers);
+            foreach (Collider collider in around)
+                sweeps.Add(new RaycastHit(collider, new HitData { Normal = -direction }));
+            ContactWorld world = PhysicsWorld.Queried(scene);
             IntPtr made = shape.Make();
             int count;
             while ((count = Bullet.Sweep(world.Handle, made, from, direction, distance, hits, hits.Length)) > hits.Length)
                 hits = new HitData[count];
-            List<RaycastHit> found = Read(world, count);
             Bullet.ShapeDelete(made);
-            List<Collider> around = Overlaps(scene, shape, from);
-            found.RemoveAll(hit => around.Contains(hit.collider));
-            foreach (Collider collider in around)
-                found.Insert(0, new RaycastHit(collider, new HitData { Normal = -direction }));
-            return found;
+            for (int i = 0; i < count; i++)
+                if (Find(world, hits[i].Collider, layerMask, triggers) is Collider found && !around.Contains(found))
+                    sweeps.Add(new RaycastHit(found, hits[i]));
+            return sweeps;
         }
 
         /// <summary>In the order in which the colliders were made.</summary>
-        public static List<Collider> Overlaps(SceneData scene, in ShapeDescription shape, BodyPose pose)
+        public static List<Collider> Overlaps(SceneData scene, in ShapeDescription shape, BodyPose pose, int layerMask,
+            QueryTriggerInteraction triggers)
         {
+            overlaps.Clear();
             ContactWorld world = PhysicsWorld.Queried(scene);
             IntPtr made = shape.Make();
             int count;
             while ((count = Bullet.Overlap(world.Handle, made, pose, ids, ids.Length)) > ids.Length)
                 ids = new int[count];
             Bullet.ShapeDelete(made);
-            var found = new List<Collider>(count);
             for (int i = 0; i < count; i++)
-                if (world.Slots.TryGetValue(ids[i], out ColliderSlot slot))
-                    found.Add(slot.Collider);
-            return found;
+                if (Find(world, ids[i], layerMask, triggers) is Collider found)
+                    overlaps.Add(found);
+            return overlaps;
         }
-
-        /// <summary>What layers and triggers leave.</summary>
-        public static bool Counts(Collider collider, int layerMask, QueryTriggerInteraction triggers)
-            => (layerMask & 1 << collider.gameObject.layer) != 0 && (!collider.isTrigger || triggers == QueryTriggerInteraction.Collide
-                || triggers == QueryTriggerInteraction.UseGlobal && Physics.queriesHitTriggers);
 
         public static ShapeDescription Box(Vector3 half) => new ShapeDescription { Kind = ShapeKind.Box,
             Size = new Vector3(Mathf.Abs(half.x), Mathf.Abs(half.y), Mathf.Abs(half.z)) };
@@ -72,13 +81,14 @@ namespace UnityEngine.Headless
             return new ShapeDescription { Kind = ShapeKind.Capsule, Axis = 1, Size = new Vector3(radius, 0.5f * Vector3.Distance(from, to), 0f) };
         }
 
-        static List<RaycastHit> Read(ContactWorld world, int count)
+        // Null where layers or triggers leave it out.
+        static Collider Find(ContactWorld world, int id, int layerMask, QueryTriggerInteraction triggers)
         {
-            var found = new List<RaycastHit>(count);
-            for (int i = 0; i < count; i++)
-                if (world.Slots.TryGetValue(hits[i].Collider, out ColliderSlot slot))
-                    found.Add(new RaycastHit(slot.Collider, hits[i]));
-            return found;
+            if (!world.Slots.TryGetValue(id, out ColliderSlot slot) || (layerMask & 1 << slot.Collider.gameObject.layer) == 0)
+                return null;
+            bool counts = !slot.Collider.isTrigger || triggers == QueryTriggerInteraction.Collide
+                || triggers == QueryTriggerInteraction.UseGlobal && Physics.queriesHitTriggers;
+            return counts ? slot.Collider : null;
         }
     }
 }

@@ -125,38 +125,27 @@ namespace UnityEngine
         // ---- what all of them find
 
         internal List<Collider> Overlaps(in ShapeDescription shape, BodyPose pose, int layerMask, QueryTriggerInteraction triggers)
-        {
-            List<Collider> found = Casts.Overlaps(scene, shape, pose);
-            found.RemoveAll(collider => !Casts.Counts(collider, layerMask, triggers));
-            return found;
-        }
+            => Casts.Overlaps(scene, shape, pose, layerMask, triggers);
 
         internal List<RaycastHit> Rays(Vector3 origin, Vector3 direction, float distance, int layerMask, QueryTriggerInteraction triggers)
-        {
-            if (direction == Vector3.zero)
-                return new List<RaycastHit>();
-            List<RaycastHit> found = Casts.Rays(scene, origin, direction, distance);
-            found.RemoveAll(hit => !Casts.Counts(hit.collider, layerMask, triggers));
-            return found;
-        }
+            => Casts.Rays(scene, origin, direction, distance, layerMask, triggers);
 
         internal List<RaycastHit> Sweeps(in ShapeDescription shape, BodyPose from, Vector3 direction, float distance, int layerMask,
             QueryTriggerInteraction triggers)
-        {
-            if (direction == Vector3.zero)
-                return new List<RaycastHit>();
-            List<RaycastHit> found = Casts.Sweeps(scene, shape, from, direction, distance);
-            found.RemoveAll(hit => !Casts.Counts(hit.collider, layerMask, triggers));
-            return found;
-        }
+            => Casts.Sweeps(scene, shape, from, direction, distance, layerMask, triggers);
 
         // As in Unity the first hit leaves out what overlaps at the start.
         bool FirstSwept(in ShapeDescription shape, BodyPose from, Vector3 direction, float distance, int layerMask,
             QueryTriggerInteraction triggers, out RaycastHit hit)
         {
-            List<RaycastHit> found = Sweeps(shape, from, direction, distance, layerMask, triggers);
-            found.RemoveAll(one => one.distance <= 0f);
-            return First(found, out hit);
+            foreach (RaycastHit found in Sweeps(shape, from, direction, distance, layerMask, triggers))
+                if (found.distance > 0f)
+                {
+                    hit = found;
+                    return true;
+                }
+            hit = default;
+            return false;
         }
 
         static bool First(List<RaycastHit> found, out RaycastHit hit)

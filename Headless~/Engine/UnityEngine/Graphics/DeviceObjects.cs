@@ -8,10 +8,15 @@ namespace UnityEngine.Headless
         static readonly Dictionary<ShaderProgram, DeviceKernel> kernels = new Dictionary<ShaderProgram, DeviceKernel>();
         static readonly Dictionary<(ShaderProgram, ShaderProgram), DevicePass> passes = new Dictionary<(ShaderProgram, ShaderProgram), DevicePass>();
 
+        /// <summary>How many have been made since the start: a frame that raises it has waited for a compiler.</summary>
+        public static int Made;
+
         public static DeviceKernel Kernel(ShaderProgram program)
         {
-            if (!kernels.TryGetValue(program, out DeviceKernel kernel))
-                kernels.Add(program, kernel = Gpu.Device.CreateKernel(program));
+            if (kernels.TryGetValue(program, out DeviceKernel kernel))
+                return kernel;
+            Made++;
+            kernels.Add(program, kernel = Gpu.Device.CreateKernel(program));
             return kernel;
         }
 
