@@ -23,7 +23,7 @@ namespace Host.Tests
         {
             var run = new ProjectRun(Path.Combine(PackageFolder.Tests, "Projects", "Pool"));
             run.MustHaveEnded(1, "FAILED A_pool_too_small_for_its_water_loses_some",
-                "were refused, since the capacity is 100: raise it or add less.", "2 passed, 1 failed");
+                "were refused, since the capacity is 100: raise it or add less.", "3 passed, 1 failed");
             Assert.That(run.Output.First(line => line.StartsWith("Rill: ")), Does.Match(@"^Rill: (\d+) of \1 scripts compiled$"));
             Assert.That(run.Errors, Has.Some.StartsWith("warning: the package com.rill.fluids is taken from ").And.Some.Contains(
                 "packages that are not here: com.unity.ide.rider 3.0.24"));
@@ -46,6 +46,55 @@ namespace Host.Tests
                 Directory.Delete(project, recursive: true);
             }
         }
+
+        /// <summary>The remedy that the error names.</summary>
+        [TestCase(true)]
+        [TestCase(false)]
+        public void A_fluid_that_a_script_makes_in_a_player_has_its_shaders_from_the_preloaded_assets(bool preloads)
+        {
+            string project = Path.Combine(Path.GetTempPath(), "rill-preloads-" + Guid.NewGuid().ToString("N"));
+            try
+            {
+                Import("Still Pool", project);
+                string settings = preloads ? "  preloadedAssets:\n  - {fileID: 11400000, guid: " + GuidOf("Runtime/FluidShaders.asset") + ", type: 2}\n"
+                    : "  preloadedAssets: []\n";
+                File.WriteAllText(Path.Combine(project, "ProjectSettings", "ProjectSettings.asset"),
+                    "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!129 &1\nPlayerSettings:\n" + settings);
+                File.WriteAllText(Path.Combine(project, "Assets", "Game.cs"), @"
+using Rill;
+using UnityEngine;
+public class Game : MonoBehaviour
+{
+    FluidSimulation fluid;
+    [RuntimeInitializeOnLoadMethod] static void Begin() => new GameObject(""Game"").AddComponent<Game>();
+    void Start()
+    {
+        foreach (FluidSimulation other in FindObjectsOfType<FluidSimulation>()) DestroyImmediate(other.gameObject);
+        var pool = new GameObject(""Made"");
+        pool.SetActive(false);
+        fluid = pool.AddComponent<FluidSimulation>();
+        fluid.Configure(Vector3.one, 0.1f, 1000);
+        pool.AddComponent<FluidVolume>().Size = Vector3.one * 0.5f;
+        pool.AddComponent<FluidPhysicsColliders>().ColliderLayers = 1;
+        pool.SetActive(true);
+    }
+    void Update()
+    {
+        if (Time.frameCount == 10) Debug.Log(fluid.FluidTime > 0 ? ""the water moves"" : ""the water stands"");
+    }
+}");
+                using var run = new ForeignRun(project, 12, "StillPool", "--no-frames");
+                Assert.That(run.Everything, Does.Contain(preloads ? "the water moves" : "Preloaded Assets of the player settings"));
+                Assert.That(run.ExitCode, Is.EqualTo(preloads ? 0 : 1), run.Everything);
+            }
+            finally
+            {
+                Directory.Delete(project, recursive: true);
+            }
+        }
+
+        static string GuidOf(string asset) => File.ReadLines(Path.Combine(PackageFolder.Path, asset + ".meta"))
+            .Single(line => line.StartsWith("guid: ", StringComparison.Ordinal)).Substring("guid: ".Length);
 
         /// <summary>So small a game can be read in one go. Its tests do not count.</summary>
         [Test]
