@@ -57,6 +57,18 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Without_callbacks_scripts_hear_of_triggers_alone()
+        {
+            Physics.invokeCollisionCallbacks = false;
+            Floor();
+            GameObject zone = new GameObject("Zone");
+            zone.AddComponent<BoxCollider>().isTrigger = true;
+            Ball("Ball", new Vector3(0f, 0.499f, 0f));
+            Frames(3);
+            Assert.That(Story.Take(), Is.EqualTo(new[] { "Ball enters trigger Zone" }));
+        }
+
+        [Test]
         public void Both_sides_hear_and_a_collider_below_a_body_speaks_for_it_too()
         {
             Listener floor = Floor().AddComponent<Listener>();

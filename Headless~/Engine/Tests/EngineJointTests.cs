@@ -151,6 +151,14 @@ namespace Host.Tests
             Assert.That(copy.connectedBody.GetComponent<BoxCollider>().size, Is.EqualTo(Vector3.one));
         }
 
+        [Test]
+        public void A_joint_brings_the_body_that_it_needs()
+        {
+            var thing = new GameObject("Thing");
+            thing.AddComponent<HingeJoint>();
+            Assert.That(thing.GetComponent<Rigidbody>(), Is.Not.Null);
+        }
+
         static Rigidbody Box(Vector3 position)
         {
             var thing = new GameObject("Box");

@@ -4,6 +4,7 @@ using UnityEngine.Headless;
 namespace UnityEngine
 {
     /// <summary>Holds its object's body to another, or to the world where there is none. Bullet solves it with the contacts.</summary>
+    [RequireComponent(typeof(Rigidbody))]
     public class Joint : Component, ICopiesMore
     {
         [NonSerialized] readonly JointAxis[] axes = new JointAxis[6];

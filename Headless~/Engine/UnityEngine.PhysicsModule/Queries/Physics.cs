@@ -20,7 +20,7 @@ namespace UnityEngine
         /// <summary>Transforms are taken over at steps and by SyncTransforms alone.</summary>
         public static bool autoSyncTransforms { get => false; set { if (value) throw Missing.Member("Physics.autoSyncTransforms"); } }
 
-        /// <summary>Whether scripts hear of contacts.</summary>
+        /// <summary>Whether scripts hear of collisions; of triggers they do in any case.</summary>
         public static bool invokeCollisionCallbacks { get; set; } = true;
 
         /// <summary>Held alone.</summary>

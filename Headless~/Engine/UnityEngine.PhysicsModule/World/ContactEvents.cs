@@ -106,7 +106,7 @@ namespace UnityEngine.Headless
                 ContactMessages.Send(pair.A, "OnTrigger" + what, pair.B);
                 ContactMessages.Send(pair.B, "OnTrigger" + what, pair.A);
             }
-            else
+            else if (Physics.invokeCollisionCallbacks)
             {
                 Tell(pair, pair.A, pair.B, "OnCollision" + what, 1f);
                 Tell(pair, pair.B, pair.A, "OnCollision" + what, -1f);

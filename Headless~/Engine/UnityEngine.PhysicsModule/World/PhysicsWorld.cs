@@ -59,6 +59,8 @@ namespace UnityEngine.Headless
         /// other physics scenes then find their shapes at new places: here they do not.</summary>
         public static void Step(SceneData scene, float time)
         {
+            if (time <= 0f)
+                return;
             List<Rigidbody> bodies = Bodies.FindAll(body => SceneOf(body.gameObject) == scene);
             foreach (Rigidbody body in bodies)
             {
@@ -66,8 +68,7 @@ namespace UnityEngine.Headless
                 body.State.Accelerate(body, time);
             }
             ContactWorld contacts = Meets(scene, bodies) ? ContactsOf(scene) : Known(scene);
-            if (time > 0f)
-                contacts?.Solve(bodies, time);
+            contacts?.Solve(bodies, time);
             foreach (Rigidbody body in bodies)
             {
                 body.State.Move(body, time);
