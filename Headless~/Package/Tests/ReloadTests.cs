@@ -299,8 +299,9 @@ namespace Host.Tests
                     Child("Ground").AddComponent<TerrainCollider>().terrainData = Ground();
                     break;
                 case FluidBuoyancy body:
-                    body.GetComponent<FluidCollider>().Shape = ColliderShape.Sphere;
-                    body.GetComponent<FluidCollider>().Radius = 0.1f;
+                    var part = body.gameObject.AddComponent<FluidCollider>();
+                    part.Shape = ColliderShape.Sphere;
+                    part.Radius = 0.1f;
                     break;
                 case FluidConnection connection:
                     connection.First = scene.Fluid;
