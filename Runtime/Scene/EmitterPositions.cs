@@ -36,6 +36,9 @@ namespace Rill
         public int Count => Data.Length / 2;
         /// <summary>Furthest place from the origin, d.</summary>
         public float Radius { get; }
+        /// <summary>Half of what the positions of a plane cross-section take, along x and y, d; y is 0 for a round one, whose radius x is. 0 for a
+        /// volume and for a surface.</summary>
+        public float2 HalfSection { get; private set; }
         /// <summary>Whether they fill a volume, not a cross-section.</summary>
         public bool FillsVolume { get; private set; }
         /// <summary>Whether a low rate uses all of the cross-section's positions in turn, not only the innermost.</summary>
@@ -76,7 +79,8 @@ namespace Rill
             List<float3> section = round ? Disc(radius) : Rectangle(size.xy);
             if (mode == EmitterMode.Spray)
                 Shuffle(section, null);
-            return new EmitterPositions(section, null) { UsesAllPositions = mode == EmitterMode.Spray };
+            float2 half = round ? new float2(math.sqrt(section.Count / math.PI), 0f) : 0.5f * (float2)CountsOf(size.xy);
+            return new EmitterPositions(section, null) { UsesAllPositions = mode == EmitterMode.Spray, HalfSection = half };
         }
 
         static string ProblemOf(EmitterShape shape, float3 size, float radius, EmitterMode mode)
@@ -115,10 +119,12 @@ namespace Rill
             return positions;
         }
 
+        static int2 CountsOf(float2 size) => math.max((int2)math.floor(size + 1e-3f), 1);
+
         // A square lattice, from the middle on.
         static List<float3> Rectangle(float2 size)
         {
-            int2 counts = math.max((int2)math.floor(size + 1e-3f), 1);
+            int2 counts = CountsOf(size);
             var positions = new List<float3>(counts.x * counts.y);
             for (int y = 0; y < counts.y; y++)
                 for (int x = 0; x < counts.x; x++)

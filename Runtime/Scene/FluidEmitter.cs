@@ -35,15 +35,15 @@ namespace Rill
     /// has let in its rate times that time, to within one particle, as far as there is room and capacity.
     /// </summary>
     /// <remarks>
-    /// A particle due is put where it would have got to by the end of the step, unless the fluid there is at rest density: then it
-    /// waits, as it does where a collider lies there or before it, and after a second's worth of waiting particles the oldest are given up
-    /// and counted as blocked. What the simulation's
+    /// A particle due is put where it would have got to by the end of the substep. A jet and a spray press away the water that is there; a fill and a
+    /// mesh wait for room. Where a collider lies there or before it, or the water cannot give way, it waits, and after a second's worth of
+    /// waiting particles the oldest are given up and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Emitter"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
     public sealed class FluidEmitter : FluidPart
     {
-        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3,
+        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Shut = FirstOwnProblem + 3,
             Torn = FirstOwnProblem + 4;
         const float MaxWait = 1f;           // s
         const float MaxTravel = 1f;         // spacings in a step, of a jet of thick fluid
@@ -249,8 +249,8 @@ namespace Rill
         /// <summary>Says once by name what the numbers from the GPU tell.</summary>
         internal void ReportRefused()
         {
-            if (ShouldLog(Covered, IsCovered))
-                Say(CoveredProblem);
+            if (ShouldLog(Shut, IsShut))
+                Say(ShutProblem);
             if (ShouldLog(NoCapacity, Refused > 0))
                 Say(CapacityProblem);
         }
@@ -263,7 +263,7 @@ namespace Rill
                 problems.Add(RateProblem(fluid.ParticleSpacing, fluid.FixedStep));
             if (positions != null && IsTorn(fluid))
                 problems.Add(TornProblem(fluid));
-            problems.AddIfAny(IsCovered ? CoveredProblem : null);
+            problems.AddIfAny(IsShut ? ShutProblem : null);
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
         }
 
@@ -317,32 +317,69 @@ namespace Rill
             Invariant($"density: at most {MaxRateOf(spacing, step):0.######} m³/s ") +
             $"do{(positions.FillsVolume ? "" : Invariant($" at {speed} m/s"))}. Enlarge it, raise its speed or lower the rate.";
 
-        // Whether each step lets in a ring of its own: the one before is ahead by what it fell, in a fluid so thick that a step evens out the flow
-        // within a ring (ν Δt > d²).
+        // Whether each substep lets in a ring of its own: the one before is ahead by what it fell, in a fluid so thick that a substep evens out
+        // the flow within a ring (ν Δt > d²).
         bool IsTorn(FluidSimulation fluid)
         {
-            float spacing = fluid.ParticleSpacing, step = fluid.FixedStep;
+            float spacing = fluid.ParticleSpacing, step = fluid.FixedStep / Substeps(fluid);
             return !positions.FillsVolume && LeavingSpeed * step > 1.01f * MaxTravel * spacing
                 && fluid.Material.dynamicViscosity * step > fluid.Material.density * spacing * spacing;
         }
 
         string TornProblem(FluidSimulation fluid)
         {
-            float perStep = MaxTravel * fluid.ParticleSpacing, rateNeeded = math.ceil(LeavingSpeed / perStep);
+            int substeps = Substeps(fluid);
+            float perStep = MaxTravel * fluid.ParticleSpacing * substeps, rateNeeded = math.ceil(LeavingSpeed / perStep);
             string remedy = rateNeeded > FluidSimulation.MaxStepRate ? "Lower its speed to " +
                 Invariant($"{perStep * FluidSimulation.MaxStepRate:G3} m/s and set the Step Rate of FluidSimulation '{fluid.name}' to ") +
                 Invariant($"{FluidSimulation.MaxStepRate}")
-                : Invariant($"Set the Step Rate of FluidSimulation '{fluid.name}' to {rateNeeded} or more, or lower its speed");
-            return Invariant($"its jet of thick fluid moves by {LeavingSpeed * fluid.FixedStep / fluid.ParticleSpacing:0.##} particle ") +
-                $"spacings in a step, so that each step lets in a ring of its own. {remedy}. Substeps do not help.";
+                : Invariant($"Set the Step Rate of FluidSimulation '{fluid.name}' to {rateNeeded} or more, take more Substeps or lower its speed");
+            return Invariant($"its jet of thick fluid moves by {LeavingSpeed * fluid.FixedStep / substeps / fluid.ParticleSpacing:0.##} particle ") +
+                $"spacings in a substep, so that each lets in a ring of its own. {remedy}.";
         }
 
-        // For so long that what waited first is given up, and every place was tried.
-        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut)
-            >= math.max(math.ceil(MaxWait / Simulation.FixedStep - 1e-3f), searchSteps);
+        // For so long that what waited first is given up, and every place was tried. A volume that was filled and is full has nothing amiss.
+        bool IsShut
+        {
+            get
+            {
+                if (Simulation == null)
+                    return false;
+                int emissions = mode == EmitterMode.Fill ? 1 : Substeps(Simulation);
+                float needed = math.max(math.ceil(MaxWait / Simulation.FixedStep - 1e-3f) * emissions, searchSteps);
+                return Count(EmitterStates.Word.Shut) >= needed && (ShutBy < EmitterStates.ShutCause.Full || mode != EmitterMode.Fill || Emitted == 0);
+            }
+        }
 
-        string CoveredProblem => "a collider covers all of its outlet, so that nothing comes out; what is due is given up and counted " +
-            "as blocked. Move it or the collider apart.";
+        EmitterStates.ShutCause ShutBy => (EmitterStates.ShutCause)Count(EmitterStates.Word.ShutBy);
+
+        string ShutProblem => ShutCauseText + " What is due is given up and counted as blocked.";
+
+        string ShutCauseText
+        {
+            get
+            {
+                switch (ShutBy)
+                {
+                    case EmitterStates.ShutCause.Collider:
+                        return "a collider covers all of its outlet, so that nothing comes out. Move it or the collider apart.";
+                    case EmitterStates.ShutCause.Outside:
+                        return $"its outlet lies outside the box of FluidSimulation '{Simulation.name}', so that nothing comes out. Move it into " +
+                            "the box, or enlarge the Domain Size.";
+                    case EmitterStates.ShutCause.Full:
+                        return $"the box of FluidSimulation '{Simulation.name}' is full, so that nothing comes out. Drain the fluid, enlarge the " +
+                            "Domain Size or let less in.";
+                    default:
+                        return mode == EmitterMode.Fill || shape == EmitterShape.MeshSurface
+                            ? "water fills its shape, so that nothing comes out: it lets in where there is room. Move it out of the water, or " +
+                                "choose a Jet or a Spray from a Box, Sphere or Disc, which press water away."
+                            : "the water before it cannot give way, as in a closed vessel that is full or a gap that is too narrow, so that nothing " +
+                                "comes out. Give the water a way out, drain it or let less in.";
+                }
+            }
+        }
+
+        static int Substeps(FluidSimulation fluid) => fluid.IsRunning ? math.max(fluid.Input.settings.substeps, 1) : fluid.Settings.substeps;
 
         string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': " +
             Invariant($"{Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the ") +

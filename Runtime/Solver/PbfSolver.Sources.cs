@@ -85,10 +85,10 @@ namespace Rill
             return forceFields;
         }
 
-        void RecordEmission(in StepContext step)
+        void RecordEmission(in StepContext step, int substep)
         {
             if (Emitters.IsNeeded(step.Input.sources))
-                emitters.Record(step, stepIndex, tags);
+                emitters.Record(step, substep, stepIndex, tags);
         }
 
         // How deep the water gets is as far as an emitter lies above where gravity takes what it lets in.

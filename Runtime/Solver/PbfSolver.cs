@@ -231,12 +231,14 @@ namespace Rill
                 step.Vorticity?.Record(step);
                 hasLists = true;
                 particles.Advance();
+                if (substep < step.Substeps - 1)
+                    RecordEmission(step, substep);
             }
             lastSubsteps = step.Substeps;
             isRestored = false;
             substepsSinceSurface += lastSubsteps;
             FoamFor(input)?.Record(step, WaterDepth(input.gravity));
-            RecordEmission(step);
+            RecordEmission(step, step.Substeps - 1);
             hasNew = Emitters.IsNeeded(input.sources);
         }
 

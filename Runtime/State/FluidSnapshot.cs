@@ -16,7 +16,7 @@ namespace Rill
     public sealed class FluidSnapshot
     {
         /// <summary>Version of the bytes that <see cref="ToBytes"/> writes, and the newest that <see cref="FromBytes"/> reads.</summary>
-        public const int CurrentVersion = 3;
+        public const int CurrentVersion = 4;
 
         internal FluidSnapshot(SnapshotContents contents)
         {

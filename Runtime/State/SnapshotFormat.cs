@@ -14,7 +14,7 @@ namespace Rill
     /// </remarks>
     static class SnapshotFormat
     {
-        const int HeaderBytes = 24, EntryBytes = 24, ChecksumBytes = 4, VersionOneCounters = 16;
+        const int HeaderBytes = 24, EntryBytes = 24, ChecksumBytes = 4, VersionOneCounters = 16, VersionThreeEmitterWords = 8;
         const string What = "These bytes are no snapshot that can be read: ";
 
         static readonly byte[] Magic = Encoding.ASCII.GetBytes("RillSnap");
@@ -77,6 +77,8 @@ namespace Rill
             SnapshotContents contents = ReadSections(bytes.Slice(0, end));
             if (version == 1)
                 AddHandOver(contents);
+            if (version <= 3)
+                AddPressing(contents);
             return contents;
         }
 
@@ -92,6 +94,20 @@ namespace Rill
             uint[] counters = contents.Values<uint>(SnapshotSection.Counters).ToArray();
             Array.Resize(ref counters, ParticleBuffers.CounterCount);
             contents.SetValues<uint>(SnapshotSection.Counters, counters);
+        }
+
+        // Version 3 knew of no emitters that press water away: the words of each were fewer.
+        static void AddPressing(SnapshotContents contents)
+        {
+            const int emitters = StepSources.MaxEmitters;
+            if (!contents.Has(SnapshotSection.EmitterStates)
+                || contents.Values<uint>(SnapshotSection.EmitterStates).Length != emitters * VersionThreeEmitterWords)
+                return;
+            ReadOnlySpan<uint> fewer = contents.Values<uint>(SnapshotSection.EmitterStates);
+            var states = new uint[emitters * EmitterStates.Words];
+            for (int emitter = 0; emitter < emitters; emitter++)
+                fewer.Slice(emitter * VersionThreeEmitterWords, VersionThreeEmitterWords).CopyTo(states.AsSpan(emitter * EmitterStates.Words));
+            contents.SetValues<uint>(SnapshotSection.EmitterStates, states);
         }
 
         static SnapshotContents ReadSections(ReadOnlySpan<byte> bytes)

@@ -2,7 +2,13 @@
 #ifndef RILL_GENERATED_EMITTER_STATES_INCLUDED
 #define RILL_GENERATED_EMITTER_STATES_INCLUDED
 
-static const uint kEmitterWords = 8;    // words of an emitter in _EmitterStates
+static const uint kEmitterWords = 16;    // words of an emitter in _EmitterStates
+
+// Why an emitter lets nothing in.
+static const uint kShutCollider = 0;    // colliders cover its outlet
+static const uint kShutOutside = 1;    // it lies outside the box
+static const uint kShutFull = 2;    // the box holds as much as fits
+static const uint kShutWater = 3;    // water lies there and does not give way
 
 // Which word of an emitter is what.
 static const uint kEmitterWaiting = 0;    // particles due that had no room yet
@@ -12,6 +18,14 @@ static const uint kEmitterEmitted = 3;    // since the reset
 static const uint kEmitterRefused = 4;    // for want of capacity, since the reset
 static const uint kEmitterBlocked = 5;    // given up for want of room, since the reset
 static const uint kEmitterInCollider = 6;    // places tried in this step that a collider covers; 0 between steps
-static const uint kEmitterShut = 7;    // steps in a row up to the last in which colliders covered all places tried; 0 where none was
+static const uint kEmitterShut = 7;    // emissions in a row up to the last in which none of the places tried had room; 0 where one had
+static const uint kEmitterOutside = 8;    // places tried in this emission that lie outside the box; 0 between
+static const uint kEmitterCrowded = 9;    // places tried in this emission that water takes, and particles that lag behind what presses them; 0 between
+static const uint kEmitterPressing = 10;    // emissions for which it goes on to press water away
+static const uint kEmitterPressureSum = 11;    // error of the density of what lies before the outlet, summed in this emission; 0 between
+static const uint kEmitterPressureCount = 12;    // particles of that sum; 0 between
+static const uint kEmitterPressure = 13;    // their mean error while the water gives way, in steps of 1 / PressureSteps; 0 while it presses nothing away
+static const uint kEmitterStalled = 14;    // emissions in a row in which the water before it did not give way
+static const uint kEmitterShutBy = 15;    // why none had room, see ShutCause
 
 #endif

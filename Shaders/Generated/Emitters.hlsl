@@ -23,6 +23,12 @@ cbuffer RillEmitter
     uint _SeesNew;    // 1: another emitter has put particles nearby in this step
     uint _IsLast;    // 1: it does nothing from here on
     uint _Tag;    // of the particles, see ParticleTags.hlsl
+    float _SectionX;    // half of what all positions take of the cross-section along x, d; of a round one its radius
+    float _SectionY;    // half of it along y, d; 0: it is round
+    float _PressDepth;    // how far before the outlet it presses water away, d
+    uint _PressCells;    // cells around what it presses away; 0: it never does
+    uint4 _PressFrom;    // the lowest of them, along each axis
+    uint4 _PressCounts;    // how many along each axis
 };
 
 #define _Origin (_OriginAndSpeed.xyz)    // at the end of the step, d

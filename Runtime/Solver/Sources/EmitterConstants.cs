@@ -8,6 +8,8 @@ namespace Rill
     [StructLayout(LayoutKind.Sequential)]
     struct EmitterConstants
     {
+        const float PressMargin = 1f;       // d: how far a particle may be from where it was sorted
+
         /// <summary>at the end of the step, d</summary>
         public float3 origin;
         /// <summary>along each position's direction of flow, d/s</summary>
@@ -52,11 +54,27 @@ namespace Rill
         public uint isLast;
         /// <summary>of the particles, see ParticleTags.hlsl</summary>
         public uint tag;
+        /// <summary>half of what all positions take of the cross-section along x, d; of a round one its radius</summary>
+        public float sectionX;
+        /// <summary>half of it along y, d; 0: it is round</summary>
+        public float sectionY;
+        /// <summary>how far before the outlet it presses water away, d</summary>
+        public float pressDepth;
+        /// <summary>cells around what it presses away; 0: it never does</summary>
+        public int pressCells;
+        /// <summary>the lowest of them, along each axis</summary>
+        public int4 pressFrom;
+        /// <summary>how many along each axis</summary>
+        public int4 pressCounts;
 
         /// <param name="step">Length of the step, s.</param>
         /// <param name="stepIndex">Number of the step since the reset.</param>
-        public static EmitterConstants For(in EmitterStep emitter, float step, bool seesNew, uint stepIndex)
+        public static EmitterConstants For(in EmitterStep emitter, float step, bool seesNew, uint stepIndex, SolverLayout layout)
         {
+            float depth = emitter.PressDepth(step);
+            int3 from = 0, counts = 0;
+            if (depth > 0f)
+                emitter.CellsBefore(layout, depth + emitter.speed * step + PressMargin, out from, out counts);
             float4 rotation = emitter.end.rotation.value, lastRotation = emitter.start.rotation.value;
             return new EmitterConstants
             {
@@ -82,6 +100,12 @@ namespace Rill
                 seesNew = seesNew ? 1u : 0u,
                 isLast = emitter.isLast ? 1u : 0u,
                 tag = emitter.TagIn(stepIndex),
+                sectionX = emitter.positions.HalfSection.x,
+                sectionY = emitter.positions.HalfSection.y,
+                pressDepth = depth,
+                pressCells = counts.x * counts.y * counts.z,
+                pressFrom = new int4(from, 0),
+                pressCounts = new int4(counts, 0),
             };
         }
     }

@@ -9,7 +9,7 @@ namespace Rill
     sealed class EmitterStates : IDisposable
     {
         /// <summary>words of an emitter in _EmitterStates</summary>
-        [GenerateHlsl("EmitterStates", Prefix = "Emitter")] public const int Words = 8;
+        [GenerateHlsl("EmitterStates", Prefix = "Emitter")] public const int Words = 16;
 
         /// <summary>Which word of an emitter is what.</summary>
         [GenerateHlsl("EmitterStates", Prefix = "Emitter")]
@@ -29,8 +29,38 @@ namespace Rill
             Blocked,
             /// <summary>places tried in this step that a collider covers; 0 between steps</summary>
             InCollider,
-            /// <summary>steps in a row up to the last in which colliders covered all places tried; 0 where none was</summary>
+            /// <summary>emissions in a row up to the last in which none of the places tried had room; 0 where one had</summary>
             Shut,
+            /// <summary>places tried in this emission that lie outside the box; 0 between</summary>
+            Outside,
+            /// <summary>places tried in this emission that water takes, and particles that lag behind what presses them; 0 between</summary>
+            Crowded,
+            /// <summary>emissions for which it goes on to press water away</summary>
+            Pressing,
+            /// <summary>error of the density of what lies before the outlet, summed in this emission; 0 between</summary>
+            PressureSum,
+            /// <summary>particles of that sum; 0 between</summary>
+            PressureCount,
+            /// <summary>their mean error while the water gives way, in steps of 1 / PressureSteps; 0 while it presses nothing away</summary>
+            Pressure,
+            /// <summary>emissions in a row in which the water before it did not give way</summary>
+            Stalled,
+            /// <summary>why none had room, see <see cref="ShutCause"/></summary>
+            ShutBy,
+        }
+
+        /// <summary>Why an emitter lets nothing in.</summary>
+        [GenerateHlsl("EmitterStates", Prefix = "Shut")]
+        public enum ShutCause
+        {
+            /// <summary>colliders cover its outlet</summary>
+            Collider,
+            /// <summary>it lies outside the box</summary>
+            Outside,
+            /// <summary>the box holds as much as fits</summary>
+            Full,
+            /// <summary>water lies there and does not give way</summary>
+            Water,
         }
 
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Emitters.States", StepSources.MaxEmitters * Words));

@@ -5,6 +5,8 @@ namespace Rill
     /// <summary>What one emitter does in one step. Lengths in d, times in seconds, directions in the domain's frame.</summary>
     struct EmitterStep
     {
+        const float MinPressDepth = 2f;     // d
+
         /// <summary>Its number, below <see cref="StepSources.MaxEmitters"/>.</summary>
         public int number;
         public EmitterPositions positions;
@@ -59,8 +61,64 @@ namespace Rill
             // to be at rest density, and no wider.
             float needed = math.ceil(perSecond / speed - 1e-3f);
             layerPositions = positions.UsesAllPositions ? count : (int)math.clamp(needed, 1f, count);
-            candidates = (int)math.min(math.ceil(count * speed * step) + 1f, Emitters.MaxCandidates);
+            candidates = CandidatesIn(step);
         }
+
+        /// <summary>Whether it lets in at the end of each substep. What fills a volume has no stream that a step would tear: it does so once.</summary>
+        public bool EmitsInSubsteps => !positions.FillsVolume;
+
+        /// <summary>What it does in one of the equal substeps of this step. All of them together let in what the step does.</summary>
+        /// <param name="index">Of the substep.</param>
+        /// <param name="count">Substeps.</param>
+        /// <param name="step">Length of the whole step, s.</param>
+        public EmitterStep Part(int index, int count, float step)
+        {
+            if (count == 1)
+                return this;
+            float length = step / count, after = (count - 1 - index) * length;
+            int before = index > 0 ? DueBefore(after + length) : 0, until = index < count - 1 ? DueBefore(after) : due;
+            EmitterStep part = this;
+            part.start = RigidPose.Between(start, end, index / (float)count);
+            part.end = RigidPose.Between(start, end, (index + 1) / (float)count);
+            part.due = until - before;
+            part.firstSerial = firstSerial + (uint)before;
+            part.firstAge = firstAge - before * interval - after;
+            part.candidates = CandidatesIn(length);
+            return part;
+        }
+
+        /// <summary>How far before the outlet it presses water away, d: what lies there moves along with what is let in. 0 for what presses
+        /// nothing away: a volume that is filled where there is room, and a surface that flows in all directions.</summary>
+        /// <param name="step">s.</param>
+        public float PressDepth(float step) => positions.HalfSection.x > 0f ? MinPressDepth + speed * step : 0f;
+
+        /// <summary>The cells that what lies before the outlet may be in.</summary>
+        /// <param name="depth">d, from the outlet.</param>
+        public void CellsBefore(SolverLayout layout, float depth, out int3 from, out int3 counts)
+        {
+            float3 low = float.MaxValue, high = float.MinValue;
+            Enclose(start, depth, ref low, ref high);
+            Enclose(end, depth, ref low, ref high);
+            int3 last = layout.CellCounts - 1;
+            from = math.clamp((int3)math.floor(low / layout.CellSize), 0, last);
+            counts = math.clamp((int3)math.floor(high / layout.CellSize), 0, last) - from + 1;
+        }
+
+        // Widens a box to a pose's outlet and what lies up to so far before it, and as far beside it.
+        void Enclose(in RigidPose pose, float depth, ref float3 low, ref float3 high)
+        {
+            float3 x = math.mul(pose.rotation, new float3(1f, 0f, 0f)), y = math.mul(pose.rotation, new float3(0f, 1f, 0f));
+            float2 half = positions.HalfSection.y > 0f ? positions.HalfSection : positions.HalfSection.x;
+            float3 reach = math.abs(x) * half.x + math.abs(y) * half.y + depth;
+            low = math.min(low, pose.position - reach);
+            high = math.max(high, pose.position + reach);
+        }
+
+        // Those that were emitted longer ago than that at the end of the step, s.
+        int DueBefore(float age) => interval > 0f ? (int)math.clamp(math.ceil((firstAge - age) / interval), 0f, due) : firstAge > age ? due : 0;
+
+        int CandidatesIn(float duration)
+            => (int)math.min(math.ceil(positions.Count * speed * duration) + 1f, Emitters.MaxCandidates);
 
         /// <summary>Lets particles take the emitter's own velocity along.</summary>
         /// <param name="fraction">0 to 1.</param>

@@ -23,7 +23,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Emit");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Emitters");
-        readonly KernelVariants findRoom;     // with colliders
+        readonly KernelVariants feel, press, findRoom;     // with colliders
         readonly Kernel emit;
         readonly Kernel reset;
         readonly LocalKeyword sleep, withTags;
@@ -38,6 +38,8 @@ namespace Rill
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
         public Emitters(in DeviceLimits limits, ReadbackErrors errors = null)
         {
+            feel = new KernelVariants(shader, "Feel", "FeelWithColliders");
+            press = new KernelVariants(shader, "Press", "PressWithColliders");
             findRoom = new KernelVariants(shader, "FindRoom", "FindRoomWithColliders");
             emit = new Kernel(shader, limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small);
             reset = new Kernel(shader, "Reset");
@@ -52,10 +54,13 @@ namespace Rill
 
         public static bool IsNeeded(StepSources sources) => sources != null && (sources.emitterCount > 0 || sources.goneEmitters != 0);
 
-        /// <summary>Records what all emitters do in a step, one after the other, after its last substep.</summary>
+        /// <summary>Records what all emitters do in a substep, one after the other, at its end.</summary>
+        /// <param name="substep">Its index.</param>
         /// <param name="tags">Null for none.</param>
-        public void Record(in StepContext step, uint stepIndex, ParticleTags tags)
+        public void Record(in StepContext step, int substep, uint stepIndex, ParticleTags tags)
         {
+            bool isLast = substep == step.Substeps - 1;
+
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
             StepSources sources = step.Input.sources;
@@ -63,10 +68,11 @@ namespace Rill
             cmd.SetKeyword(shader, withTags, tags != null);
             step.BindConstants(shader);
             for (int number = 0; number < StepSources.MaxEmitters; number++)
-                if ((sources.goneEmitters >> number & 1) != 0)
+                if (substep == 0 && (sources.goneEmitters >> number & 1) != 0)
                     RecordReset(cmd, step.Particles, number);
             for (int e = 0; e < sources.emitterCount; e++)
-                Record(step, e, stepIndex, tags);
+                if (isLast || sources.emitters[e].EmitsInSubsteps)
+                    Record(step, e, substep, stepIndex, tags);
             cmd.EndSample(Marker);
         }
 
@@ -101,17 +107,29 @@ namespace Rill
             return description;
         }
 
-        void Record(in StepContext step, int index, uint stepIndex, ParticleTags tags)
+        void Record(in StepContext step, int index, int substep, uint stepIndex, ParticleTags tags)
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
             int find = findRoom.For(step.Colliders != null), emit = this.emit;
             step.Colliders?.BindShapes(cmd, shader, find);
             step.Colliders?.BindVolume(cmd, shader, find);
-            ref EmitterStep emitter = ref step.Input.sources.emitters[index];
+            EmitterStep emitter = step.Input.sources.emitters[index];
             float duration = step.Input.timeStep;
-            Upload(cmd, EmitterConstants.For(emitter, duration, SeesNew(step.Input.sources, index, duration), stepIndex));
+            if (emitter.EmitsInSubsteps)
+            {
+                emitter = emitter.Part(substep, step.Substeps, duration);
+                duration = step.SubstepTime;
+            }
+            EmitterConstants values = EmitterConstants.For(emitter, duration, SeesNew(step.Input.sources, index, duration), stepIndex, step.Layout);
+            Upload(cmd, values);
             GraphicsBuffer positions = PositionsOf(emitter);
+
+            if (values.pressCells > 0)
+            {
+                RecordBefore(step, feel, values.pressCells);
+                RecordBefore(step, press, values.pressCells);
+            }
 
             cmd.SetComputeBufferParam(shader, find, Ids.EmitterPositions, positions);
             cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
@@ -133,6 +151,24 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, emit, ParticleTags.Ids.Tags, tags.Current);
             step.Resting?.BindMotion(cmd, shader, emit);
             cmd.DispatchCompute(shader, emit, 1, 1, 1);
+        }
+
+        // What looks at the water before an outlet, or moves it.
+        void RecordBefore(in StepContext step, KernelVariants variants, int cells)
+        {
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            int kernel = variants.For(step.Colliders != null);
+            step.Colliders?.BindShapes(cmd, shader, kernel);
+            step.Colliders?.BindVolume(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.EmitterStates, States.Buffer);
+            step.Resting?.BindMotion(cmd, shader, kernel);
+            cmd.DispatchCompute(shader, kernel, ParticleBuffers.Groups(cells), 1, 1);
         }
 
         void Upload(CommandBuffer cmd, in EmitterConstants values)
@@ -182,6 +218,7 @@ namespace Rill
         {
             public static readonly int EmitterPositions = Shader.PropertyToID("_EmitterPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
