@@ -14,6 +14,8 @@ namespace Rill
             long filled = 0;
             foreach (FluidVolume volume in GetComponentsInChildren<FluidVolume>())
                 filled += Fill(volume);
+            if (filled > 0)
+                pbf.LeaveOutCovered();
             if (filled > capacity)
                 Debug.LogWarning(Invariant($"Rill: FluidSimulation '{name}' refused {filled - capacity:N0} of {filled:N0} particles of ") +
                     Invariant($"its volumes: the capacity is {capacity:N0}. Raise it, shrink the volumes or raise the particle ") +

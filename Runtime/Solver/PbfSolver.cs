@@ -41,6 +41,7 @@ namespace Rill
         uint stepIndex;
         int lastSubsteps;       // of the last step
         bool hasLists;          // of the last substep
+        bool isStart;           // particles of volumes may lie in colliders, which the next step is the first to know
         bool isRestored;        // with nothing but the state: not what a step leaves besides
         float3 minAdded, maxAdded;       // d, of all particles since the last Clear
 
@@ -130,7 +131,7 @@ namespace Rill
         {
             stepIndex = 0;
             lastSubsteps = 0;
-            hasLists = isRestored = neighborSearch.IsSorted = false;
+            hasLists = isRestored = isStart = neighborSearch.IsSorted = false;
             maxParticles = 0;
             InvalidateSurface();
             InvalidateParticles(true);
@@ -192,6 +193,9 @@ namespace Rill
                 particleUpload.Trim();
         }
 
+        /// <summary>Lets the next step leave out what lies in colliders: the volumes at the start know of none.</summary>
+        public void LeaveOutCovered() => isStart = true;
+
         /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
         public void Step(CommandBuffer cmd, in StepInput input)
         {
@@ -218,6 +222,7 @@ namespace Rill
                 restingRegions?.Record(step);
                 fields?.Record(step);
                 colliders?.RecordSubstep(step, substep);
+                RecordStart(step);
                 coarseCorrection?.RecordColliders(step);
                 coarseCorrection?.RecordProjection(step);
                 bool solvesViscosity = viscous != null && hasLists;      // which adds the projection to the velocities
@@ -240,6 +245,13 @@ namespace Rill
             FoamFor(input)?.Record(step, WaterDepth(input.gravity));
             RecordEmission(step, step.Substeps - 1);
             hasNew = Emitters.IsNeeded(input.sources);
+        }
+
+        void RecordStart(in StepContext step)
+        {
+            if (isStart)
+                colliders?.RecordLeaveOut(step);
+            isStart = false;
         }
 
         /// <summary>Records the measuring of the current state; <see cref="RequestStatistics"/> then fetches it.</summary>

@@ -139,7 +139,7 @@ namespace Rill
                 lastSubsteps = lastSubsteps,
                 minAdded = minAdded,
                 maxAdded = maxAdded,
-                hasNew = hasNew ? 1u : 0u,
+                flags = (hasNew ? SolverRecord.HasNew : 0u) | (isStart ? SolverRecord.IsStart : 0u),
                 hasLifetimes = hasLifetimes ? 1u : 0u,
             });
             if (restingRegions != null)
@@ -163,7 +163,8 @@ namespace Rill
             lastSubsteps = record.lastSubsteps;
             minAdded = record.minAdded;
             maxAdded = record.maxAdded;
-            hasNew = record.hasNew != 0;
+            hasNew = (record.flags & SolverRecord.HasNew) != 0;
+            isStart = (record.flags & SolverRecord.IsStart) != 0;
             hasLifetimes = record.hasLifetimes != 0;
         }
 

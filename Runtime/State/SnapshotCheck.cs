@@ -31,7 +31,7 @@ namespace Rill
             Require(solver.lastSubsteps >= 0 && solver.lastSubsteps <= MaxSubsteps && (solver.lastSubsteps > 0 || solver.moved == 0),
                 Invariant($"{solver.lastSubsteps} substeps cannot be"));
             Require(IsFinite(solver.minAdded) && IsFinite(solver.maxAdded), "where particles were added is not finite");
-            Require(solver.hasNew <= 1 && solver.hasLifetimes <= 1, "a flag is neither 0 nor 1");
+            Require(solver.flags <= (SolverRecord.HasNew | SolverRecord.IsStart) && solver.hasLifetimes <= 1, "a flag is unknown");
         }
 
         static void CheckParticles(SnapshotContents contents, in SolverRecord solver)

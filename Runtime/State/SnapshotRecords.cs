@@ -20,7 +20,14 @@ namespace Rill
         public uint stepIndex;
         public int lastSubsteps;
         public float3 minAdded, maxAdded;
-        public uint hasNew, hasLifetimes;
+        /// <summary>Of <see cref="HasNew"/> and <see cref="IsStart"/>.</summary>
+        public uint flags;
+        public uint hasLifetimes;
+
+        /// <summary>Particles came after the last step.</summary>
+        public const uint HasNew = 1;
+        /// <summary>Particles of volumes may lie in colliders, since version 4.</summary>
+        public const uint IsStart = 2;
     }
 
     /// <summary>A <see cref="FixedStepClock"/>, s.</summary>

@@ -46,7 +46,7 @@ namespace Rill
         Means,
         /// <summary>Symmetric tensors [moved], six floats each.</summary>
         Conformation,
-        /// <summary>uint [emitters * 8].</summary>
+        /// <summary>uint [emitters * 16]; 8 before version 4.</summary>
         EmitterStates,
         /// <summary>uint [drains * 4].</summary>
         DrainStates,

@@ -77,6 +77,8 @@ namespace Rill
             new KernelNeed("Colliders", "BinColliders", "BINS RILL_DEFORMING", 128, 0, 3, 2, 2),
             new KernelNeed("Colliders", "MeasureColliderVolume", "VOLUME", 128, 516, 3, 1, 2),
             new KernelNeed("Colliders", "MeasureColliderVolume", "VOLUME RILL_DEFORMING", 128, 516, 3, 1, 2),
+            new KernelNeed("Colliders", "LeaveOut", "LEAVE", 128, 0, 4, 2, 2),
+            new KernelNeed("Colliders", "LeaveOut", "LEAVE RILL_DEFORMING", 128, 0, 4, 2, 2),
             new KernelNeed("Colliders", "CollidePaths", "PATHS", 128, 0, 10, 7, 2),
             new KernelNeed("Colliders", "CollidePaths", "PATHS RILL_DEFORMING", 128, 0, 10, 7, 2),
             new KernelNeed("Colliders", "Collide", "PASS", 128, 0, 9, 3, 2),

@@ -90,6 +90,7 @@ namespace Rill
                 case "FLOW":
                 case "HIDE_GHOSTS":
                 case "LAST":
+                case "LEAVE":
                 case "MESH":
                 case "MOVE":
                 case "NARROW":

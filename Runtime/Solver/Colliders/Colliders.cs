@@ -166,6 +166,17 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
+        /// <summary>Records that the particles which lie in colliders are taken out: the sort leaves them out, and they were never added.</summary>
+        public void RecordLeaveOut(in StepContext step)
+        {
+            CommandBuffer cmd = step.Commands;
+            int kernel = shader.FindKernel("LeaveOut");     // once after a start
+            BindShapes(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.DispatchAlive(cmd, shader, kernel);
+        }
+
         /// <summary>Records that the paths of the particles which the sort has left end at the surfaces they meet, and are counted into the
         /// cells there.</summary>
         /// <param name="cellHistogram">uint [cells + 1], particles in a cell.</param>
