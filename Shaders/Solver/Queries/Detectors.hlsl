@@ -69,14 +69,17 @@ void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     GroupMemoryBarrierWithGroupSync();
 
     float3 positions[kParticlesPerThread];
+    float3 velocities[kParticlesPerThread];
     float3 low = 3e38, high = -1.0;
     [unroll]
     for (uint j = 0; j < kParticlesPerThread; j++)
     {
         uint i = first + j * kGroup;
         float3 p = i < end ? _Positions[i].xyz : kNowhere;
-        bool isFinite = IsFinite(p) && i < end;
+        float3 v = i < end ? _Velocities[i].xyz : 0.0;
+        bool isFinite = IsFinite(p) && IsFinite(v) && i < end;
         positions[j] = isFinite ? p : kNowhere;
+        velocities[j] = clamp(v, -kMaxSpeed, kMaxSpeed);
         low = isFinite ? min(low, max(p, 0.0)) : low;
         high = isFinite ? max(high, max(p, 0.0)) : high;
     }
@@ -105,8 +108,7 @@ void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             g_Totals[firstbitlow(clearing) * kGroupSums * kCopies + word] = 0;
     GroupMemoryBarrierWithGroupSync();
 
-    // A thread sums its particles first: the fewer additions to the group's totals. Few particles are in a detector, so velocities are read
-    // of those alone.
+    // A thread sums its particles first: the fewer additions to the group's totals.
     [loop]
     for (uint left = hits; left != 0; left &= left - 1)
     {
@@ -120,10 +122,7 @@ void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             if (!all(positions[k] >= region.low) || !all(positions[k] <= region.high))
                 continue;
             float inside = FractionInside(region, positions[k]);
-            float3 v = inside > 0.0 ? _Velocities[first + k * kGroup].xyz : 0.0;
-            if (inside <= 0.0 || !IsFinite(v))
-                continue;
-            momentum += int3(round(clamp(v, -kMaxSpeed, kMaxSpeed) * inside * kVelocityScale));
+            momentum += int3(round(velocities[k] * inside * kVelocityScale));
             volume += int(round(inside * kVolumeScale));
 #ifdef RILL_TAGS
             AddTotal(detector, 3 + PhaseOf(first + k * kGroup), thread, int(round(inside * kVolumeScale)));
