@@ -38,6 +38,10 @@ namespace Rill
             set => (volume, Time, Due) = (value.volume, value.time, value.due);
         }
 
+        /// <summary>Counts what is due in particles of another volume.</summary>
+        /// <param name="particleVolume">m³, above 0.</param>
+        public void Resample(double particleVolume) => Due = (long)Math.Floor(volume / particleVolume + Tolerance);
+
         /// <summary>Takes a step.</summary>
         /// <param name="step">s, above 0.</param>
         /// <param name="rate">m³/s, not negative.</param>

@@ -182,6 +182,9 @@ namespace Rill
             takenAlong = float3.zero;
         }
 
+        /// <summary>Goes on with particles of another size.</summary>
+        internal void OnResampled() => clock.Resample(ParticleVolume);
+
         internal EmitterRecord Save(in DomainFrame frame)
             => new EmitterRecord { part = SavePart(frame), clock = clock.Record, isOn = isOn ? 1u : 0u, saysLast = saysLast ? 1u : 0u };
 

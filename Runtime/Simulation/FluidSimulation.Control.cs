@@ -233,6 +233,8 @@ namespace Rill
             if (pbf == null)
                 throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before {act}.");
             onRefusals ??= ReportRefused;
+            if (resampling != null)
+                resampling.isStale = true;      // what is on its way lacks what comes now
             return true;
         }
 

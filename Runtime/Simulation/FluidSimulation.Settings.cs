@@ -9,11 +9,13 @@ namespace Rill
         /// next frame.</summary>
         public Vector3 DomainSize { get => domainSize; set => ConfigureIfOther(value, particleSpacing, capacity); }
 
-        /// <summary>Distance between particles at rest, m, above 0. A running fluid starts again with another in its next frame.</summary>
-        public float ParticleSpacing { get => particleSpacing; set => ConfigureIfOther(domainSize, value, capacity); }
+        /// <summary>Distance between particles at rest, m, above 0. A running fluid keeps its water, as particles of the new spacing: it has them,
+        /// and tells the new value, two or three frames later, and its time stands until then. Where the capacity does not hold them it stays as it
+        /// is, which is logged.</summary>
+        public float ParticleSpacing { get => particleSpacing; set => ChangeResolution(value, resampling?.capacity ?? capacity); }
 
-        /// <summary>Most particles, 1 to 16,777,216. A running fluid starts again with another in its next frame.</summary>
-        public int Capacity { get => capacity; set => ConfigureIfOther(domainSize, particleSpacing, value); }
+        /// <summary>Most particles, 1 to 16,777,216. A running fluid keeps its water, as with another <see cref="ParticleSpacing"/>.</summary>
+        public int Capacity { get => capacity; set => ChangeResolution(resampling?.spacing ?? particleSpacing, value); }
 
         /// <summary>Fixed steps in a second of fluid time, 10 to 1000. Acts from the next step on. Out-of-range values are clamped with a
         /// warning.</summary>

@@ -174,6 +174,13 @@ namespace Rill
         {
             ThrowInPass();
             ReleaseKept();
+            if (resampling != null)
+            {
+                ConfigureIfOther(domainSize, resampling.spacing, resampling.capacity);
+                Release();
+                OnEnable();
+                return;
+            }
             if (pbf == null)
             {
                 if (failure != null && isActiveAndEnabled)
@@ -276,6 +283,7 @@ namespace Rill
             LogLost();
             pbf?.Dispose();
             pbf = null;
+            resampling = null;
             colliders.Clear();
             neighbors = null;
             ReleaseBudget();
@@ -323,6 +331,7 @@ namespace Rill
                 Release();
                 OnEnable();
             }
+            FinishResampling();
             if (pbf == null)
                 return;
             AskForSurface?.Invoke();
@@ -339,7 +348,7 @@ namespace Rill
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's return from no place.
             float rate = IsInEditMode ? RateInEditMode(frameTime) : TimeRate();
-            bool stands = !(rate * frameTime > 0f);     // also by Time.timeScale
+            bool stands = IsResampling || !(rate * frameTime > 0f);     // also by Time.timeScale
             if (stands || rate < 1f || !moves)
                 StandStill();
             if (stands || rate < 1f || !moves && !poseIsLost)

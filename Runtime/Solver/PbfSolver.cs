@@ -158,6 +158,15 @@ namespace Rill
             }
         }
 
+        /// <summary>Takes the count of steps and what particles carry from the solver before it, which gives its water to this one.</summary>
+        public void ContinueFrom(PbfSolver before)
+        {
+            stepIndex = before.stepIndex;
+            if (before.tags != null)
+                tags ??= new ParticleTags(Layout.Capacity);
+            hasLifetimes = before.hasLifetimes;
+        }
+
         /// <summary>Adds particles at once. Those beyond the capacity are refused and counted.</summary>
         /// <param name="positions">xyz, m, in the domain's frame.</param>
         /// <param name="velocities">xyz, m/s; as many as positions.</param>

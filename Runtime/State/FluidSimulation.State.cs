@@ -66,6 +66,7 @@ namespace Rill
             if (pbf.ProblemOf(snapshot.Contents) is string problem)
                 throw new ArgumentException($"The snapshot does not fit FluidSimulation '{name}': {problem}", nameof(snapshot));
 
+            resampling = null;
             pbf.Restore(snapshot.Contents, StagesFor(snapshot.Contents));
             LoadScene(snapshot.Contents);
         }

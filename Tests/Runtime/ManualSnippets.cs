@@ -249,6 +249,14 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void ChangeSpacing(FluidSimulation fluid)
+        {
+            #region Change the spacing and keep the water
+            fluid.Capacity = 8000;                          // first, so that it holds the finer water
+            fluid.ParticleSpacing = 0.08f;                  // two or three frames later, in which the water stands still
+            #endregion
+        }
+
         static void Recycle(FluidDrain drain, FluidEmitter jet)
         {
             #region Let a drain feed a jet
@@ -583,6 +591,10 @@ namespace Rill.Tests
             Assert.That(root.transform.position.x, Is.EqualTo(0.5f));
             yield return null;
             Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(20 * 4 * 10));
+            ChangeSpacing(fluid);
+            for (int i = 0; i < 6; i++)
+                yield return null;
+            Assert.That((fluid.Capacity, fluid.ParticleSpacing), Is.EqualTo((8000, 0.08f)));
             SimulateWhatIsSeen(fluid);
             int before = fluid.StepCount;
             for (int i = 0; i < 8; i++)

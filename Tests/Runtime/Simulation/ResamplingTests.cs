@@ -1,0 +1,168 @@
+using System.Collections;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Rill.Testing;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Rill.Tests
+{
+    /// <summary>A running fluid gets another particle spacing and keeps its water.</summary>
+    public class ResamplingTests : PlayedFluidFixture
+    {
+        const float Spacing = 0.05f;
+
+        public enum Pool { Plain, Turned, WithCollider }
+
+        FluidSimulation fluid;
+
+        static float Volume(FluidSimulation of) => FluidAssert.Measure(of).particles * Mathf.Pow(of.ParticleSpacing, 3f);
+
+        // Momentum is in the box's frame; the mass is the volume's.
+        static float3 Velocity(FluidSimulation of) => FluidAssert.Measure(of).momentum / (1000f * Volume(of));
+
+        IEnumerator Change(float spacing)
+        {
+            fluid.ParticleSpacing = spacing;
+            for (int i = 0; i < 8 && fluid.IsResampling; i++)
+                yield return null;
+            Assert.That(fluid.ParticleSpacing, Is.EqualTo(spacing));
+        }
+
+        [UnityTest]
+        public IEnumerator A_pool_keeps_its_volume_and_its_calm_when_it_gets_finer_or_coarser([Values(0.5f, 0.7f, 1.3f, 2f)] float factor,
+            [Values(Pool.Plain, Pool.Turned, Pool.WithCollider)] Pool pool)
+        {
+            fluid = Fluid("Pool", new Vector3(0.8f, 0.6f, 0.8f), Spacing, 30000, new Vector3(0.8f, 0.3f, 0.8f), made =>
+            {
+                if (pool == Pool.Turned)
+                    made.transform.SetPositionAndRotation(new Vector3(3f, 1f, -2f), Quaternion.Euler(0f, 40f, 0f));
+            });
+            if (pool == Pool.WithCollider)
+            {
+                var ball = new GameObject("Ball").AddComponent<FluidCollider>();
+                made.Add(ball.gameObject);
+                ball.Shape = ColliderShape.Sphere;
+                ball.Radius = 0.12f;
+                ball.transform.position = new Vector3(0.03f, -0.17f, 0.01f);
+            }
+            yield return Frames(60);
+            FluidStatistics old = FluidAssert.Measure(fluid);
+            float volume = Volume(fluid);
+            yield return Change(factor * Spacing);
+            Assert.That(Volume(fluid), Is.EqualTo(volume).Within(0.01f * volume));
+            float fastest = 0f, rms = 0f;
+            for (int i = 0; i < 20; i++)
+            {
+                yield return null;
+                FluidStatistics now = FluidAssert.Measure(fluid);
+                fastest = Mathf.Max(fastest, now.speedMax);
+                rms = Mathf.Max(rms, now.speed);
+            }
+            TestContext.Out.WriteLine($"rms speed {old.speed:0.000} before, at most {rms:0.000} after; fastest {old.speedMax:0.000} and {fastest:0.000} m/s");
+            Assert.That(rms, Is.LessThan(old.speed + 0.1f));
+            Assert.That(fastest, Is.LessThan(1f), "no burst");
+            Assert.That(Volume(fluid), Is.EqualTo(volume).Within(0.01f * volume));
+        }
+
+        [UnityTest]
+        public IEnumerator Moving_water_keeps_its_momentum([Values(0.5f, 0.7f, 2f)] float factor)
+        {
+            fluid = Fluid("Stream", new Vector3(1.2f, 0.8f, 0.6f), Spacing, 30000, Vector3.zero, made =>
+            {
+                AddWater(made, new Vector3(0.6f, 0.4f, 0.5f), new Vector3(-0.2f, 0f, 0f));
+                made.GetComponentInChildren<FluidVolume>(true).Velocity = new Vector3(1.5f, 0f, 0.5f);
+            });
+            yield return Frames(8);
+            float3 before = Velocity(fluid);
+            float volume = Volume(fluid), fastest = FluidAssert.Measure(fluid).speedMax;
+            fluid.ParticleSpacing = factor * Spacing;
+            for (int i = 0; i < 8 && fluid.IsResampling; i++)
+                yield return null;
+            // One step of the new water has passed: gravity, and what it hits, act on both alike.
+            float3 now = Velocity(fluid);
+            TestContext.Out.WriteLine($"{before} then {now} m/s; fastest {fastest} then {FluidAssert.Measure(fluid).speedMax}");
+            Assert.That(Volume(fluid), Is.EqualTo(volume).Within(0.01f * volume));
+            Assert.That(now.x, Is.EqualTo(before.x).Within(0.02f * before.x));
+            Assert.That(FluidAssert.Measure(fluid).speedMax, Is.LessThan(fastest + 1f), "no burst");
+        }
+
+        [UnityTest]
+        public IEnumerator Where_the_capacity_does_not_hold_it_nothing_changes_and_one_line_says_how_much_it_takes()
+        {
+            fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000, new Vector3(0.6f, 0.3f, 0.6f));
+            yield return Frames(4);
+            int step = fluid.StepCount;
+            LogAssert.Expect(LogType.Error, new Regex("keeps its particle spacing of 0.05 m and its capacity of 1,000: its water is 6,912 particles at " +
+                "a spacing of 0.025 m, more than the capacity of 1,000"));
+            fluid.ParticleSpacing = 0.025f;
+            yield return Frames(10);
+            Assert.That((fluid.ParticleSpacing, fluid.IsResampling), Is.EqualTo((Spacing, false)));
+            Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(12 * 6 * 12));
+            Assert.That(fluid.StepCount, Is.GreaterThan(step + 4), "it goes on");
+
+            fluid.Capacity = 8000;
+            yield return Frames(6);
+            Assert.That((fluid.Capacity, FluidAssert.Measure(fluid).particles), Is.EqualTo((8000, 12 * 6 * 12)));
+            fluid.ParticleSpacing = 0.025f;
+            yield return Frames(6);
+            Assert.That((fluid.ParticleSpacing, FluidAssert.Measure(fluid).particles), Is.EqualTo((0.025f, 6912)));
+        }
+
+        [UnityTest]
+        public IEnumerator What_scripts_do_meanwhile_is_not_lost_and_phases_are_kept()
+        {
+            fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 10000, new Vector3(0.6f, 0.2f, 0.6f));
+            yield return Frames(4);
+            int step = fluid.StepCount;
+            fluid.ParticleSpacing = 0.04f;
+            fluid.Fill(FluidShape.Box(new Vector3(0f, 0.1f, 0f), 0.2f * Vector3.one), phase: 3);
+            yield return Frames(10);
+            Assert.That(fluid.ParticleSpacing, Is.EqualTo(0.04f));
+            float volume = (12 * 4 * 12 + 64) * Mathf.Pow(Spacing, 3f);
+            Assert.That(Volume(fluid), Is.EqualTo(volume).Within(0.01f * volume));
+            Assert.That(fluid.StepCount, Is.GreaterThan(step), "steps are counted on");
+            var detector = new GameObject("Detector").AddComponent<FluidDetector>();
+            detector.Size = Vector3.one;
+            detector.transform.SetParent(fluid.transform, false);
+            Assert.That(detector.MeasureNow().VolumeOf(3), Is.EqualTo(64f * Mathf.Pow(Spacing, 3f)).Within(0.15f * 64f * Mathf.Pow(Spacing, 3f)));
+        }
+
+        [UnityTest]
+        public IEnumerator A_tap_goes_on_with_its_rate()
+        {
+            FluidEmitter tap = null;
+            fluid = Fluid("Pool", new Vector3(0.8f, 0.8f, 0.8f), Spacing, 20000, Vector3.zero, made =>
+            {
+                tap = new GameObject("Tap").AddComponent<FluidEmitter>();
+                tap.transform.SetParent(made.transform, false);
+                tap.transform.localPosition = new Vector3(0f, 0.3f, 0f);
+                tap.transform.localRotation = Quaternion.LookRotation(Vector3.down);
+                tap.Radius = 0.15f;
+                tap.Speed = 1.5f;
+                tap.Rate = 0.03f;
+            });
+            yield return Frames(30);
+            float before = Volume(fluid);
+            yield return Change(0.04f);
+            float at = Volume(fluid);
+            int step = fluid.StepCount;
+            yield return Frames(30);
+            Assert.That(at, Is.EqualTo(before).Within(0.01f * before + 0.001f));
+            Assert.That(Volume(fluid) - at, Is.EqualTo(0.03f * (fluid.StepCount - step) / 60f).Within(0.002f));
+        }
+
+        [UnityTest]
+        public IEnumerator A_restart_meanwhile_begins_again_at_the_new_spacing()
+        {
+            fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 10000, new Vector3(0.6f, 0.2f, 0.6f));
+            yield return Frames(4);
+            fluid.ParticleSpacing = 0.1f;
+            fluid.Restart();
+            Assert.That((fluid.ParticleSpacing, fluid.StepCount), Is.EqualTo((0.1f, 0)));
+            yield return Frames(6);
+            Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(6 * 2 * 6));
+        }
+    }
+}
