@@ -81,7 +81,7 @@ namespace Rill
             var resampler = new WaterResampler(done.water.Values<float4>(SnapshotSection.Positions),
                 done.water.Values<float4>(SnapshotSection.Velocities), done.water.Values<uint>(SnapshotSection.Tags),
                 particleSpacing / done.spacing, (float3)domainSize / done.spacing,
-                math.normalizesafe((float3)(Quaternion.Inverse(rotation) * gravity)));
+                math.normalizesafe((float3)(Quaternion.Inverse(rotation) * gravity)), colliders.Set);
             if (resampler.Wanted > done.capacity)
             {
                 Debug.LogError(Invariant($"Rill: FluidSimulation '{name}' {KeepsResolution}: its water is {resampler.Wanted:N0} particles at ") +

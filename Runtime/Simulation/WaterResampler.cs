@@ -19,6 +19,7 @@ namespace Rill
         readonly float4[] positions;            // of the old, in new spacings
         readonly float4[] velocities;
         readonly uint[] tags;                   // null for none
+        readonly ColliderSet colliders;
         readonly float ratio, support, whole;
         readonly float3 size, origin, step;      // of the lattice
         int3 cells, low;
@@ -29,10 +30,12 @@ namespace Rill
         /// <param name="tags">As many, or none.</param>
         /// <param name="ratio">Old spacing over new.</param>
         /// <param name="size">Of the domain, new spacings.</param>
+        /// <param name="colliders">In old spacings: what touches one is no place for a new particle.</param>
         /// <param name="down">Along gravity in the domain's frame: the lattice lies on that side.</param>
         public WaterResampler(ReadOnlySpan<float4> positions, ReadOnlySpan<float4> velocities, ReadOnlySpan<uint> tags, float ratio, float3 size,
-            float3 down)
+            float3 down, ColliderSet colliders)
         {
+            this.colliders = colliders;
             this.ratio = ratio;
             this.size = size;
             support = math.max(2f * ratio, ratio + 1f);
@@ -125,7 +128,7 @@ namespace Rill
                 {
                     var place = new int3(x, y, z);
                     float density = Density(origin + step * place);
-                    if (density < MinDensity)
+                    if (density < MinDensity || Touches(origin + step * place))
                         continue;
                     int rank = math.min((int)(density / MaxDensity * Ranks), Ranks - 1);
                     places.Add(place);
@@ -148,6 +151,14 @@ namespace Rill
             for (int i = 0; i < ties.Count && chosen.Count < count; i++)
                 chosen.Add(places[ties[i].index]);
             return chosen.ToArray();
+        }
+
+        bool Touches(float3 p)
+        {
+            for (int i = 0; i < colliders.Count; i++)
+                if (ratio * ColliderDistance.At(colliders.Items[i], p / ratio) < Colliders.ContactOffset)
+                    return true;
+            return false;
         }
 
         // Relative to rest, as if the domain's walls were water.

