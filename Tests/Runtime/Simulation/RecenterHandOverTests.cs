@@ -127,7 +127,7 @@ namespace Rill.Tests
             material.density = 900f;
             lake.Fluid.Material = material;
             Refuses(lake.Fluid, "different materials. Make them equal.");
-            lake.Fluid.ParticleSpacing = 0.05f;
+            lake.Fluid.Configure(lake.Fluid.DomainSize, 0.05f, lake.Fluid.Capacity);
             Refuses(lake.Fluid, "'Lake' one of 0.05 m. Make them equal.");
         }
 
