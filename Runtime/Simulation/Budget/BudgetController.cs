@@ -204,9 +204,11 @@ namespace Rill
         {
             if (Rung == 0 && overFor >= OverSeconds)
                 return BudgetReason.MinStable;
+            if (Milliseconds > target * Over)
+                return BudgetReason.OverBudget;
             if (targetError > 0f && error <= targetError)
                 return BudgetReason.ErrorIsReached;
-            return Rung == ladder.Count - 1 && Milliseconds <= target * Over ? BudgetReason.BestFits : BudgetReason.TimeIsSpent;
+            return Rung == ladder.Count - 1 ? BudgetReason.BestFits : BudgetReason.TimeIsSpent;
         }
 
         /// <summary>C+ to expect of a rung: what is measured, in the proportion that the rungs have on their own scene.</summary>

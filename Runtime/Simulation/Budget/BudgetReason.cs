@@ -15,5 +15,7 @@ namespace Rill
         BestFits,
         /// <summary>The cheapest settings that keep the scene stable, within the bounds, take longer than the budget; they stand.</summary>
         MinStable,
+        /// <summary>The settings take longer than the budget; cheaper ones follow, unless the next readings take it back.</summary>
+        OverBudget,
     }
 }

@@ -53,6 +53,7 @@ namespace Rill
                 case BudgetReason.ErrorIsReached: return "the density error is within its target";
                 case BudgetReason.BestFits: return "the best settings within the bounds fit";
                 case BudgetReason.MinStable: return "the cheapest settings that are stable and within the bounds take longer than the budget";
+                case BudgetReason.OverBudget: return "the settings take longer than the budget, so that cheaper ones follow";
                 default: throw Limit.OutOfRange(nameof(reason), reason, "No such reason.");
             }
         }

@@ -138,6 +138,19 @@ namespace Rill.Tests
             Assert.That(plant.Last, Is.EqualTo(plant.BestFit(5f)));
         }
 
+        // Steps that suddenly take four times as long are lowered after half a second: until then the error is no reason.
+        [Test]
+        public void What_takes_longer_than_the_budget_is_told_from_the_next_reading_on_though_the_error_is_within_its_target()
+        {
+            var plant = new BudgetPlant { Target = 2f, TargetError = 0.005f, Error = (rung, time) => 0.001f };
+            plant.Run(10f);
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.ErrorIsReached));
+            plant.Load = _ => 8f;
+            plant.Run(0.25f);
+            Assert.That(plant.Controller.Milliseconds, Is.GreaterThan(2f * 1.2f));
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.OverBudget));
+        }
+
         [Test]
         public void An_error_within_its_target_stops_the_spending_and_one_above_resumes_it()
         {
