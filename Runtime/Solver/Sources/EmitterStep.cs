@@ -115,7 +115,8 @@ namespace Rill
         }
 
         // Those that were emitted longer ago than that at the end of the step, s.
-        int DueBefore(float age) => interval > 0f ? (int)math.clamp(math.ceil((firstAge - age) / interval), 0f, due) : firstAge > age ? due : 0;
+        int DueBefore(float age) => interval > 0f ? (int)math.clamp(math.ceil((firstAge - age) / interval), 0f, due)
+            : firstAge > age ? due : 0;
 
         int CandidatesIn(float duration)
             => (int)math.min(math.ceil(positions.Count * speed * duration) + 1f, Emitters.MaxCandidates);

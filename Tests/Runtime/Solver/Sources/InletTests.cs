@@ -42,7 +42,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Every_shape_that_has_an_outlet_presses_water_away([Values(EmitterShape.Box, EmitterShape.Sphere, EmitterShape.Disc)] EmitterShape shape,
+        public void Every_shape_that_has_an_outlet_presses_water_away(
+            [Values(EmitterShape.Box, EmitterShape.Sphere, EmitterShape.Disc)] EmitterShape shape,
             [Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode, [Values("up", "aside")] string direction)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 20000, DeepWater.On).Fill(0.4f))
@@ -121,7 +122,8 @@ namespace Rill.Tests
                 FluidStatistics statistics = scene.AssertConserved();
                 TestContext.Out.WriteLine($"{statistics.emitted} let in, {statistics.waiting} wait, {statistics.blocked} given up, C+ " +
                     $"{statistics.densityError:0.000}, {Fastest(scene):0.00} m/s");
-                Assert.That(statistics.emitted + statistics.waiting + statistics.blocked, Is.EqualTo(emitter.DueVolume / scene.ParticleVolume).Within(1));
+                Assert.That(statistics.emitted + statistics.waiting + statistics.blocked,
+                    Is.EqualTo(emitter.DueVolume / scene.ParticleVolume).Within(1));
                 Assert.That(statistics.blocked, Is.GreaterThan(100));
                 Assert.That(statistics.densityError, Is.LessThan(0.25f));
                 Assert.That(Fastest(scene), Is.LessThan(6f));
