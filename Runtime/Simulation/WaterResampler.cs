@@ -4,7 +4,8 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>The particles of a fluid at another spacing: as many as its volume holds, where the old ones were densest, with their velocities.</summary>
+    /// <summary>The particles of a fluid at another spacing: as many as its volume holds, where the old ones were densest, with their
+    /// velocities.</summary>
     /// <remarks>
     /// New particles lie on a cubic lattice. Its places are ranked by the density of the old particles there, and the best are taken: so the volume
     /// is kept to a particle, whatever the surface. What is thinner than the new spacing becomes a part of the rest.

@@ -115,7 +115,8 @@ namespace Rill.Editor.Tests
                 Assert.That((FluidMaterial)property.GetValue(null),
                     Is.EqualTo(FluidPresets.All.Single(preset => NameInCode(preset.Name) == property.Name).Material), property.Name);
 
-            string NameInCode(string name) => string.Concat(name.Split(' ').Select(word => word.Substring(0, 1).ToUpperInvariant() + word.Substring(1)));
+            string NameInCode(string name)
+                => string.Concat(name.Split(' ').Select(word => word.Substring(0, 1).ToUpperInvariant() + word.Substring(1)));
         }
 
         [Test]
