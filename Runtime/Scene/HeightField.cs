@@ -50,7 +50,7 @@ namespace Rill
             for (int z = 0; z < counts.y; z++)
                 for (int x = 0; x < counts.x; x++)
                     texels[z * counts.x + x] = heights[z, x] - middle;
-            Texture.Apply(false, true);
+            Texture.Apply(false, false);        // stays readable: bodies on the ground look at it
         }
 
         /// <summary>Middle of the rectangle at the middle of its heights, from the object's position, m.</summary>

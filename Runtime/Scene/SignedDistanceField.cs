@@ -30,6 +30,7 @@ namespace Rill
 
         [NonSerialized] float volume;
         [NonSerialized] bool volumeIsKnown;
+        [NonSerialized] SurfaceSample[] patches;
 
         /// <summary>Of the serialized content; above <see cref="CurrentVersion"/> in an asset of a newer package.</summary>
         public int Version => version;
@@ -128,6 +129,7 @@ namespace Rill
             // Stays readable: without its copy in memory the texture could not be saved, nor sampled by TrySample.
             texture.Apply(false, false);
             volumeIsKnown = false;
+            patches = null;
             return replaced;
         }
 
@@ -136,6 +138,7 @@ namespace Rill
         {
             texture = null;
             volumeIsKnown = false;
+            patches = null;
         }
 
         /// <summary>Distance at a point, m, trilinear between the voxels' centers. Outside of the bounds: the distance to them, plus the
@@ -171,6 +174,9 @@ namespace Rill
                 return volume;
             }
         }
+
+        /// <summary>See <see cref="FieldSurface"/>: found at the first call after a bake.</summary>
+        internal SurfaceSample[] SurfacePatches => patches ??= FieldSurface.Find(texture, bounds, voxelSize);
 
         // Of a voxel the fraction that a flat surface at its distance leaves inside.
         float MeasureVolume()
