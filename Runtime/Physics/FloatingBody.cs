@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Rill
@@ -6,9 +7,18 @@ namespace Rill
     /// forces of each fluid, <see cref="TryApply"/>.</summary>
     sealed class FloatingBody
     {
+        const float MaxAwaited = 0.08f;      // s
+
+        readonly List<BodyPart> parts = new List<BodyPart>();
+        readonly List<BodySurroundings> surroundings = new List<BodySurroundings>();    // one in each fluid
         FloatingResponse response = new FloatingResponse();
         PhysicsStep step;
-        bool hasActed;
+        Vector3 center;         // of mass
+        float mass;
+        bool touches;           // the fluid whose parts are being added
+        bool waits, awaits, hasActed;
+        float awaitedTime;      // s
+        int heldFrames, lastHeld;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float SubmergedFraction => response.Fraction;
@@ -20,46 +30,107 @@ namespace Rill
         public void Begin(Rigidbody body, in PhysicsStep step, float virtualMass, float damping)
         {
             this.step = step;
-            Vector3 center = body.worldCenterOfMass;
-            response.Begin(body.mass, center, body.GetPointVelocity(center), body.angularVelocity, step.Time);
+            parts.Clear();
+            awaitedTime = awaits ? awaitedTime + step.Time : 0f;
+            touches = waits = awaits = false;
+            center = body.worldCenterOfMass;
+            mass = body.mass;
+            Vector3 inertia = body.inertiaTensor;
+            response.Begin(mass, center, body.GetPointVelocity(center), body.angularVelocity, step.Time,
+                Mathf.Min(inertia.x, Mathf.Min(inertia.y, inertia.z)));
             response.Tune(virtualMass, damping);
         }
 
         /// <summary>Adds a collider of the body, whether or not a fluid tells of it.</summary>
-        /// <param name="shape">World space, m; where it is now.</param>
-        /// <param name="volume">m³, above 0.</param>
-        public void AddPart(in ColliderMotion shape, float volume) => response.AddPart(shape, volume);
+        public void AddPart(in BodyPart part)
+        {
+            parts.Add(part);
+            response.AddPart(part.shape, part.volume);
+        }
 
-        /// <summary>Adds the newest of a fluid for one of the parts. Those of the same fluid follow one another, and
+        /// <summary>Adds the newest of a fluid for one of the parts. Those of the same fluid follow one another, after all parts, and
         /// <see cref="EndFluid"/>.</summary>
-        public void Add(in ColliderMotion shape, float volume, in FluidForce force) => response.Add(shape, volume, force);
+        public void Add(in BodyPart part, in FluidForce force)
+        {
+            touches |= force.Force != Vector3.zero;
+            response.Add(part.shape, part.volume, force);
+        }
 
         /// <summary>Ends the parts of one fluid.</summary>
-        public void EndFluid(FluidSimulation fluid) => response.EndFluid(fluid.Material.density, fluid.Gravity);
+        public void EndFluid(FluidSimulation fluid)
+        {
+            if (parts.Count > 0)
+            {
+                StillWater still = SurroundingsIn(fluid).Look(parts, mass, center, touches, step.Time, response.Level);
+                waits |= still.isPending;
+                response.EndFluid(fluid.Material.density, fluid.Gravity, still);
+            }
+            touches = false;
+        }
+
+        /// <summary>Tells of a fluid that sums a first force.</summary>
+        /// <param name="fluid">Null for none.</param>
+        public void Await(FluidSimulation fluid)
+        {
+            awaits |= fluid != null && fluid.IsRunning;
+            waits |= awaits && awaitedTime > MaxAwaited;
+        }
 
         /// <summary>Lets the forces act on the body. Where no fluid told of one, what was known of the water is forgotten.</summary>
         /// <param name="maxAcceleration">That fluids give to it, m/s².</param>
         /// <returns>Whether a fluid told of its force in this step.</returns>
         public bool TryApply(Rigidbody body, float maxAcceleration)
         {
+            Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
+            if (waits && TryHold(body, gravity))
+                return true;
             if (!response.IsKnown)
             {
                 Reset();
                 return false;
             }
-            Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
             response.Solve(gravity, Turn(body, response.Torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
             step.Accelerate(body, acceleration - gravity, angularAcceleration);     // it falls by itself
+            hasActed = true;
+            heldFrames = 0;
+            return true;
+        }
+
+        // In long frames a body would fall for a second before the fluid first tells of itself.
+        bool TryHold(Rigidbody body, Vector3 gravity)
+        {
+            const int MaxFrames = 8;
+            const float Slowing = 0.05f;     // s
+            if (lastHeld != UnityEngine.Time.frameCount)
+                heldFrames++;
+            lastHeld = UnityEngine.Time.frameCount;
+            if (heldFrames > MaxFrames)
+                return false;
+            float rate = 1f / (Slowing + step.Time);
+            step.Accelerate(body, -gravity - rate * body.GetPointVelocity(center), -rate * body.angularVelocity);
             hasActed = true;
             return true;
         }
 
-        /// <summary>Forgets the water's level and what it resisted with, where it has acted.</summary>
+        /// <summary>Forgets the water's level and what it resisted with, where it has acted, and asks no more.</summary>
         public void Reset()
         {
             if (hasActed)
                 response = new FloatingResponse();
             hasActed = false;
+            foreach (BodySurroundings around in surroundings)
+                around.Dispose();
+            surroundings.Clear();
+        }
+
+        BodySurroundings SurroundingsIn(FluidSimulation fluid)
+        {
+            foreach (BodySurroundings around in surroundings)
+                if (ReferenceEquals(around.Fluid, fluid))
+                    return around;
+            var added = new BodySurroundings(fluid);
+            surroundings.Add(added);
+            return added;
         }
 
         /// <summary>The water looks at an object frame by frame: one that moves in fixed steps alone seems to stop and jump.</summary>

@@ -19,7 +19,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Rigidbody))]
-    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IAppliesSettings
+    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IUsesStages, IAppliesSettings
     {
         const float PatienceTime = 5f;          // s without a fluid before that is logged
 
@@ -36,17 +36,11 @@ namespace Rill
         [Tooltip("Largest acceleration that the fluid gives to the body, m/s². Above 0. Impacts are cut off there.")]
         [SerializeField] float maxAcceleration = FloatingResponse.DefaultMaxAcceleration;
 
-        // A collider of the body that can float, in this step.
-        struct Part
-        {
-            public FluidCollider collider;
-            public ColliderMotion shape;
-            public float volume;        // m³
-        }
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         readonly FloatingBody floating = new FloatingBody();
         readonly List<FluidCollider> colliders = new List<FluidCollider>();     // of the body
-        readonly List<Part> parts = new List<Part>();
+        readonly List<BodyPart> parts = new List<BodyPart>();
         [NonSerialized] Rigidbody body;
         [NonSerialized] float waited;
         [NonSerialized] bool problemIsKnown, lackIsKnown;
@@ -89,6 +83,7 @@ namespace Rill
             FindColliders();
             waited = 0f;
             lackIsKnown = false;
+            shaders.Hold();
         }
 
         // In the Editor, where the component was added or reset.
@@ -110,6 +105,7 @@ namespace Rill
             colliders.Clear();
             parts.Clear();
             floating.Reset();
+            shaders.Release();
         }
 
         void OnValidate() => ChangedSettings.ApplyLater(this);
@@ -123,7 +119,18 @@ namespace Rill
             clamped.Set(problem);
         }
 
-        void IAppliesSettings.ApplySettings() => clamped.Log(this);
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
+            shaders.Follow(UsedStages);
+        }
+
+        // The water is asked for its level where a body lies on the ground or is light.
+        const StageSet UsedStages = StageSet.Queries;
+
+        StageSet IUsesStages.UsedStages => UsedStages;
+
+        StageReferences IUsesStages.StageReferences => shaders;
 
         void IHasProblems.ListProblems(List<string> problems)
         {
@@ -156,11 +163,14 @@ namespace Rill
             if (parts.Count == 0)
                 return;
             floating.Begin(body, step, virtualMass, damping);
-            foreach (Part part in parts)
-                floating.AddPart(part.shape, part.volume);
+            foreach (BodyPart part in parts)
+                floating.AddPart(part);
             for (int i = 0; i < parts.Count; i++)
-                foreach (FluidForce force in parts[i].collider.Forces)
+            {
+                floating.Await(ColliderOf(i).Awaited);
+                foreach (FluidForce force in ColliderOf(i).Forces)
                     AddFluid(force.From, i);
+            }
             if (floating.TryApply(body, maxAcceleration))
                 waited = float.NegativeInfinity;
             else
@@ -201,7 +211,7 @@ namespace Rill
                 string own = Problem(shape, volume);
                 if (own == null)
                 {
-                    parts.Add(new Part { collider = collider, shape = shape, volume = volume });
+                    parts.Add(new BodyPart { collider = collider, shape = shape, field = collider.Field, volume = volume });
                     continue;
                 }
                 problem = own;
@@ -216,13 +226,15 @@ namespace Rill
             if (fluid == null || !fluid.IsRunning)
                 return;         // it has ended
             for (int i = 0; i < first; i++)
-                if (parts[i].collider.TryGetForceOf(fluid, out _))
+                if (ColliderOf(i).TryGetForceOf(fluid, out _))
                     return;
             for (int i = first; i < parts.Count; i++)
-                if (parts[i].collider.TryGetForceOf(fluid, out FluidForce force))
-                    floating.Add(parts[i].shape, parts[i].volume, force);
+                if (ColliderOf(i).TryGetForceOf(fluid, out FluidForce force))
+                    floating.Add(parts[i], force);
             floating.EndFluid(fluid);
         }
+
+        FluidCollider ColliderOf(int part) => (FluidCollider)parts[part].collider;
 
         static string Problem(in ColliderMotion shape, float volume)
         {

@@ -90,6 +90,9 @@ namespace Rill
         /// <summary>A collider has felt no water for 0.2 s, or has left the fluid's box. Not told where it or the fluid is disabled.</summary>
         public event Action<FluidContact> OnExit { add => contacts.Exit.Add(value); remove => contacts.Exit.Remove(value); }
 
+        /// <summary>The fluid that it gathers for.</summary>
+        internal FluidSimulation Fluid => fluid;
+
         /// <summary>Whether anybody listened before the newest steps.</summary>
         internal bool ListensToContacts => listens;
 
@@ -173,7 +176,10 @@ namespace Rill
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;
 
-        StageSet IUsesStages.UsedStages => StageSet.Colliders;
+        // The water is asked for its level where a body that it carries lies on the ground or is light.
+        StageSet UsedStages => floatingLayers != 0 ? StageSet.Colliders | StageSet.Queries : StageSet.Colliders;
+
+        StageSet IUsesStages.UsedStages => UsedStages;
 
         StageReferences IUsesStages.StageReferences => shaders;
 
@@ -229,7 +235,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(StageSet.Colliders);
+            shaders.Follow(UsedStages);
         }
 
         int Ask(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
@@ -319,6 +325,7 @@ namespace Rill
             {
                 if (bodies[i].Parts.Count > 0)
                     continue;
+                bodies[i].Drop();
                 carried.Remove(bodies[i].Body);
                 bodies.RemoveAt(i);
             }
@@ -339,6 +346,8 @@ namespace Rill
             foreach (IFluidCollider collider in taken)
                 Drop((GatheredCollider)collider);
             taken.Clear();
+            foreach (GatheredBody body in bodies)
+                body.Drop();
             bodies.Clear();
             carried.Clear();
         }

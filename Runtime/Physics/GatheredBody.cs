@@ -15,6 +15,9 @@ namespace Rill
         /// <summary>Looked for again before the steps of a frame.</summary>
         public List<GatheredCollider> Parts { get; } = new List<GatheredCollider>();
 
+        /// <summary>The fluid carries it no more.</summary>
+        public void Drop() => floating.Reset();
+
         /// <summary>Lets the fluid act on the body.</summary>
         /// <param name="inUpdate">In Update, and not in FixedUpdate.</param>
         public void Carry(FluidSimulation fluid, bool inUpdate)

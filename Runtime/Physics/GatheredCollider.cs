@@ -39,6 +39,8 @@ namespace Rill
         /// <summary>Whether the fluid carries its Rigidbody.</summary>
         public bool Floats { get; set; }
 
+        public bool IsCarried => Floats;
+
         /// <summary>The fluid drops it; it counts as one that is gone.</summary>
         public void Drop()
         {
@@ -66,9 +68,12 @@ namespace Rill
             float volume = FloatingBody.VolumeOf(shape, Field);
             if (!(volume > 0f))
                 return;
-            body.AddPart(shape, volume);
+            var part = new BodyPart { collider = this, shape = shape, field = Field, volume = volume };
+            body.AddPart(part);
             if (hasForce)
-                body.Add(shape, volume, force);
+                body.Add(part, force);
+            else if (AwaitsForce)
+                body.Await(source.Fluid);
         }
 
         public bool TryDescribe(out ColliderMotion motion)
@@ -138,8 +143,14 @@ namespace Rill
             return problem;
         }
 
+        /// <summary>Whether the fluid sums a first force.</summary>
+        public bool AwaitsForce { get; private set; }
+
+        public void AwaitForce(FluidSimulation fluid) => AwaitsForce = true;
+
         public void SetForce(in FluidForce newest)
         {
+            AwaitsForce = false;
             force = newest;
             hasForce = true;
         }
@@ -155,7 +166,7 @@ namespace Rill
         public bool Leave(FluidSimulation fluid)
         {
             bool touched = watch.Touches && source.ListensToContacts;
-            hasForce = false;
+            hasForce = AwaitsForce = false;
             watch = default;
             return touched;
         }

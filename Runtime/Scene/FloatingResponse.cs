@@ -27,6 +27,9 @@ namespace Rill
         const float MaxPropulsion = 1.1f;      // of the buoyancy
         const float Certain = 0.95f;            // a fraction under water above this is all, and below the rest of it none
         const float LevelRate = 0.1f;           // fraction of a newly found level that is taken at a step
+        const float PlateMass = 0.35f;          // of water that a plate carries, over density times area to 3/2 (a disk's is 2/3 of that)
+        const float StillDamping = 0.5f;        // of the critical, of water that only its level stands for; beside the setting's
+        const float StillDrag = 0.1f;           // of that, along the surface
         const int LevelSteps = 24;              // of the bisection for a level: to a 1e-7 of the body's height
 
         // What one fluid did to one part.
@@ -51,7 +54,7 @@ namespace Rill
         Reading[] readings = new Reading[1];    // of the fluid that is being added
         int count;
         Vector3 push, moment;                   // of that fluid, N; about the center of mass, N m
-        float mass, step, virtualFraction, damping;        // kg, s
+        float mass, inertia, step, virtualFraction, damping;        // kg, kg m², s
         Vector3 centerOfMass, velocity, angularVelocity;      // m, m/s, rad/s
         Vector3 force, torque;                  // N; about the center of mass, N m
         float reach;                            // from the center of mass to the farthest point of a part, m
@@ -61,12 +64,17 @@ namespace Rill
         SlipVelocity slip, angularSlip;
         float memory;                           // of the water, s
         VirtualMassEstimate estimate;
+        float stiffness, drag, sideDrag, turnStiffness, turnDrag;      // of still water: N/m, kg/s; N m, N m s
+        Vector3 waterVelocity, waterUp;         // of it
         float level;                            // of the water, upwards, m
         Vector3 levelShift;                     // of the fluid, when it was found
         bool levelIsKnown;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float Fraction => volume > 0f ? math.min(wetVolume / volume, 1f) : 0f;
+
+        /// <summary>Height of the water upwards, as far as what was measured tells it, m; else no number.</summary>
+        public float Level => levelIsKnown ? level : float.NaN;
 
         /// <summary>Whether a fluid told of its force.</summary>
         public bool IsKnown { get; private set; }
@@ -78,13 +86,18 @@ namespace Rill
         /// <param name="center">Of mass, world space, m.</param>
         /// <param name="bodyVelocity">Of the center of mass.</param>
         /// <param name="stepTime">Of this step and the last, s.</param>
-        public void Begin(float bodyMass, Vector3 center, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime)
+        /// <param name="bodyInertia">The smallest moment of inertia, kg m²; 0 for a body that does not turn.</param>
+        public void Begin(float bodyMass, Vector3 center, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime,
+            float bodyInertia = 0f)
         {
             IsKnown = false;
             count = 0;
             force = torque = slowed = turnSlowed = Vector3.zero;
             reach = volume = wetVolume = resistance = turnResistance = 0f;
+            stiffness = drag = sideDrag = turnStiffness = turnDrag = 0f;
+            waterVelocity = waterUp = Vector3.zero;
             mass = bodyMass;
+            inertia = bodyInertia;
             centerOfMass = center;
             step = stepTime;
             velocity = bodyVelocity;
@@ -127,7 +140,8 @@ namespace Rill
         /// <summary>Ends the parts of one fluid.</summary>
         /// <param name="density">Of the fluid, kg/m³.</param>
         /// <param name="gravity">Of the fluid, m/s².</param>
-        public void EndFluid(float density, Vector3 gravity)
+        /// <param name="still">What water at rest adds to what was measured, or stands for it.</param>
+        public void EndFluid(float density, Vector3 gravity, in StillWater still = default)
         {
             if (count == 0)
                 return;
@@ -137,6 +151,8 @@ namespace Rill
             TakeForces(out float told, out Vector3 middle, out Vector3 slipThen, out Vector3 angularSlipThen);
             float displaced = density * told;     // kg
             float g = gravity.magnitude;
+            if (g > 0f)
+                AddCovered(still, gravity / -g);
             float fraction = SubmergedFraction(slipThen, displaced, gravity, g);
             if (g > 0f)
             {
@@ -152,10 +168,13 @@ namespace Rill
                     estimate.Add(measured / displaced - up * (g * fractionThen), slipThen / memory, fractionThen, g, virtualFraction, step);
                 LimitPropulsion(displaced * g * fraction, middle);
                 Damp(displaced, told, height, middle, g, up, fraction);
+                if (still.weight > 0f)
+                    TakeStill(still, density, told, height, g, up, ref fraction);
             }
             force += push;
             torque += moment;
-            float carried = displaced * fraction / memory;      // kg/s, times the virtual mass; that of turns is not estimated
+            // kg/s, times the virtual mass; that of turns is not estimated
+            float carried = (1f - still.weight) * displaced * fraction / memory;
             float resists = estimate.Or(virtualFraction) * carried, resistsTurns = virtualFraction * carried;
             resistance += resists;
             turnResistance += resistsTurns;
@@ -172,10 +191,19 @@ namespace Rill
         public void Solve(Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
         {
             float mean = memory > 0f ? SlipVelocity.MeanFraction(step, memory) : 0f;
-            acceleration = (force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now) / (mass + resistance * mean * step);
+            Vector3 push = force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now;
+            float carrying = mass + resistance * mean * step;
+            // What still water does is of now, and implicit: it stops what is light within a step, and never turns it back.
+            Vector3 against = velocity - waterVelocity;
+            float rise = Vector3.Dot(against, waterUp), climb = Vector3.Dot(velocity, waterUp);
+            push -= sideDrag * (against - rise * waterUp) + (drag * rise + stiffness * step * climb) * waterUp;
+            float upward = Vector3.Dot(push, waterUp);
+            acceleration = (push - upward * waterUp) / (carrying + sideDrag * step)
+                + waterUp * (upward / (carrying + (drag + stiffness * step) * step));
             acceleration = gravity + Limited(acceleration - gravity, limit);
-            angularAcceleration = (mass * turn + turnSlowed - turnResistance * mean * (Vector3)angularSlip.Now)
-                / (mass + turnResistance * mean * step);
+            float stops = inertia > 0f ? mass / inertia * (turnDrag + turnStiffness * step) : 0f;
+            angularAcceleration = (mass * turn + turnSlowed - turnResistance * mean * (Vector3)angularSlip.Now - stops * angularVelocity)
+                / (mass + (turnResistance * mean + stops) * step);
             angularAcceleration = Limited(angularAcceleration, limit / math.max(reach, 1e-6f));
         }
 
@@ -207,6 +235,46 @@ namespace Rill
             middle /= told;
             slipThen /= told;
             angularSlipThen /= told;
+        }
+
+        // The pressure on covered faces, as far as none was measured there: no more than lifts the body as all its lower faces would, and
+        // sideways no more than presses it against what covers them.
+        void AddCovered(in StillWater still, Vector3 up)
+        {
+            float lift = Vector3.Dot(still.coveredPush, up);
+            Vector3 side = still.coveredPush - lift * up;
+            float aside = side.magnitude;
+            float missing = math.min(lift, math.max(still.maxLift - Vector3.Dot(push, up), 0f));
+            float pressed = aside > 0f ? math.clamp(-Vector3.Dot(push, side) / aside, 0f, aside) : 0f;
+            Vector3 added = missing * up + (aside > 0f ? side * (pressed / aside) : Vector3.zero);
+            float whole = still.coveredPush.magnitude;
+            push += added;
+            if (whole > 0f)
+                moment += still.coveredMoment * (added.magnitude / whole);
+        }
+
+        // The level alone stands for what was measured: pressure, and drag towards the water's velocity.
+        void TakeStill(in StillWater still, float density, float told, float height, float g, Vector3 up, ref float fraction)
+        {
+            float weight = still.weight;
+            float wet = WetFraction(still.level, told, then: false);
+            push = Vector3.Lerp(push, still.push, weight);
+            moment = Vector3.Lerp(moment, still.moment, weight);
+            fraction = math.lerp(fraction, wet, weight);
+            level = math.lerp(level, still.level, weight);
+            levelIsKnown = true;
+            float area = told / height, squareWidth = area / 12f;
+            float spring = wet < 1f ? density * g * area : 0f;
+            float carrying = mass + math.max(AddedMass * density * told * wet, PlateMass * density * area * math.sqrt(area));
+            float slows = 2f * (StillDamping + damping) * math.sqrt(density * g * area * carrying);
+            float acts = weight * still.contact;
+            stiffness += acts * spring;
+            drag += acts * slows;
+            sideDrag += acts * StillDrag * slows;
+            turnStiffness += acts * squareWidth * spring;
+            turnDrag += acts * squareWidth * slows;
+            waterVelocity = still.velocity;
+            waterUp = up;
         }
 
         // Of the parts, upwards. Returns that of the body, m.

@@ -147,12 +147,16 @@ namespace Rill
         /// <summary>Whether a component lets the fluid carry the collider's body, and needs its force.</summary>
         [field: NonSerialized] internal bool IsCarried { get; set; }
 
+        /// <summary>The simulation that sums a first force; null while none does.</summary>
+        [field: NonSerialized] internal FluidSimulation Awaited { get; private set; }
+
         /// <summary>The newest of each simulation; some may have ended since.</summary>
         internal List<FluidForce> Forces => forces;
 
         /// <summary>Takes a new result of a simulation instead of its last.</summary>
         internal void SetForce(in FluidForce force)
         {
+            Awaited = null;
             int index = IndexOf(force.From);
             if (index >= 0)
             {
@@ -267,6 +271,8 @@ namespace Rill
 
         bool IFluidCollider.MeasuresForce => NeedsForce;
 
+        bool IFluidCollider.IsCarried => IsCarried;
+
         bool IFluidCollider.IsThere => this != null && isActiveAndEnabled;
 
         int IFluidCollider.Teleports => Teleports;
@@ -274,6 +280,8 @@ namespace Rill
         string IFluidCollider.Describe(out ColliderMotion motion) => Describe(out motion);
 
         bool IFluidCollider.TryDescribe(out ColliderMotion motion) => TryDescribe(out motion);
+
+        void IFluidCollider.AwaitForce(FluidSimulation fluid) => Awaited = fluid;
 
         void IFluidCollider.SetForce(in FluidForce force) => SetForce(force);
 
@@ -293,6 +301,8 @@ namespace Rill
         // Its last result else acted for ever.
         bool IFluidCollider.Leave(FluidSimulation fluid)
         {
+            if (ReferenceEquals(Awaited, fluid))
+                Awaited = null;
             int index = IndexOf(fluid);
             if (index < 0)
                 return false;
@@ -324,6 +334,7 @@ namespace Rill
         void OnDisable()
         {
             enabledColliders.Remove(this);
+            Awaited = null;
             forces.Clear();
             watches.Clear();
             shaders.Release();

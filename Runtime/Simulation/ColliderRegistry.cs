@@ -34,6 +34,9 @@ namespace Rill
         /// <summary>The first of them; null for none.</summary>
         public IFluidCollider FirstLeftOut { get; private set; }
 
+        /// <summary>The owner of a collider of the set.</summary>
+        public IFluidCollider OwnerOf(int index) => entries[index].owner;
+
         public void Clear() => Set.Count = 0;
 
         /// <summary>Gathers the colliders that can touch a fluid in the coming steps.</summary>
@@ -89,8 +92,11 @@ namespace Rill
             int before = LastIndex(collider);
             bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen))
                 && steps.fluid.WentAlong(last[before].motion.seen, motion.seen);
+            bool skips = follows && steps.clock.FrameDropped > 0.0 && collider.IsCarried;
             if (follows)
                 Follow(ref motion, last[before].motion, steps.clock);
+            if (skips)
+                SkipDropped(ref motion, last[before].motion, steps);
             if (!IsNear(motion, steps.size))
             {
                 if (before >= 0 && collider.Leave(steps.fluid))
@@ -115,8 +121,13 @@ namespace Rill
             if (!motion.reacts)
                 return;
             RigidPose pose = steps.frame.World(motion.end);
-            entry.track = follows && last[before].motion.reacts ? last[before].track : ColliderTrack.At(pose);
+            bool goesOn = follows && last[before].motion.reacts;
+            entry.track = goesOn ? last[before].track : ColliderTrack.At(pose);
+            if (!goesOn)
+                collider.AwaitForce(steps.fluid);
             entry.track.Teleport(steps.fluid);
+            if (skips)
+                entry.track.SkipTo(steps.frame.World(motion.start));
             entry.track.Follow(pose, steps.duration, steps.substepTime);
         }
 
@@ -170,6 +181,15 @@ namespace Rill
                 motion.end = RigidPose.Between(before.seen, motion.seen, (float)(reached / clock.FrameInterval));
             else
                 motion.end = RigidPose.Between(before.end, before.seen, (float)(1.0 + reached / clock.LastFrameLag));
+        }
+
+        // The fluid sees a body that it carries at its true velocity, on the last part of its path: squeezed into the steps that are left,
+        // the whole path would seem as many times faster. What holds water sweeps it along on all of its path.
+        static void SkipDropped(ref ColliderMotion motion, in ColliderMotion before, in CollectedSteps steps)
+        {
+            double began = steps.clock.FrameInterval - steps.clock.FrameLag - steps.duration;
+            if (began > 0.0)
+                motion.start = RigidPose.Between(before.seen, motion.seen, (float)(began / steps.clock.FrameInterval));
         }
 
         // A surface that deforms goes on from where it was, to where it is between its two newest fields at the end of the steps. False

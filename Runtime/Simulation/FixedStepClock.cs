@@ -8,7 +8,10 @@ namespace Rill
         // Frame times summed in floating point fall a hair short of whole steps; without this the steps would stutter.
         const double Tolerance = 1e-4;
 
+        const int SoonAfter = 10;       // frames with steps
+
         double accumulated, passing;
+        int sinceDrop;
 
         /// <summary>Time that the cap dropped since the start, s.</summary>
         public double Dropped { get; private set; }
@@ -26,7 +29,19 @@ namespace Rill
         /// <summary>The same of the frame before it.</summary>
         public double LastFrameLag { get; private set; }
 
-        /// <summary>All of it, for a snapshot.</summary>
+        /// <summary>Time that the cap dropped of the last frame that took steps, s.</summary>
+        public double FrameDropped { get; private set; }
+
+        /// <summary>Frames in a row that took steps and dropped time, up to the last.</summary>
+        public int DroppingFrames { get; private set; }
+
+        /// <summary>Fluid time that the last frame with steps took, over the time that had passed: below 1 where it dropped some.</summary>
+        public double FrameRate => FrameDropped > 0.0 ? 1.0 - FrameDropped / FrameInterval : 1.0;
+
+        /// <summary>Whether time was dropped in one of the last frames that took steps.</summary>
+        public bool DropsTime => sinceDrop > 0;
+
+        /// <summary>All that the next frames need, for a snapshot.</summary>
         public ClockRecord Record
         {
             get => new ClockRecord
@@ -65,6 +80,9 @@ namespace Rill
                 passing = 0.0;
                 LastFrameLag = FrameLag;
                 FrameLag = Lag;
+                FrameDropped = (due - steps) * step;
+                DroppingFrames = FrameDropped > 0.0 ? DroppingFrames + 1 : 0;
+                sinceDrop = FrameDropped > 0.0 ? SoonAfter : Math.Max(sinceDrop - 1, 0);
             }
             return steps;
         }

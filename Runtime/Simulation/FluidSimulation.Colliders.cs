@@ -28,7 +28,13 @@ namespace Rill
         /// <summary>Colliders of the last steps.</summary>
         internal int ColliderCount => colliders.Set.Count;
 
-        DomainFrame Frame
+        /// <summary>Colliders of the last steps where they ended, in the domain's frame, d.</summary>
+        internal ColliderSet ColliderSet => colliders.Set;
+
+        /// <summary>The owner of one of them.</summary>
+        internal IFluidCollider ColliderOwner(int index) => colliders.OwnerOf(index);
+
+        internal DomainFrame Frame
         {
             get
             {

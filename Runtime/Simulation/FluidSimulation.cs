@@ -121,6 +121,9 @@ namespace Rill
             }
         }
 
+        /// <summary>Of the box since the last steps, world space, m/s.</summary>
+        internal Vector3 BoxVelocity => lastVelocity;
+
         internal PbfSolver Solver => pbf;
         internal StepInput Input => input;
 
@@ -224,7 +227,7 @@ namespace Rill
             failure = null;
             Thrown.Clear();
             layoutChanged = false;
-            isTooViscous = saidTooViscous = false;
+            isTooViscous = saidTooViscous = dropIsKnown = false;
             if (HasNoGraphics)
             {
                 LogNoGraphics();
@@ -363,6 +366,7 @@ namespace Rill
 
             BeginBudgetFrame(frameTime);
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
+            LogDroppedTime(frameTime);
             if (steps > 0)
             {
                 Simulate(steps, (float)clock.FrameInterval);

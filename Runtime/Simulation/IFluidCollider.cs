@@ -15,6 +15,9 @@ namespace Rill
         /// <summary>Whether what the fluid does to it is brought back.</summary>
         bool MeasuresForce { get; }
 
+        /// <summary>Whether the fluid carries its body.</summary>
+        bool IsCarried { get; }
+
         /// <summary>Shape and place now, in world space and meters; its poses are both the present one.</summary>
         /// <returns>Why it is no collider; null where it is one.</returns>
         string Describe(out ColliderMotion motion);
@@ -22,6 +25,9 @@ namespace Rill
         /// <summary>As <see cref="Describe"/>; a problem is logged once, by name.</summary>
         /// <returns>Whether it is a collider.</returns>
         bool TryDescribe(out ColliderMotion motion);
+
+        /// <summary>A fluid has begun to sum what it does to it.</summary>
+        void AwaitForce(FluidSimulation fluid);
 
         /// <summary>Takes a new result of a fluid instead of its last.</summary>
         void SetForce(in FluidForce force);

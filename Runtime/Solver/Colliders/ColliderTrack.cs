@@ -26,6 +26,9 @@ namespace Rill
             pose = now;
         }
 
+        /// <summary>Goes on from another pose: time that the fluid dropped is no motion in it.</summary>
+        public void SkipTo(in RigidPose start) => pose = start;
+
         /// <param name="next">Pose at the end of the steps, world space, m.</param>
         /// <param name="duration">Their fluid time, s.</param>
         /// <param name="substep">s.</param>

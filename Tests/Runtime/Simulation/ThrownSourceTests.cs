@@ -153,6 +153,10 @@ namespace Rill.Tests
             public int Teleports => Checked("Teleports") ? 0 : 1;
             public bool MeasuresForce => measures;
 
+            public bool IsCarried => false;
+
+            public void AwaitForce(FluidSimulation fluid) { }
+
             public string Describe(out ColliderMotion motion)
             {
                 Checked("Describe");
