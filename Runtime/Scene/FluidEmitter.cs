@@ -350,7 +350,8 @@ namespace Rill
                     return false;
                 int emissions = mode == EmitterMode.Fill ? 1 : Substeps(Simulation);
                 float needed = math.max(math.ceil(MaxWait / Simulation.FixedStep - 1e-3f) * emissions, searchSteps);
-                return Count(EmitterStates.Word.Shut) >= needed && (ShutBy < EmitterStates.ShutCause.Full || mode != EmitterMode.Fill || Emitted == 0);
+                return Count(EmitterStates.Word.Shut) >= needed
+                    && (ShutBy < EmitterStates.ShutCause.Full || mode != EmitterMode.Fill || Emitted == 0);
             }
         }
 

@@ -124,18 +124,18 @@ namespace Rill
                 int3 from = math.max((int3)math.ceil(((float3)(at + low) * support - origin) / step), 0);
                 int3 to = math.min((int3)math.ceil(((float3)(at + low + 1) * support - origin) / step) - 1, last);
                 for (int z = from.z; z <= to.z; z++)
-                for (int y = from.y; y <= to.y; y++)
-                for (int x = from.x; x <= to.x; x++)
-                {
-                    var place = new int3(x, y, z);
-                    float density = Density(origin + step * place);
-                    if (density < MinDensity || Touches(origin + step * place))
-                        continue;
-                    int rank = math.min((int)(density / MaxDensity * Ranks), Ranks - 1);
-                    places.Add(place);
-                    ranks.Add(rank);
-                    histogram[rank]++;
-                }
+                    for (int y = from.y; y <= to.y; y++)
+                        for (int x = from.x; x <= to.x; x++)
+                        {
+                            var place = new int3(x, y, z);
+                            float density = Density(origin + step * place);
+                            if (density < MinDensity || Touches(origin + step * place))
+                                continue;
+                            int rank = math.min((int)(density / MaxDensity * Ranks), Ranks - 1);
+                            places.Add(place);
+                            ranks.Add(rank);
+                            histogram[rank]++;
+                        }
             }
             int least = Ranks - 1, above = 0;
             while (least > 0 && above + histogram[least] < count)
@@ -168,13 +168,13 @@ namespace Rill
             float sum = 0f;
             int3 at = CellOf(p);
             for (int z = math.max(at.z - 1, 0); z <= math.min(at.z + 1, cells.z - 1); z++)
-            for (int y = math.max(at.y - 1, 0); y <= math.min(at.y + 1, cells.y - 1); y++)
-            for (int x = math.max(at.x - 1, 0); x <= math.min(at.x + 1, cells.x - 1); x++)
-            {
-                int cell = Index(new int3(x, y, z));
-                for (int i = cellStarts[cell]; i < cellStarts[cell + 1]; i++)
-                    sum += Kernel(p, order[i]);
-            }
+                for (int y = math.max(at.y - 1, 0); y <= math.min(at.y + 1, cells.y - 1); y++)
+                    for (int x = math.max(at.x - 1, 0); x <= math.min(at.x + 1, cells.x - 1); x++)
+                    {
+                        int cell = Index(new int3(x, y, z));
+                        for (int i = cellStarts[cell]; i < cellStarts[cell + 1]; i++)
+                            sum += Kernel(p, order[i]);
+                    }
             float3 open = Within(p / support) + Within((size - p) / support) - 1f;
             return sum / (whole * math.max(open.x * open.y * open.z, 0.05f));
         }
@@ -186,21 +186,21 @@ namespace Rill
             nearest = 0;
             int3 at = CellOf(p);
             for (int z = math.max(at.z - 1, 0); z <= math.min(at.z + 1, cells.z - 1); z++)
-            for (int y = math.max(at.y - 1, 0); y <= math.min(at.y + 1, cells.y - 1); y++)
-            for (int x = math.max(at.x - 1, 0); x <= math.min(at.x + 1, cells.x - 1); x++)
-            {
-                int cell = Index(new int3(x, y, z));
-                for (int i = cellStarts[cell]; i < cellStarts[cell + 1]; i++)
-                {
-                    float weight = Kernel(p, order[i]);
-                    sum += weight;
-                    velocity += weight * velocities[order[i]].xyz;
-                    if (weight <= most)
-                        continue;
-                    most = weight;
-                    nearest = order[i];
-                }
-            }
+                for (int y = math.max(at.y - 1, 0); y <= math.min(at.y + 1, cells.y - 1); y++)
+                    for (int x = math.max(at.x - 1, 0); x <= math.min(at.x + 1, cells.x - 1); x++)
+                    {
+                        int cell = Index(new int3(x, y, z));
+                        for (int i = cellStarts[cell]; i < cellStarts[cell + 1]; i++)
+                        {
+                            float weight = Kernel(p, order[i]);
+                            sum += weight;
+                            velocity += weight * velocities[order[i]].xyz;
+                            if (weight <= most)
+                                continue;
+                            most = weight;
+                            nearest = order[i];
+                        }
+                    }
             velocity = sum > 0f ? velocity / sum : 0f;
         }
 
@@ -244,12 +244,12 @@ namespace Rill
         bool HasNear(int3 at)
         {
             for (int z = math.max(at.z - 1, 0); z <= math.min(at.z + 1, cells.z - 1); z++)
-            for (int y = math.max(at.y - 1, 0); y <= math.min(at.y + 1, cells.y - 1); y++)
-            {
-                int first = Index(new int3(math.max(at.x - 1, 0), y, z)), end = Index(new int3(math.min(at.x + 1, cells.x - 1), y, z)) + 1;
-                if (cellStarts[end] > cellStarts[first])
-                    return true;
-            }
+                for (int y = math.max(at.y - 1, 0); y <= math.min(at.y + 1, cells.y - 1); y++)
+                {
+                    int first = Index(new int3(math.max(at.x - 1, 0), y, z)), end = Index(new int3(math.min(at.x + 1, cells.x - 1), y, z)) + 1;
+                    if (cellStarts[end] > cellStarts[first])
+                        return true;
+                }
             return false;
         }
 

@@ -64,7 +64,8 @@ namespace Rill
             candidates = CandidatesIn(step);
         }
 
-        /// <summary>Whether it lets in at the end of each substep. What fills a volume has no stream that a step would tear: it does so once.</summary>
+        /// <summary>Whether it lets in at the end of each substep. What fills a volume has no stream that a step would tear: it does so
+        /// once.</summary>
         public bool EmitsInSubsteps => !positions.FillsVolume;
 
         /// <summary>What it does in one of the equal substeps of this step. All of them together let in what the step does.</summary>
