@@ -38,12 +38,10 @@ namespace Rill.Samples
         [SerializeField] Rigidbody key;
 
         [Tooltip("Water that there is to pour, m³. Above 0.")]
-        [Min(0.001f)]
-        [SerializeField] float supply = 0.3f;
+        [Min(0.001f), SerializeField] float supply = 0.3f;
 
         [Tooltip("Rate of the open tap, m³/s. Above 0.")]
-        [Min(0.001f)]
-        [SerializeField] float rate = 0.035f;
+        [Min(0.001f), SerializeField] float rate = 0.035f;
 
         [Tooltip("How far the tap goes to each side, m. Its speed, m/s.")]
         [SerializeField] Vector2 reachAndSpeed = new Vector2(0.7f, 0.8f);
@@ -52,12 +50,10 @@ namespace Rill.Samples
         [SerializeField] float keyHeight;
 
         [Tooltip("Time for which well and key have to hold that, s. 0 to 10.")]
-        [Range(0f, 10f)]
-        [SerializeField] float holdTime = 0.5f;
+        [Range(0f, 10f), SerializeField] float holdTime = 0.5f;
 
         [Tooltip("Time that the last of the water has to lift the key, s. 0 to 10.")]
-        [Range(0f, 10f)]
-        [SerializeField] float patience = 3f;
+        [Range(0f, 10f), SerializeField] float patience = 3f;
 
         [Tooltip("Called when a game begins.")]
         [SerializeField] UnityEvent onStarted = new UnityEvent();
