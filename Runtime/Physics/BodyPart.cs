@@ -6,7 +6,7 @@ namespace Rill
         public IFluidCollider collider;
         /// <summary>World space, m.</summary>
         public ColliderMotion shape;
-        /// <summary>Of a mesh; null for other shapes.</summary>
+        /// <summary>Distance field of a mesh; null for other shapes.</summary>
         public SignedDistanceField field;
         /// <summary>m³, above 0.</summary>
         public float volume;

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What water at rest at the level around a body does to it, beside what was measured.</summary>
+    /// <summary>Force of water at rest at the level around a body, beside the measured one.</summary>
     struct StillWater
     {
         /// <summary>Whether it is to stand for what was measured, and is not known yet.</summary>
@@ -17,9 +17,9 @@ namespace Rill
         public float weight;
         /// <summary>Height of the water's surface upwards, m; where <see cref="weight"/> is above 0.</summary>
         public float level;
-        /// <summary>Of the water's surface, world space, m/s.</summary>
+        /// <summary>Velocity of the water's surface, world space, m/s.</summary>
         public Vector3 velocity;
-        /// <summary>Of the body in the water, 1 where it touches and less up to half a spacing above.</summary>
+        /// <summary>Fraction of the body in the water: 1 where it touches and less up to half a spacing above.</summary>
         public float contact;
     }
 }

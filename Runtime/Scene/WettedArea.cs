@@ -22,7 +22,7 @@ namespace Rill
             Normal = normal;
         }
 
-        /// <summary>The same place and normal, dry.</summary>
+        /// <summary>Returns the same position and normal without water.</summary>
         public WettedArea Dry => new WettedArea(0f, Point, Normal);
     }
 }

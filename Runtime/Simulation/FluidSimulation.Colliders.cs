@@ -46,7 +46,7 @@ namespace Rill
         /// <summary>Finds colliders for this fluid alone; null for none.</summary>
         internal IColliderSource ColliderSource { get; set; }
 
-        /// <summary>What this fluid calls and has thrown since it was enabled.</summary>
+        /// <summary>Sources that have thrown an exception since it was enabled.</summary>
         internal ThrownSources Thrown { get; } = new ThrownSources();
 
         // Those of this fluid alone; null for none.

@@ -121,7 +121,7 @@ namespace Rill
             }
         }
 
-        /// <summary>Of the box since the last steps, world space, m/s.</summary>
+        /// <summary>Velocity of the box since the last steps, world space, m/s.</summary>
         internal Vector3 BoxVelocity => lastVelocity;
 
         internal PbfSolver Solver => pbf;

@@ -5,9 +5,9 @@ using Object = UnityEngine.Object;
 
 namespace Rill
 {
-    /// <summary>What a fluid calls in its frame and has thrown an exception: sources of colliders, colliders, passes of scripts. What throws is
-    /// left out of that frame alone, and the fluid's time goes on. It is logged as Unity logs what a message of a script throws, with a
-    /// line that names it, and once for each: not in every frame.</summary>
+    /// <summary>Sources of colliders, colliders and passes of scripts that a fluid called in its frame and that threw an exception. One that
+    /// throws is left out of that frame alone, and the fluid's time goes on. It is logged once, as Unity logs the exception of a script's
+    /// message, with a line that names it.</summary>
     sealed class ThrownSources
     {
         List<object> known;     // null until one has thrown
@@ -26,7 +26,7 @@ namespace Rill
                 "exception. The first is logged above, and no other: correct what throws it.", context);
         }
 
-        /// <summary>What throws from here on is logged again.</summary>
+        /// <summary>Forgets them all: what throws from here on is logged again.</summary>
         public void Clear() => known = null;
 
         static string NameOf(object source)

@@ -20,7 +20,7 @@ namespace Rill
         public uint stepIndex;
         public int lastSubsteps;
         public float3 minAdded, maxAdded;
-        /// <summary>Of <see cref="HasNew"/> and <see cref="IsStart"/>.</summary>
+        /// <summary>Flags: <see cref="HasNew"/> and <see cref="IsStart"/>.</summary>
         public uint flags;
         public uint hasLifetimes;
 

@@ -160,7 +160,7 @@ namespace Host.Tests
         {
             using var played = new SampleScene(sample);
             foreach (FluidSimulation large in Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None))
-                large.Capacity = Math.Min(large.Capacity, 3000);
+                large.Configure(large.DomainSize, large.ParticleSpacing, Math.Min(large.Capacity, 3000));
             Play(2);
             List<string> before = null;     // some of it comes once a fluid has begun in the middle of play
             for (int time = 0; time < 3; time++)

@@ -68,7 +68,7 @@ namespace Rill
         /// once.</summary>
         public bool EmitsInSubsteps => !positions.FillsVolume;
 
-        /// <summary>What it does in one of the equal substeps of this step. All of them together let in what the step does.</summary>
+        /// <summary>Returns its part of one of the equal substeps of this step. All of them together let in as much as the step.</summary>
         /// <param name="index">Of the substep.</param>
         /// <param name="count">Substeps.</param>
         /// <param name="step">Length of the whole step, s.</param>
