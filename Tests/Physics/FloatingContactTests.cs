@@ -35,14 +35,17 @@ namespace Rill.Tests
             Solid(new Vector3(quay + 0.2f, 0.4f, 0f), new Vector3(0.4f, 0.8f, 1f));
             Rigidbody body = Body(new Vector3(-0.1f, 0.4f, 0f), 500f);
             fluid.gameObject.SetActive(true);
-            float farthest = float.NegativeInfinity;
+            float farthest = float.NegativeInfinity, longest = 0f;
             for (int i = 0; i < 120; i++)
             {
+                float before = Front(body);
                 body.AddForce(new Vector3(2f, 0f, 0f), ForceMode.Acceleration);
                 yield return null;
                 farthest = Mathf.Max(farthest, Front(body));
+                longest = Mathf.Max(longest, Front(body) - before);
             }
-            Assert.That(farthest, Is.LessThan(quay + 0.02f), "into the quay");
+            Assert.That(longest, Is.LessThan(0.05f), "of a step, m");
+            Assert.That(farthest, Is.LessThan(quay + longest + 0.005f), "into the quay: as it comes, by a step's travel");
             Assert.That(Front(body), Is.GreaterThan(quay - 0.02f), "it lies against the quay");
             Assert.That(body.position.y, Is.InRange(0.25f, 0.5f), "and floats");
             Assert.That(body.GetComponent<FluidBuoyancy>().SubmergedFraction, Is.InRange(0.2f, 0.9f));

@@ -91,9 +91,10 @@ namespace Rill.Tests
             colliders.ColliderLayers = colliders.FloatingLayers = 1 << Layer;
         }
 
-        /// <summary>Level of the water over the floor, m, from the mean height of its particles: under plain iterations it stands lower
-        /// than it was filled in, the deeper the more.</summary>
-        public float Level => Fluid.TryGetStatistics(out FluidStatistics statistics) ? Depth * statistics.volumeRatio : Depth;
+        /// <summary>Level of the water over the floor, m, from the number and the mean height of its particles: under plain iterations it
+        /// stands lower than it was filled in, the deeper the more, and a body that begins under water takes the place of some.</summary>
+        public float Level => Fluid.TryGetStatistics(out FluidStatistics statistics)
+            ? statistics.particles * (Spacing * Spacing * Spacing) / (Side * Side) * statistics.volumeRatio : Depth;
 
         /// <summary>Plays on; a body that came to the floor stops there.</summary>
         /// <param name="eachFrame">Called before each; null for nothing.</param>

@@ -34,21 +34,25 @@ namespace UnityEngine.Headless
 
         public Bounds Bounds => new Bounds(0.5f * Data.size, Data.size);
 
+        // Of more heights than MaxTriangles hold (1025 x 1025) each second, fourth and so on: a height may then be off by its neighbors' slope.
         public void Read(out Vector3[] points, out int[] indices)
         {
-            int side = Data.heightmapResolution;
+            int side = Data.heightmapResolution, step = 1;
+            while (2L * ((side - 1) / step) * ((side - 1) / step) > ShapeDescription.MaxTriangles)
+                step *= 2;
+            int cells = (side - 1) / step, across = cells + 1;
             Vector3 size = Data.size;
             bool[,] ground = Data.GetHoles(0, 0, side - 1, side - 1);
-            points = new Vector3[side * side];
-            var corners = new List<int>(6 * side * side);
-            for (int z = 0; z < side; z++)
-                for (int x = 0; x < side; x++)
+            points = new Vector3[across * across];
+            var corners = new List<int>(6 * cells * cells);
+            for (int z = 0; z <= cells; z++)
+                for (int x = 0; x <= cells; x++)
                 {
-                    int at = z * side + x;
-                    points[at] = new Vector3(size.x * x / (side - 1), Data.HeightAt(x, z), size.z * z / (side - 1));
-                    if (x == side - 1 || z == side - 1 || !ground[z, x])
+                    int at = z * across + x;
+                    points[at] = new Vector3(size.x * x / cells, Data.HeightAt(x * step, z * step), size.z * z / cells);
+                    if (x == cells || z == cells || !ground[z * step, x * step])
                         continue;
-                    corners.AddRange(new[] { at, at + side, at + side + 1, at, at + side + 1, at + 1 });
+                    corners.AddRange(new[] { at, at + across, at + across + 1, at, at + across + 1, at + 1 });
                 }
             indices = corners.ToArray();
         }

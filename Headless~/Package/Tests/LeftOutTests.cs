@@ -86,7 +86,8 @@ namespace Host.Tests
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
             ("a mesh that deforms far away", null, s => AddDeforming(1000f * Vector3.right), new string[0]),
             ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false),
-                WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomWithColliders").ToArray()),
+                WithCollider("").Concat(new[] { "FindRoom", "Feel", "Press" }.SelectMany(kernel => new[]
+                    { $"-1 Emitters.compute {kernel}", $"+1 Emitters.compute {kernel}WithColliders" })).ToArray()),
             ("a collider whose force is measured", null, s => AddCollider(s, true),
                 WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
             ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(),
@@ -118,12 +119,15 @@ namespace Host.Tests
             ("density colors without viscosity", Inviscid, ColorByDensity,
             new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
             ("an emitter", null, Part<FluidEmitter>(Still),
-                new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *",
+                new[] { "+1 Emitters.compute Feel", "+1 Emitters.compute Press", "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit",
+                "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *",
                 "+1 Rill.Emitters.Constants *", "+1 Rill.Emitters.Positions *" }),
             ("a second emitter", Part<FluidEmitter>(Still), Part<FluidEmitter>(Still),
-                new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.Positions *" }),
+                new[] { "+1 Emitters.compute Feel", "+1 Emitters.compute Press", "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit",
+                    "+1 Rill.Emitters.Positions *" }),
             ("an emitter with a phase", null, Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), new[]
             {
+                $"+1 Emitters.compute Feel {ParticleTags.Keyword}", $"+1 Emitters.compute Press {ParticleTags.Keyword}",
                 $"+1 Emitters.compute FindRoom {ParticleTags.Keyword}", $"+1 Emitters.compute Emit {ParticleTags.Keyword}",
                     "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.TagsA *", "+1 Rill.TagsB *",
             }),
@@ -167,7 +171,8 @@ namespace Host.Tests
                 "+1 Rill.QueryBatch.Lines *", "+1 Rill.QueryBatch.RingHeights *", $"+{QueryBatch.RingSize} Rill.QueryBatch.Results *" }),
             ("a batch that asks nothing", null, Batch(0, 0), new string[0]),
             ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still),
-                new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}",
+                new[] { $"+1 Emitters.compute Feel {RestingRegions.Keyword}", $"+1 Emitters.compute Press {RestingRegions.Keyword}",
+                    $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}",
                 "+1 Rill.Emitters.*" }),
             // it asks for foam in its first frame
             ("foam", null, s => { s.gameObject.AddComponent<FluidFoam>(); PlayerLoop.Frame(FrameTime); }, new[]

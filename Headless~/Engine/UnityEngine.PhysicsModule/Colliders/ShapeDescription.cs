@@ -7,6 +7,9 @@ namespace UnityEngine.Headless
     /// <summary>A collider's shape in its own frame, scaled: equal descriptions are the same shape.</summary>
     internal struct ShapeDescription : IEquatable<ShapeDescription>
     {
+        /// <summary>Bullet numbers the triangles of a mesh in 21 bits (btQuantizedBvh.h) and crashes beyond.</summary>
+        public const int MaxTriangles = 1 << 21;
+
         public ShapeKind Kind;
 
         /// <summary>m. Box: half sides. Sphere: x is the radius. Capsule: x is the radius, y from its center to that of a cap.</summary>
@@ -69,6 +72,12 @@ namespace UnityEngine.Headless
             if (Scale.x * Scale.y * Scale.z < 0f)
                 for (int i = 0; i + 2 < indices.Length; i += 3)
                     (indices[i], indices[i + 1]) = (indices[i + 1], indices[i]);
+            if (indices.Length / 3 > MaxTriangles)
+            {
+                Debug.LogWarning($"The host's physics takes {MaxTriangles:N0} triangles of a collider, and one has {indices.Length / 3:N0}: it is " +
+                    "left out. Give it a mesh of fewer.");
+                return IntPtr.Zero;
+            }
             return indices.Length > 2 ? Bullet.ShapeMesh(points, points.Length, indices, indices.Length) : IntPtr.Zero;
         }
 
