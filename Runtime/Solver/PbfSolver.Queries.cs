@@ -22,18 +22,21 @@ namespace Rill
         public void RecordQueries(CommandBuffer cmd, QueryInput input, int slot)
         {
             queried = input;
-            PrepareConstants();
-            QueryShader.HasRemoved = HasMarked;
-            queries.Record(BetweenSteps(cmd), tags, input, slot);
+            queries.Record(PrepareAnswers(cmd), tags, input, slot);
         }
 
         /// <summary>The same for a batch.</summary>
         /// <param name="slot">A <see cref="QueryBatch.FreeSlot"/>.</param>
         public void RecordBatch(CommandBuffer cmd, QueryBatch batch, in BatchInput input, int slot)
         {
+            batch.Record(PrepareAnswers(cmd), QueryShader, tags, input, slot);
+        }
+
+        StepContext PrepareAnswers(CommandBuffer cmd)
+        {
             PrepareConstants();
             QueryShader.HasRemoved = HasMarked;
-            batch.Record(BetweenSteps(cmd), QueryShader, tags, input, slot);
+            return BetweenSteps(cmd);
         }
 
         /// <summary>What a batch costs.</summary>
