@@ -3,6 +3,7 @@ using Host.Assets;
 using Host.Baking;
 using Host.Bench;
 using Host.Commands;
+using Host.Reference;
 using Host.Report;
 using Host.Studies;
 
@@ -21,6 +22,7 @@ namespace Host
                 TestCommand.Create(),
                 ExplainCommand.Create(),
                 ExportCommand.Create(),
+                ReferenceCommand.Create(),
                 BakeCommand.Create(),
                 BenchCommand.Create(),
                 StudyCommand.Create(),
