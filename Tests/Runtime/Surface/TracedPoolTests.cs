@@ -63,11 +63,11 @@ namespace Rill.Tests
         {
             yield return scene.Settle(6);
             double[] traced = Luminance(Trace()), drawn = Luminance(Read());
-            double likeness = Similarity(drawn, traced);
+            double likeness = Ssim.Mean(drawn, traced, Pixels, Pixels);
             scene.Surface.Look = Look(1f);
             yield return null;
             yield return null;
-            double straight = Similarity(Luminance(Read()), traced);
+            double straight = Ssim.Mean(Luminance(Read()), traced, Pixels, Pixels);
             TestContext.Out.WriteLine($"SSIM {likeness:0.000}; {straight:0.000} where nothing is refracted");
             Assert.That(likeness, Is.GreaterThan(0.91));
             Assert.That(straight, Is.LessThan(0.7), "it can tell");
@@ -125,37 +125,6 @@ namespace Rill.Tests
 
         double3[] Read() => Array.ConvertAll(scene.Pixels(), pixel => new double3(pixel.xyz));
 
-        // As a screen shows it.
-        static double[] Luminance(double3[] picture)
-            => Array.ConvertAll(picture, color => Math.Pow(Math.Max(math.dot(color, new double3(0.2126, 0.7152, 0.0722)), 0.0), 1.0 / 2.2));
-
-        // Wang et al. 2004 with windows of 8 x 8 pixels and values from 0 to 1.
-        static double Similarity(double[] a, double[] b)
-        {
-            const int window = 8;
-            const double steady = 0.01 * 0.01, contrast = 0.03 * 0.03;
-            double sum = 0.0;
-            int count = 0;
-            for (int y = 0; y + window <= Pixels; y += 2)
-                for (int x = 0; x + window <= Pixels; x += 2, count++)
-                {
-                    double meanA = 0.0, meanB = 0.0, squareA = 0.0, squareB = 0.0, both = 0.0;
-                    for (int i = 0; i < window * window; i++)
-                    {
-                        int at = (y + i / window) * Pixels + x + i % window;
-                        meanA += a[at];
-                        meanB += b[at];
-                        squareA += a[at] * a[at];
-                        squareB += b[at] * b[at];
-                        both += a[at] * b[at];
-                    }
-                    const double n = window * window;
-                    (meanA, meanB) = (meanA / n, meanB / n);
-                    double varianceA = squareA / n - meanA * meanA, varianceB = squareB / n - meanB * meanB, covariance = both / n - meanA * meanB;
-                    sum += (2.0 * meanA * meanB + steady) * (2.0 * covariance + contrast)
-                        / ((meanA * meanA + meanB * meanB + steady) * (varianceA + varianceB + contrast));
-                }
-            return sum / count;
-        }
+        static double[] Luminance(double3[] picture) => Array.ConvertAll(picture, Ssim.Luminance);
     }
 }
