@@ -4,10 +4,11 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>Readbacks whose owners are gone while a request was pending. They go when it comes back, or all at once where none will: as
-    /// play ends and before scripts are loaded again.</summary>
+    /// play ends and before scripts are loaded again. And those whose words a snapshot brought.</summary>
     static class PendingReadbacks
     {
         static List<Readback> items = new List<Readback>();
+        static List<Readback> resumed = new List<Readback>();       // in the order of their requests
         static bool ending;
 
         /// <summary>How many there are.</summary>
@@ -21,6 +22,19 @@ namespace Rill
         }
 
         public static void Remove(Readback readback) => items.Remove(readback);
+
+        /// <summary>Takes one whose words a snapshot brought, with the frame in which they come.</summary>
+        public static void AddResumed(Readback readback) => resumed.Add(readback);
+
+        public static void RemoveResumed(Readback readback) => resumed.Remove(readback);
+
+        /// <summary>Hands over what was resumed and whose frame has come: called before results are read in a frame.</summary>
+        public static void FinishResumed()
+        {
+            for (int i = 0; i < resumed.Count; i++)
+                if (resumed[i].TryFinishResumed())
+                    i = -1;         // listeners may have changed the list
+        }
 
         /// <summary>Waits for all of these, and from now on for each that is added.</summary>
         public static void End()
@@ -36,6 +50,7 @@ namespace Rill
         {
             End();
             items = new List<Readback>();
+            resumed = new List<Readback>();
             ending = false;
             Application.quitting -= End;
             Application.quitting += End;

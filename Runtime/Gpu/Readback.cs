@@ -19,6 +19,9 @@ namespace Rill
         NativeArray<uint> latest;
         int generation, pendingGeneration, calls, collected;
         bool disposed;
+        uint[] resumed;         // what is pending, of a request before a snapshot; null else
+        int resumedFrame;       // of the game, from which on it has come
+        ReadbackArrival arrival;        // of what is pending, where a snapshot follows it
         ReadbackErrors errors;
         ReadbackKinds kind;
 
@@ -69,6 +72,33 @@ namespace Rill
             HasResult = false;
         }
 
+        /// <summary>Takes words that a request of before a snapshot was to bring: they come by themselves. Of one that has made no request.</summary>
+        /// <param name="frames">Of the game, from now on, in which they come.</param>
+        public void Resume(ReadOnlySpan<uint> words, int frames)
+        {
+            resumed = words.ToArray();
+            buffer.SetData(resumed);
+            resumedFrame = Time.frameCount + frames;
+            IsPending = true;
+            pendingGeneration = generation;
+            PendingReadbacks.AddResumed(this);
+        }
+
+        /// <summary>Hands over what was resumed, if its frame has come.</summary>
+        /// <returns>Whether it had.</returns>
+        public bool TryFinishResumed()
+        {
+            if (Time.frameCount < resumedFrame)
+                return false;
+            FinishResumed();
+            return true;
+        }
+
+        /// <summary>Follows what is pending: in which frame it comes. Null while nothing is.</summary>
+        public ReadbackArrival Follow() => !IsPending || pendingGeneration != generation ? null
+            : resumed != null ? new ReadbackArrival { Frame = Math.Max(resumedFrame, Time.frameCount) }
+            : arrival ??= new ReadbackArrival();
+
         /// <summary>Words that are 0 from now on; what is pending may not know yet and is dropped.</summary>
         public void Zero(int first, int count)
         {
@@ -84,8 +114,10 @@ namespace Rill
                 return;
             disposed = true;
             Arrived = Lost = null;
+            if (resumed != null)
+                PendingReadbacks.RemoveResumed(this);
             latest.Dispose();
-            if (IsPending)
+            if (IsPending && resumed == null)
                 PendingReadbacks.Add(this);
             else
                 GpuBuffer.Release(ref buffer);
@@ -96,6 +128,11 @@ namespace Rill
         {
             if (!IsPending)
                 return;
+            if (resumed != null)
+            {
+                FinishResumed();
+                return;
+            }
             int before = calls;
             request.WaitForCompletion();
             if (calls != before)
@@ -113,8 +150,24 @@ namespace Rill
                 Collect(arrived);
         }
 
+        void FinishResumed()
+        {
+            uint[] words = resumed;
+            resumed = null;
+            PendingReadbacks.RemoveResumed(this);
+            IsPending = false;
+            if (pendingGeneration != generation)
+                return;
+            latest.CopyFrom(words);
+            HasResult = true;
+            Arrived?.Invoke();
+        }
+
         void Collect(in AsyncGPUReadbackRequest arrived)
         {
+            if (arrival != null)
+                arrival.Frame = Time.frameCount;
+            arrival = null;
             if (disposed)
             {
                 Finish();
@@ -142,5 +195,17 @@ namespace Rill
             GpuBuffer.Release(ref buffer);
             PendingReadbacks.Remove(this);
         }
+    }
+
+    /// <summary>When a request comes that was pending as a snapshot was taken.</summary>
+    sealed class ReadbackArrival
+    {
+        const int NotYet = -1;
+
+        /// <summary>Of the game; -1 while it is pending.</summary>
+        public int Frame = NotYet;
+
+        /// <summary>Frames from a frame to that in which it has come; where it is pending still, to the present one.</summary>
+        public int FramesAfter(int frame) => Math.Max((Frame != NotYet ? Frame : Time.frameCount) - frame, 0);
     }
 }

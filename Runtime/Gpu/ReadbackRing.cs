@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Collections;
 using UnityEngine;
 
@@ -60,6 +61,29 @@ namespace Rill
         {
             numbers[slot] = requests++;
             slots[slot].Request();
+        }
+
+        /// <summary>Takes words that a request of before a snapshot was to bring.</summary>
+        /// <param name="slot">One without a request so far.</param>
+        /// <param name="frames">Of the game, in which they come.</param>
+        public void Resume(int slot, ReadOnlySpan<uint> words, int frames)
+        {
+            numbers[slot] = requests++;
+            slots[slot].Resume(words, frames);
+            if (frames == 0)
+                slots[slot].Complete();
+        }
+
+        /// <summary>Follows what is pending of a slot; null where nothing is.</summary>
+        public ReadbackArrival Follow(int slot) => slots[slot].Follow();
+
+        /// <summary>Lists the slots whose answers are pending, in the order of the requests.</summary>
+        public void ListPending(List<int> pending)
+        {
+            for (int i = 0; i < slots.Length; i++)
+                if (slots[i].IsPending)
+                    pending.Add(i);
+            pending.Sort((a, b) => numbers[a].CompareTo(numbers[b]));
         }
 
         /// <summary>Waits for the requests that are pending, and for no others; their answers are handed over in the order of the requests.</summary>

@@ -62,6 +62,27 @@ namespace Rill
             return Sum(center, up, fluid.Material.density * g, isNear, weight);
         }
 
+        /// <summary>Puts what was asked into a snapshot.</summary>
+        /// <returns>Null where nothing was.</returns>
+        public SnapshotWater Save(SnapshotCapture capture)
+        {
+            if (water == null)
+                return null;
+            var saved = new SnapshotWater { unneeded = unneeded };
+            water.Save(saved, capture);
+            return saved;
+        }
+
+        /// <summary>Takes it out of one.</summary>
+        /// <param name="moved">How far the fluid is from where it was, m.</param>
+        public void Load(SnapshotWater from, Vector3 moved)
+        {
+            Dispose();
+            unneeded = from.unneeded;
+            water = new WaterBeside(fluid);
+            water.Load(from, moved);
+        }
+
         public void Dispose()
         {
             water?.Dispose();

@@ -112,6 +112,40 @@ namespace Rill
             return true;
         }
 
+        /// <summary>Puts body and what is known of the water into a snapshot of one fluid.</summary>
+        public void Save(Rigidbody body, FluidSimulation fluid, SnapshotBody to, SnapshotCapture capture)
+        {
+            BodyPlacement.Save(body, ref to.record);
+            to.record.flags |= (awaits ? BodyRecord.Awaits : 0) | (hasActed ? BodyRecord.HasActed : 0);
+            to.record.awaitedTime = awaitedTime;
+            to.record.heldFrames = heldFrames;
+            to.record.response = response.Save(fluid);
+            foreach (BodySurroundings around in surroundings)
+                if (ReferenceEquals(around.Fluid, fluid))
+                    to.water = around.Save(capture);
+        }
+
+        /// <summary>Goes on with what was known of the water.</summary>
+        public void Load(FluidSimulation fluid, SnapshotBody from, in BoxMotion box)
+        {
+            foreach (BodySurroundings around in surroundings)
+                if (ReferenceEquals(around.Fluid, fluid))
+                    around.Dispose();
+            hasActed = true;
+            if (box.IsTurned)
+            {
+                Reset();
+                return;
+            }
+            awaits = from.record.Has(BodyRecord.Awaits);
+            hasActed = from.record.Has(BodyRecord.HasActed);
+            awaitedTime = from.record.awaitedTime;
+            heldFrames = from.record.heldFrames;
+            response = FloatingResponse.Of(from.record.response, fluid, box.Shift);
+            if (from.water != null)
+                SurroundingsIn(fluid).Load(from.water, box.Shift);
+        }
+
         /// <summary>Forgets the water's level and what it resisted with, where it has acted, and asks no more.</summary>
         public void Reset()
         {

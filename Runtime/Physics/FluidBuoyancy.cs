@@ -19,7 +19,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Rigidbody))]
-    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IUsesStages, IAppliesSettings
+    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IUsesStages, IAppliesSettings, ICarriedBody
     {
         const float PatienceTime = 5f;          // s without a fluid before that is logged
 
@@ -81,6 +81,7 @@ namespace Rill
             body = GetComponent<Rigidbody>();
             FloatingBody.Smooth(body);
             FindColliders();
+            CarriedBodies.Enabled.Add(this);
             waited = 0f;
             lackIsKnown = false;
             shaders.Hold();
@@ -101,6 +102,7 @@ namespace Rill
 
         void OnDisable()
         {
+            CarriedBodies.Enabled.Remove(this);
             SetCarried(false);
             colliders.Clear();
             parts.Clear();
@@ -148,6 +150,25 @@ namespace Rill
             problems.AddIfAny(lacksColliders ? LackProblem : null);
         }
 
+        Component ICarriedBody.Body => body;
+
+        bool ICarriedBody.IsCarriedBy(FluidSimulation fluid)
+        {
+            if (body == null || body.isKinematic)
+                return false;
+            FindColliders();
+            foreach (FluidCollider collider in colliders)
+                if (fluid.IsNear(collider))
+                    return true;
+            return false;
+        }
+
+        void ICarriedBody.Save(FluidSimulation fluid, SnapshotBody to, SnapshotCapture capture) => floating.Save(body, fluid, to, capture);
+
+        bool ICarriedBody.Place(SnapshotBody from, in BoxMotion box) => BodyPlacement.Place(body, from.record, box);
+
+        void ICarriedBody.Load(FluidSimulation fluid, SnapshotBody from, in BoxMotion box) => floating.Load(fluid, from, box);
+
         void FixedUpdate() => Act(PhysicsStep.OfFixedUpdate(gameObject));
 
         void Update() => Act(PhysicsStep.OfUpdate(gameObject));
@@ -156,6 +177,7 @@ namespace Rill
         {
             if (step.Time <= 0f || body.isKinematic)
                 return;
+            PendingReadbacks.FinishResumed();
             FindColliders();
             FindParts();
             if (colliders.Count == 0)

@@ -19,7 +19,8 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidSimulation))]
-    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IBodySource, IHasProblems, IUsesStages, IRunsInEditMode,
+        IAppliesSettings
     {
         const int FirstFound = 64, MaxFound = 4096;
 
@@ -156,6 +157,15 @@ namespace Rill
             FollowBodies();
             return taken;
         }
+
+        void IBodySource.ListBodies(List<ICarriedBody> of)
+        {
+            foreach (GatheredBody body in bodies)
+                of.Add(body);
+        }
+
+        ICarriedBody IBodySource.CarrierOf(Component body)
+            => floatingLayers != 0 && body is Rigidbody rigid && rigid != null && !rigid.TryGetComponent(out FluidBuoyancy _) ? BodyOf(rigid) : null;
 
         void IHasProblems.ListProblems(List<string> problems)
         {

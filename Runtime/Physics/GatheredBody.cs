@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>A free Rigidbody that a fluid carries by layer: by all its colliders that the fluid takes.</summary>
-    sealed class GatheredBody
+    sealed class GatheredBody : ICarriedBody
     {
         readonly FloatingBody floating = new FloatingBody();
 
@@ -18,6 +18,24 @@ namespace Rill
         /// <summary>The fluid carries it no more.</summary>
         public void Drop() => floating.Reset();
 
+        Component ICarriedBody.Body => Body;
+
+        bool ICarriedBody.IsCarriedBy(FluidSimulation fluid)
+        {
+            if (Body == null || Body.isKinematic)
+                return false;
+            foreach (GatheredCollider part in Parts)
+                if (fluid.IsNear(part))
+                    return true;
+            return false;
+        }
+
+        void ICarriedBody.Save(FluidSimulation fluid, SnapshotBody to, SnapshotCapture capture) => floating.Save(Body, fluid, to, capture);
+
+        bool ICarriedBody.Place(SnapshotBody from, in BoxMotion box) => BodyPlacement.Place(Body, from.record, box);
+
+        void ICarriedBody.Load(FluidSimulation fluid, SnapshotBody from, in BoxMotion box) => floating.Load(fluid, from, box);
+
         /// <summary>Lets the fluid act on the body.</summary>
         /// <param name="inUpdate">In Update, and not in FixedUpdate.</param>
         public void Carry(FluidSimulation fluid, bool inUpdate)
@@ -27,6 +45,7 @@ namespace Rill
             PhysicsStep step = inUpdate ? PhysicsStep.OfUpdate(Body.gameObject) : PhysicsStep.OfFixedUpdate(Body.gameObject);
             if (step.Time <= 0f)
                 return;
+            PendingReadbacks.FinishResumed();
             FloatingBody.Smooth(Body);
             floating.Begin(Body, step, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);
             foreach (GatheredCollider part in Parts)

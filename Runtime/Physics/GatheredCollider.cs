@@ -171,6 +171,22 @@ namespace Rill
             return touched;
         }
 
+        public void SaveForce(FluidSimulation fluid, ref ForceRecord record)
+        {
+            record.flags |= AwaitsForce ? ForceRecord.Awaits : 0;
+            if (hasForce)
+                record.Set(force, watch);
+        }
+
+        public void LoadForce(FluidSimulation fluid, in ForceRecord record, Vector3 moved)
+        {
+            hasForce = record.Has(ForceRecord.HasForce);
+            if (hasForce)
+                force = record.ForceFrom(fluid, moved);
+            watch = ContactWatch.Of(record);
+            AwaitsForce = record.Has(ForceRecord.Awaits);
+        }
+
         public void TellExit(FluidSimulation fluid)
         {
             if (Collider != null)       // destroyed since

@@ -71,6 +71,13 @@ namespace Rill
             Velocity /= Math.Max(wet, 1);
         }
 
+        /// <summary>Puts the answers, and those that are pending, into a snapshot.</summary>
+        public void Save(SnapshotWater to, SnapshotCapture capture) => batch.Save(to, capture);
+
+        /// <summary>Takes them out of one. Of one that has asked nothing.</summary>
+        /// <param name="moved">How far the fluid is from where it was, m.</param>
+        public void Load(SnapshotWater from, Vector3 moved) => batch.Load(from, moved);
+
         /// <summary>Mean depth of a height under the surface, m: 0 over it, and where there is no water.</summary>
         public float DepthOf(float height)
         {

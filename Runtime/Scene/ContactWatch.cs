@@ -33,6 +33,24 @@ namespace Rill
         /// <summary>Whether water touches it.</summary>
         public bool Touches => touches;
 
+        /// <summary>Puts all of it into a snapshot.</summary>
+        public void Save(ref ForceRecord to)
+        {
+            to.flags |= (touches ? ForceRecord.Touches : 0) | (hits ? ForceRecord.Hits : 0) | (wasWet ? ForceRecord.WasWet : 0);
+            to.quiet = quiet;
+            to.lastWetted = last;
+        }
+
+        /// <summary>As it was saved.</summary>
+        public static ContactWatch Of(in ForceRecord record) => new ContactWatch
+        {
+            touches = record.Has(ForceRecord.Touches),
+            hits = record.Has(ForceRecord.Hits),
+            wasWet = record.Has(ForceRecord.WasWet),
+            quiet = record.quiet,
+            last = record.lastWetted,
+        };
+
         /// <summary>Returns what a reading says is wet, or where the last one was that did.</summary>
         /// <param name="place">Of the collider, where there was none, m.</param>
         public WettedArea Follow(in WettedArea wetted, Vector3 place)

@@ -27,6 +27,9 @@ namespace Rill
         /// <summary>m.</summary>
         public float Spacing => spacing;
 
+        /// <summary>Center and rotation of the domain, world space, m.</summary>
+        public RigidPose Box => new RigidPose(position, toWorld);
+
         public float3 Point(Vector3 world) => ((float3)(toDomain * (world - position)) + half) * inverseSpacing;
 
         /// <summary>Of a direction, a velocity or an acceleration: m to d.</summary>

@@ -82,6 +82,36 @@ namespace Rill
         /// <summary>Torque of the fluids about the center of mass, N m.</summary>
         public Vector3 Torque => torque;
 
+        /// <summary>All that is kept from step to step.</summary>
+        /// <param name="fluid">The level is that of its water.</param>
+        public ResponseRecord Save(FluidSimulation fluid) => new ResponseRecord
+        {
+            slip = slip,
+            angularSlip = angularSlip,
+            memory = memory,
+            level = level,
+            volume = volume,
+            wetVolume = wetVolume,
+            estimate = estimate,
+            shiftSince = fluid.WorldShift - levelShift,
+            levelIsKnown = levelIsKnown ? 1u : 0u,
+        };
+
+        /// <summary>As it was saved.</summary>
+        /// <param name="moved">How far the fluid is from where it was, m.</param>
+        public static FloatingResponse Of(in ResponseRecord record, FluidSimulation fluid, Vector3 moved) => new FloatingResponse
+        {
+            slip = record.slip,
+            angularSlip = record.angularSlip,
+            memory = record.memory,
+            level = record.level,
+            volume = record.volume,
+            wetVolume = record.wetVolume,
+            estimate = record.estimate,
+            levelShift = fluid.WorldShift - record.shiftSince - moved,
+            levelIsKnown = record.levelIsKnown != 0,
+        };
+
         /// <summary>Begins a step; of those before, the water's level, the slip and the estimate of the virtual mass are kept.</summary>
         /// <param name="center">Of mass, world space, m.</param>
         /// <param name="bodyVelocity">Of the center of mass.</param>

@@ -133,6 +133,7 @@ namespace Rill
         {
             force = torque = Vector3.zero;
             bool known = false;
+            PendingReadbacks.FinishResumed();
             foreach (FluidForce part in forces)
             {
                 if (part.From == null || !part.From.IsRunning)
@@ -310,6 +311,25 @@ namespace Rill
             forces.RemoveAt(index);
             watches.RemoveAt(index);
             return touched;
+        }
+
+        void IFluidCollider.SaveForce(FluidSimulation fluid, ref ForceRecord record)
+        {
+            record.flags |= ReferenceEquals(Awaited, fluid) ? ForceRecord.Awaits : 0;
+            int index = IndexOf(fluid);
+            if (index >= 0)
+                record.Set(forces[index], watches[index]);
+        }
+
+        void IFluidCollider.LoadForce(FluidSimulation fluid, in ForceRecord record, Vector3 moved)
+        {
+            if (record.Has(ForceRecord.HasForce))
+            {
+                SetForce(record.ForceFrom(fluid, moved));
+                watches[IndexOf(fluid)] = ContactWatch.Of(record);
+            }
+            if (record.Has(ForceRecord.Awaits))
+                Awaited = fluid;
         }
 
         void IFluidCollider.TellExit(FluidSimulation fluid)

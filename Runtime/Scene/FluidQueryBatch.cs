@@ -1,6 +1,9 @@
 using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
 using Unity.Collections;
 using Unity.Mathematics;
+using UnityEngine;
 using UnityEngine.Rendering;
 using static System.FormattableString;
 
@@ -129,6 +132,75 @@ namespace Rill
                 of.Dispose();
         }
 
+        /// <summary>Puts points, the newest answers to them and those that are pending into a snapshot.</summary>
+        internal void Save(SnapshotWater to, SnapshotCapture capture)
+        {
+            to.points.Clear();
+            for (int i = 0; i < pointCount; i++)
+                to.points.Add(points[i]);
+            if (buffers == null)
+                return;
+            if (newest >= 0)
+                to.answers.Add(Answer(asked[newest], buffers.Latest(newest).ToArray()));
+            var pending = new List<int>();
+            buffers.ListPending(pending);
+            foreach (int slot in pending)
+            {
+                ReadbackArrival arrival = buffers.Follow(slot);
+                if (arrival == null)
+                    continue;
+                SnapshotAnswer answer = Answer(asked[slot], null);
+                to.answers.Add(answer);
+                capture.Add(buffers.Results(slot), bytes => answer.words = MemoryMarshal.Cast<byte, uint>(bytes).ToArray());
+                int now = Time.frameCount;
+                capture.Finishing(() => answer.frames = arrival.FramesAfter(now));
+            }
+        }
+
+        /// <summary>Takes them out of one. Of a batch that has asked nothing.</summary>
+        /// <param name="moved">How far the fluid is from where it was in the snapshot, m.</param>
+        internal void Load(SnapshotWater from, Vector3 moved)
+        {
+            if (from.points.Count > PointCapacity)
+                return;
+            for (int i = 0; i < from.points.Count; i++)
+                points[i] = from.points[i] + (float3)moved;
+            SetPointCount(from.points.Count);
+            if (from.answers.Count == 0)
+                return;
+            MakeBuffers();
+            for (int slot = 0; slot < from.answers.Count; slot++)
+            {
+                SnapshotAnswer answer = from.answers[slot];
+                if (answer.points.Length > PointCapacity || answer.words.Length != buffers.Results(slot).count)
+                    continue;       // of another batch
+                Asked to = asked[slot];
+                to.frame = answer.frame;
+                to.frame.shift = fluid.WorldShift - answer.shiftSince - moved;
+                to.version = askedVersion = version;
+                to.pointCount = answer.points.Length;
+                to.rayCount = 0;
+                for (int i = 0; i < to.pointCount; i++)
+                    to.points[i] = answer.points[i];
+                buffers.Resume(slot, answer.words, answer.frames);
+            }
+        }
+
+        SnapshotAnswer Answer(Asked of, uint[] words)
+        {
+            var answer = new SnapshotAnswer
+            {
+                frame = of.frame,
+                shiftSince = fluid.WorldShift - of.frame.shift,
+                points = of.points.GetSubArray(0, of.pointCount).ToArray(),
+                words = words,
+            };
+            answer.frame.shift = Vector3.zero;
+            return answer;
+        }
+
+        void MakeBuffers() => buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived, OnLost);
+
         /// <summary>Whether a question is to be asked of the next state.</summary>
         internal bool IsAsking => HasQuestions && (Repeats || askedVersion != version);
 
@@ -147,7 +219,7 @@ namespace Rill
             recorded = -1;
             if (!IsAsking)
                 return false;
-            buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived, OnLost);
+            MakeBuffers();
             int slot = buffers.FreeSlot(newest);
             if (slot < 0)
                 return false;

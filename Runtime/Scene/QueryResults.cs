@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
@@ -5,6 +6,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>Of which state the results of a frame are.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     struct QueryFrame
     {
         public int step;

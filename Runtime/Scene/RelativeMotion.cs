@@ -1,8 +1,10 @@
+using System.Runtime.InteropServices;
 using UnityEngine;
 
 namespace Rill
 {
     /// <summary>How a collider moved over the steps in which a force on it was summed: means over their time, world space.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     readonly struct RelativeMotion
     {
         /// <summary>Of its middle, m.</summary>

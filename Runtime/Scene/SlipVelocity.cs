@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Unity.Mathematics;
 
 namespace Rill
@@ -6,6 +7,7 @@ namespace Rill
     /// Velocity of a body against the water around it. Water that is pushed comes to move along: after a change of the body's
     /// velocity the slip decays by exp(-t / memory). Also of angular velocities.
     /// </summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     struct SlipVelocity
     {
         float3 velocity;        // of the body

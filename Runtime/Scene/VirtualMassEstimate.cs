@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -8,6 +9,7 @@ namespace Rill
     /// that the water exerted: least squares, in which older steps count less, and a guess counts as much as a slip that resists with a
     /// small part of the weight.
     /// </summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     struct VirtualMassEstimate
     {
         const float Memory = 0.5f;          // s

@@ -1,8 +1,10 @@
+using System.Runtime.InteropServices;
 using UnityEngine;
 
 namespace Rill
 {
     /// <summary>The part of a collider's surface that water touches. World space.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     readonly struct WettedArea
     {
         /// <summary>Length of the mean normal from which it is a direction: below it the water is all around.</summary>

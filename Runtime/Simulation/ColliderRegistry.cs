@@ -113,7 +113,7 @@ namespace Rill
                 return;
             int index = Set.Count++;
             reordered |= before != index;
-            changed |= before != index || !SameShape(motion, last[before].motion);
+            changed |= before != index || !SameShape(motion, last[before].motion) || !follows && !motion.end.Equals(last[before].motion.end);
             Set.Items[index] = motion;
             ref Entry entry = ref entries[index];
             entry.owner = collider;
@@ -204,6 +204,15 @@ namespace Rill
             motion.fieldVersion = motion.deforming.Field.Version;
             motion.deforms = follows && (motion.blend != before.blend || motion.fieldVersion != before.fieldVersion);
             return true;
+        }
+
+        /// <summary>Whether a collider is near enough to a fluid's box to be felt.</summary>
+        public static bool IsNear(IFluidCollider collider, in DomainFrame frame, float3 size)
+        {
+            if (!collider.IsThere || collider.Describe(out ColliderMotion motion) != null)
+                return false;
+            ToDomain(ref motion, frame);
+            return IsNear(motion, size);
         }
 
         // Whether it or its path comes near enough to be felt; what has no end, or holds the fluid, does.

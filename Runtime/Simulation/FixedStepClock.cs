@@ -61,6 +61,22 @@ namespace Rill
             }
         }
 
+        /// <summary>Puts what it knows of dropped time into a snapshot.</summary>
+        public void SaveDrops(ref CallsRecord to)
+        {
+            to.frameDropped = FrameDropped;
+            to.droppingFrames = DroppingFrames;
+            to.sinceDrop = sinceDrop;
+        }
+
+        /// <summary>Takes it out of one.</summary>
+        public void LoadDrops(in CallsRecord from)
+        {
+            FrameDropped = from.frameDropped;
+            DroppingFrames = from.droppingFrames;
+            sinceDrop = from.sinceDrop;
+        }
+
         /// <summary>Steps to take for a frame.</summary>
         /// <param name="frameTime">s, not negative.</param>
         /// <param name="step">Length of a fixed step, s, above 0.</param>

@@ -25,6 +25,10 @@ namespace Rill
         /// <summary>Whether a Fluid Collider acts on this fluid where it reaches into the box.</summary>
         internal bool Takes(FluidCollider collider) => TakesAllLayers || (fluidColliderLayers & 1 << collider.gameObject.layer) != 0;
 
+        /// <summary>Whether a collider acts on this fluid where it is now.</summary>
+        internal bool IsNear(IFluidCollider collider) => pbf != null && (!(collider is FluidCollider own) || Takes(own))
+            && ColliderRegistry.IsNear(collider, Frame, pbf.Layout.DomainSize);
+
         /// <summary>Colliders of the last steps.</summary>
         internal int ColliderCount => colliders.Set.Count;
 
@@ -70,7 +74,8 @@ namespace Rill
         /// <param name="duration">Fluid time of the steps, s.</param>
         void CollectColliders(float duration)
         {
-            var steps = new CollectedSteps(this, Frame, pbf.Layout.DomainSize, clock, duration, FixedStep / input.settings.substeps);
+            float substepTime = FixedStep / effective.StableSubsteps(GravityStep);      // as PrepareInput will have it
+            var steps = new CollectedSteps(this, Frame, pbf.Layout.DomainSize, clock, duration, substepTime);
             colliders.Collect(steps, GatherOwnColliders());
             if (colliders.LeftOutCount > 0 && !tooManyIsKnown)
                 Debug.LogError($"Rill: FluidSimulation '{name}' {TooManyProblem}", this);

@@ -327,6 +327,7 @@ namespace Rill
         /// <param name="frameTime">Time since the last call, s.</param>
         internal void Advance(float frameTime)
         {
+            PendingReadbacks.FinishResumed();
             colliders.TellExit(this);
             CheckReadbacks();
             if (layoutChanged || isNowhere && NoPoseProblem == null)

@@ -1,3 +1,5 @@
+using UnityEngine;
+
 namespace Rill
 {
     /// <summary>A collider as a fluid sees it: a <see cref="FluidCollider"/>, or one that a source of this fluid gathered.</summary>
@@ -38,6 +40,13 @@ namespace Rill
         /// <summary>Drops the result of a fluid that it has left.</summary>
         /// <returns>Whether listeners have to be told, by <see cref="TellExit"/>.</returns>
         bool Leave(FluidSimulation fluid);
+
+        /// <summary>Puts what is known of a fluid's force into a snapshot.</summary>
+        void SaveForce(FluidSimulation fluid, ref ForceRecord record);
+
+        /// <summary>Takes it out of one.</summary>
+        /// <param name="moved">How far the fluid is from where it was in the snapshot, m.</param>
+        void LoadForce(FluidSimulation fluid, in ForceRecord record, Vector3 moved);
 
         /// <summary>Calls the listeners to its leaving a fluid.</summary>
         void TellExit(FluidSimulation fluid);

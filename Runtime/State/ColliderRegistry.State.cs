@@ -1,12 +1,15 @@
 using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Rill
 {
     // What a snapshot holds of the colliders.
     sealed partial class ColliderRegistry
     {
+        readonly int[] found = new int[ColliderSet.Most];       // the records of those of the set
+
         public List<ColliderRecord> Save(in DomainFrame frame)
         {
             var records = new List<ColliderRecord>();
@@ -31,6 +34,75 @@ namespace Rill
             return records;
         }
 
+        /// <summary>What is known of the forces on them: none where no collider wants to know.</summary>
+        public List<ForceRecord> SaveForces(FluidSimulation fluid)
+        {
+            var records = new List<ForceRecord>();
+            if (!Set.Reacts)
+                return records;
+            for (int i = 0; i < Set.Count; i++)
+            {
+                var record = new ForceRecord();
+                if (Set.Items[i].reacts)
+                {
+                    record.flags = ForceRecord.Reacts;
+                    record.track = entries[i].track;
+                    entries[i].owner.SaveForce(fluid, ref record);
+                }
+                records.Add(record);
+            }
+            return records;
+        }
+
+        /// <summary>What waits for the sums that are pending.</summary>
+        public ReactionsRecord SaveTaken(FluidSimulation fluid, List<TakenRecord> records)
+        {
+            for (int i = 0; i < takenCount; i++)
+                records.Add(new TakenRecord { motion = taken[i].motion, place = taken[i].place, arm = taken[i].arm });
+            return new ReactionsRecord
+            {
+                takenImpulse = takenImpulse,
+                takenRotation = takenRotation,
+                shiftSince = fluid.WorldShift - takenShift,
+                takenStep = takenStep,
+            };
+        }
+
+        /// <summary>Takes what was known of the forces on those that were found.</summary>
+        /// <param name="moved">How far the fluid is from where it was, m.</param>
+        public void LoadForces(FluidSimulation fluid, SnapshotContents contents, Vector3 moved)
+        {
+            ReadOnlySpan<ForceRecord> forces = contents.Values<ForceRecord>(SnapshotSection.Forces);
+            for (int i = 0; i < Set.Count && forces.Length > 0; i++)
+            {
+                ref readonly ForceRecord record = ref forces[found[i]];
+                if (!record.Has(ForceRecord.Reacts) || !Set.Items[i].reacts)
+                    continue;
+                entries[i].track = record.track;
+                entries[i].track.Shift(moved);
+                entries[i].owner.LoadForce(fluid, record, moved);
+            }
+            ReadOnlySpan<TakenRecord> records = contents.Values<TakenRecord>(SnapshotSection.TakenColliders);
+            takenCount = 0;
+            if (records.Length != Set.Count || !contents.Has(SnapshotSection.Reactions))
+                return;
+            taken ??= new Taken[ColliderSet.Most];
+            takenCount = records.Length;
+            for (int i = 0; i < takenCount; i++)
+                taken[i] = new Taken
+                {
+                    owner = entries[i].owner,
+                    motion = records[i].motion,
+                    place = records[i].place,
+                    arm = records[i].arm,
+                };
+            ReactionsRecord sums = contents.Get<ReactionsRecord>(SnapshotSection.Reactions);
+            takenImpulse = sums.takenImpulse;
+            takenRotation = sums.takenRotation;
+            takenShift = fluid.WorldShift - sums.shiftSince - moved;
+            takenStep = sums.takenStep;
+        }
+
         /// <summary>Takes those that are where they were: they go on from there.</summary>
         /// <param name="tolerance">Of positions and sizes, d.</param>
         /// <param name="own">Those of this fluid alone; null for none.</param>
@@ -41,9 +113,12 @@ namespace Rill
             MakeEntries();
             ForgetForces(fluid);
             Set.Count = 0;
-            foreach (ColliderRecord record in records)
+            for (int i = 0; i < records.Length; i++)
+            {
+                ref readonly ColliderRecord record = ref records[i];
                 if (record.follows != 0 && TryFind(record, frame, tolerance, own, fluid, out IFluidCollider owner, out ColliderMotion motion))
                 {
+                    found[Set.Count] = i;
                     motion.start = motion.end = record.end.Pose;
                     motion.seen = record.seen.Pose;
                     motion.size = record.size;      // to the bit
@@ -51,6 +126,7 @@ namespace Rill
                     entries[Set.Count].teleports = owner.Teleports;
                     Set.Items[Set.Count++] = motion;
                 }
+            }
             return Set.Count == records.Length;
         }
 

@@ -25,12 +25,13 @@ namespace Rill
         /// <exception cref="InvalidOperationException">The simulation is not running, or has more particles than one readback takes.</exception>
         public FluidSnapshotRequest RequestSnapshot()
         {
+            StartAgainIfChanged();
             if (pbf == null)
                 throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before you take a snapshot.");
             var contents = new SnapshotContents();
             SayKeptIsLeftOut();
             SnapshotCapture capture = pbf.Capture(contents);
-            SaveScene(contents);
+            SaveScene(contents, capture);
             var request = new FluidSnapshotRequest();
             capture.Request(request.Finish);
             return request;
@@ -39,17 +40,22 @@ namespace Rill
         /// <summary>
         /// Replaces the present state by a snapshot, at once; the next step goes on from it. Put the box, emitters, drains and
         /// colliders where they were before you call this: what is where it was goes on moving as it did, anything else begins there at rest.
+        /// Bodies that the fluid carries are put back by this, with their velocities.
         /// </summary>
         /// <remarks>
+        /// Floating bodies are known again as the objects that they are; after a start of the game, or of the scene, by the names of the object
+        /// and of those above it, of several with the same names in the order in which they were enabled. Those that are gone, and those that
+        /// are new, are named in a warning.
         /// Emitters and drains are told apart by the order in which they were enabled, colliders by shape and size. Foam begins again.
         /// Does nothing in a player without a graphics device.
         /// </remarks>
         /// <param name="snapshot">Of a fluid with the same box and particle spacing, and of no more particles than this capacity.</param>
+        /// <param name="bodies">Whether floating bodies are put back. False: they stay where they are, and begin there at rest.</param>
         /// <exception cref="ArgumentNullException">There is none.</exception>
         /// <exception cref="ArgumentException">It does not fit this fluid; the message says why. The fluid stays as it was.</exception>
         /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
         /// in a pass of <see cref="BeforeStep"/>.</exception>
-        public void Restore(FluidSnapshot snapshot)
+        public void Restore(FluidSnapshot snapshot, bool bodies = true)
         {
             if (snapshot == null)
                 throw new ArgumentNullException(nameof(snapshot));
@@ -68,7 +74,7 @@ namespace Rill
 
             resampling = null;
             pbf.Restore(snapshot.Contents, StagesFor(snapshot.Contents));
-            LoadScene(snapshot.Contents);
+            LoadScene(snapshot.Contents, bodies);
         }
 
         // Instead of the volumes; false where there is none, or it does not fit.
@@ -138,7 +144,7 @@ namespace Rill
         }
 
         // What the component and its parts know besides their settings.
-        void SaveScene(SnapshotContents contents)
+        void SaveScene(SnapshotContents contents, SnapshotCapture capture)
         {
             GetPose(out Vector3 place, out Quaternion rotation);
             contents.Set(SnapshotSection.Time, new TimeRecord
@@ -167,6 +173,25 @@ namespace Rill
             SetIfAny(contents, SnapshotSection.Emitters, emitterRecords);
             SetIfAny(contents, SnapshotSection.Drains, drainRecords);
             SetIfAny(contents, SnapshotSection.Colliders, colliders.Save(frame));
+            SaveCalls(contents);
+            SetIfAny(contents, SnapshotSection.Forces, colliders.SaveForces(this));
+            var taken = new List<TakenRecord>();
+            ReactionsRecord reactions = colliders.SaveTaken(this, taken);
+            pbf.CaptureReactions(capture, contents, colliders.Set, reactions);
+            SetIfAny(contents, SnapshotSection.TakenColliders, taken);
+            SaveBodies(contents, capture);
+        }
+
+        void SaveCalls(SnapshotContents contents)
+        {
+            var calls = new CallsRecord
+            {
+                collected = isTeleported ? new PoseRecord(collectedFrame.Box) : default,
+                flags = (positionIsKnown ? CallsRecord.PositionIsKnown : 0) | (isTeleported ? CallsRecord.IsTeleported : 0),
+                stepsSinceReadback = stepsSinceReadback,
+            };
+            clock.SaveDrops(ref calls);
+            contents.Set(SnapshotSection.Calls, calls);
         }
 
         static void SetIfAny<T>(SnapshotContents contents, SnapshotSection section, List<T> records) where T : struct
@@ -175,7 +200,7 @@ namespace Rill
                 contents.SetValues<T>(section, records.ToArray());
         }
 
-        void LoadScene(SnapshotContents contents)
+        void LoadScene(SnapshotContents contents, bool putsBodies)
         {
             TimeRecord time = contents.Get<TimeRecord>(SnapshotSection.Time);
             StepCount = time.stepCount;
@@ -189,17 +214,35 @@ namespace Rill
             RestartQueries();
 
             GetPose(out Vector3 place, out Quaternion rotation);
+            isTeleported = false;
             if (time.box.IsAt(new RigidPose(place, rotation), SamePlace * particleSpacing))
             {
                 lastPosition = time.lastPosition;
                 lastVelocity = time.lastVelocity;
                 lastDuration = time.lastDuration;
                 positionIsKnown = lastDuration > 0f;
+                LoadCalls(contents);
             }
+            var box = new BoxMotion(time.box.Pose, new RigidPose(place, rotation));
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
+            List<RestoredBody> bodies = putsBodies ? PlaceBodies(contents, box) : new List<RestoredBody>();
             LoadParts(contents, time, frame);
-            LoadColliders(contents.Values<ColliderRecord>(SnapshotSection.Colliders), frame);
+            LoadColliders(contents, frame, box);
             colliders.Jumped = time.collidersJump != 0;
+            LoadBodies(bodies, box);
+        }
+
+        void LoadCalls(SnapshotContents contents)
+        {
+            if (!contents.Has(SnapshotSection.Calls))
+                return;
+            CallsRecord calls = contents.Get<CallsRecord>(SnapshotSection.Calls);
+            clock.LoadDrops(calls);
+            positionIsKnown = (calls.flags & CallsRecord.PositionIsKnown) != 0;
+            isTeleported = (calls.flags & CallsRecord.IsTeleported) != 0;
+            if (isTeleported)
+                collectedFrame = new DomainFrame(calls.collected.position, calls.collected.Pose.rotation, domainSize, particleSpacing);
+            stepsSinceReadback = calls.stepsSinceReadback;
         }
 
         void LoadParts(SnapshotContents contents, in TimeRecord time, in DomainFrame frame)
@@ -226,14 +269,25 @@ namespace Rill
         }
 
         // Those that are where they were go on from there; the others are new to the fluid, and wake what rests.
-        void LoadColliders(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame)
+        void LoadColliders(SnapshotContents contents, in DomainFrame frame, in BoxMotion box)
         {
+            ReadOnlySpan<ColliderRecord> records = contents.Values<ColliderRecord>(SnapshotSection.Colliders);
             int before = colliders.Set.Count;
             bool areAllThere = colliders.Load(records, frame, SamePlace, GatherOwnColliders(), this);
+            if (!box.IsTurned)
+                colliders.LoadForces(this, contents, box.Shift);
             if (records.Length > 0 && areAllThere && HasStages(StageSet.Colliders))
-                pbf.AdoptColliders(colliders.Set);
+            {
+                if (!box.IsTurned)
+                    pbf.AdoptColliders(colliders.Set);
+                if (pbf.Reactions != null)
+                    pbf.Reactions.Arrived = OnReactions;
+            }
             else if (records.Length + before > 0)
+            {
                 colliders.Set.Version++;
+                pbf.Resting?.Wake();        // also where none is left, of which no step would tell
+            }
         }
     }
 }

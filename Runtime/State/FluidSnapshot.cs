@@ -10,13 +10,13 @@ namespace Rill
     /// one that never stopped. Taken by <see cref="FluidSimulation.RequestSnapshot"/>; does not change.
     /// </summary>
     /// <remarks>
-    /// The scene's own objects are no part of it: transforms, bodies, settings and what scripts know are for the game to keep. Foam is
-    /// not either.
+    /// Bodies that the fluid carries are part of it. The scene's other objects are not: transforms, settings and what scripts know are for the
+    /// game to keep. Foam is not either.
     /// </remarks>
     public sealed class FluidSnapshot
     {
         /// <summary>Version of the bytes that <see cref="ToBytes"/> writes, and the newest that <see cref="FromBytes"/> reads.</summary>
-        public const int CurrentVersion = 4;
+        public const int CurrentVersion = 5;
 
         internal FluidSnapshot(SnapshotContents contents)
         {

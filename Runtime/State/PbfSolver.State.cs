@@ -28,6 +28,8 @@ namespace Rill
             ListState(state);
             foreach (StateBuffer buffer in state)
                 capture.Add(buffer, most);
+            if (neighborSearch.IsSorted)
+                capture.Add(new StateBuffer(SnapshotSection.CellStarts, neighborSearch.CellStarts, StateExtent.All), most);
             if (hasLists && implicitViscosity != null)
             {
                 NeighborLists lists = densityConstraint.Lists;
@@ -37,6 +39,14 @@ namespace Rill
                     capture.AddLists(lists.Second, Layout.ListWords(Math.Max(most - Layout.FirstListParticles, 0)));
             }
             return capture;
+        }
+
+        /// <summary>Adds what was summed of the fluid's forces on colliders.</summary>
+        /// <param name="record">What is known of what is pending besides.</param>
+        public void CaptureReactions(SnapshotCapture capture, SnapshotContents contents, ColliderSet set, in ReactionsRecord record)
+        {
+            if (colliders != null && colliders.HasSumsOf(set))
+                Reactions.Save(capture, contents, record);
         }
 
         /// <summary>Prepares what there is to see of the particles, without what a step needs besides.</summary>
@@ -69,6 +79,9 @@ namespace Rill
             if (record.particles > Layout.Capacity)
                 return Invariant($"it has {record.particles:N0} particles, more than the capacity of {Layout.Capacity:N0}. Raise the ") +
                     Invariant($"Capacity to at least {record.particles:N0}.");
+            if (contents.Has(SnapshotSection.CellStarts)
+                && contents.Bytes(SnapshotSection.CellStarts).Length != sizeof(uint) * (long)neighborSearch.CellStarts.count)
+                return "its cells are not those of its own box, so it is damaged. Use another.";
             if (contents.Has(SnapshotSection.Rest) && !RestingRegions.Fits(Layout, contents))
                 return "its resting regions are not those of its own box, so it is damaged. Use another.";
             if (contents.Has(SnapshotSection.Coarse) && !CoarseFits(contents))
@@ -88,6 +101,9 @@ namespace Rill
             ListState(state);
             foreach (StateBuffer buffer in state)
                 Upload(buffer.Buffer, contents.Bytes(buffer.Section));
+            if (contents.Has(SnapshotSection.Reactions) && (stages & StageSet.Colliders) != 0)
+                colliders ??= new Colliders(Layout, ReadbackErrors);
+            colliders?.LoadReactions(contents);
             hasLists = contents.Has(SnapshotSection.NeighborCounts) && implicitViscosity != null;
             if (hasLists)
                 densityConstraint.Lists.Upload(Layout, contents.Values<uint>(SnapshotSection.Neighbors),
@@ -98,13 +114,14 @@ namespace Rill
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             isRestored = true;
-            neighborSearch.IsSorted = false;
+            neighborSearch.IsSorted = contents.Has(SnapshotSection.CellStarts);
+            Upload(neighborSearch.CellStarts, contents.Bytes(SnapshotSection.CellStarts));
         }
 
         /// <summary>What the colliders of the next step were to what rests: no change.</summary>
         public void AdoptColliders(ColliderSet set)
         {
-            if (restingRegions == null)
+            if (restingRegions == null && Reactions == null)
                 return;
             colliders ??= new Colliders(Layout, ReadbackErrors);
             colliders.Adopt(set);
@@ -139,7 +156,8 @@ namespace Rill
                 lastSubsteps = lastSubsteps,
                 minAdded = minAdded,
                 maxAdded = maxAdded,
-                flags = (hasNew ? SolverRecord.HasNew : 0u) | (isStart ? SolverRecord.IsStart : 0u),
+                flags = (hasNew ? SolverRecord.HasNew : 0u) | (isStart ? SolverRecord.IsStart : 0u)
+                    | (HasMarked ? SolverRecord.HasMarked : 0u),
                 hasLifetimes = hasLifetimes ? 1u : 0u,
             });
             if (restingRegions != null)
@@ -165,6 +183,7 @@ namespace Rill
             maxAdded = record.maxAdded;
             hasNew = (record.flags & SolverRecord.HasNew) != 0;
             isStart = (record.flags & SolverRecord.IsStart) != 0;
+            markedAfter = (record.flags & SolverRecord.HasMarked) != 0 ? stepIndex + 1 : 0;
             hasLifetimes = record.hasLifetimes != 0;
         }
 

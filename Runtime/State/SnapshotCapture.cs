@@ -19,6 +19,7 @@ namespace Rill
         readonly SolverLayout layout;
         readonly List<Part> parts = new List<Part>();
         Action<SnapshotContents, string> done;
+        Action finishing;
         int coming;
         bool failed;
 
@@ -34,6 +35,7 @@ namespace Rill
             public StateBuffer state;
             public int bytes;
             public bool isList;
+            public Action<byte[]> arrived;      // takes what is no section of its own
             public byte[] data = Array.Empty<byte>();
             public AsyncGPUReadbackRequest request;
         }
@@ -60,6 +62,16 @@ namespace Rill
         /// <param name="entries">Of a buffer, from its start.</param>
         public void AddLists(GraphicsBuffer buffer, long entries)
             => Add(new StateBuffer(SnapshotSection.Neighbors, buffer, StateExtent.Moved), entries * sizeof(uint), true);
+
+        /// <summary>Adds a buffer that becomes part of a section; see <see cref="Finishing"/>.</summary>
+        public void Add(GraphicsBuffer buffer, Action<byte[]> arrived)
+        {
+            Add(new StateBuffer(default, buffer, StateExtent.All), (long)buffer.count * buffer.stride, false);
+            parts[parts.Count - 1].arrived = arrived;
+        }
+
+        /// <summary>Calls this when all has come, before the contents are handed over.</summary>
+        public void Finishing(Action act) => finishing += act;
 
         /// <summary>Asks for all of them.</summary>
         /// <param name="onDone">Gets the contents, or null and what went wrong.</param>
@@ -166,6 +178,8 @@ namespace Rill
             {
                 if (part.isList)
                     lists.Add(part.data);
+                else if (part.arrived != null)
+                    part.arrived(part.data);
                 else
                     contents.Set(part.state.Section, Cut(part, record));
             }
@@ -175,6 +189,7 @@ namespace Rill
             if (lists.Count > 0)
                 contents.SetValues<uint>(SnapshotSection.Neighbors,
                     NeighborLists.Pack(layout, Join(lists), contents.Values<uint>(SnapshotSection.NeighborCounts)));
+            finishing?.Invoke();
             return null;
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using static System.FormattableString;
 
@@ -31,7 +32,7 @@ namespace Rill
             Require(solver.lastSubsteps >= 0 && solver.lastSubsteps <= MaxSubsteps && (solver.lastSubsteps > 0 || solver.moved == 0),
                 Invariant($"{solver.lastSubsteps} substeps cannot be"));
             Require(IsFinite(solver.minAdded) && IsFinite(solver.maxAdded), "where particles were added is not finite");
-            Require(solver.flags <= (SolverRecord.HasNew | SolverRecord.IsStart) && solver.hasLifetimes <= 1, "a flag is unknown");
+            Require(solver.flags <= (SolverRecord.HasNew | SolverRecord.IsStart | SolverRecord.HasMarked) && solver.hasLifetimes <= 1, "a flag is unknown");
         }
 
         static void CheckParticles(SnapshotContents contents, in SolverRecord solver)
@@ -47,6 +48,13 @@ namespace Rill
                 Length(contents, SnapshotSection.StartPositions, 16L * solver.moved);
             if (solver.hasLifetimes != 0 || contents.Has(SnapshotSection.Tags))
                 Length(contents, SnapshotSection.Tags, 4L * solver.particles);
+
+            uint last = 0;
+            foreach (uint start in contents.Values<uint>(SnapshotSection.CellStarts))
+            {
+                Require(start >= last && start <= solver.particles, "their cells contradict their number");
+                last = start;
+            }
 
             // Two with one id would be sorted to one place and leave another unset.
             uint[] ids = contents.Values<uint>(SnapshotSection.Ids).ToArray();
@@ -133,6 +141,49 @@ namespace Rill
             foreach (ColliderRecord collider in Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most))
                 Require(IsFinite(collider.size) && collider.now.IsFinite && collider.end.IsFinite && collider.seen.IsFinite,
                     "the pose of a collider is not finite");
+            CheckCalls(contents);
+            CheckForces(contents);
+            if (contents.Has(SnapshotSection.Bodies))
+                contents.Bodies = SnapshotBodies.Read(contents.Bytes(SnapshotSection.Bodies));
+        }
+
+        static void CheckCalls(SnapshotContents contents)
+        {
+            if (!contents.Has(SnapshotSection.Calls))
+                return;
+            CallsRecord calls = Single<CallsRecord>(contents, SnapshotSection.Calls);
+            Require(IsTime(calls.frameDropped) && calls.droppingFrames >= 0 && calls.sinceDrop >= 0 && calls.collected.IsFinite
+                && calls.flags <= (CallsRecord.PositionIsKnown | CallsRecord.IsTeleported) && calls.stepsSinceReadback >= 0,
+                "what was called since the last steps cannot be");
+        }
+
+        static void CheckForces(SnapshotContents contents)
+        {
+            int colliders = Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most).Length;
+            int forces = Several<ForceRecord>(contents, SnapshotSection.Forces, ColliderSet.Most).Length;
+            Require(forces == 0 || forces == colliders, "there are forces of other colliders");
+            Require(AreFinite(contents.Bytes(SnapshotSection.Forces)) && AreFinite(contents.Bytes(SnapshotSection.TakenColliders)),
+                "a force on a collider is not finite");
+            Several<TakenRecord>(contents, SnapshotSection.TakenColliders, ColliderSet.Most);
+            if (!contents.Has(SnapshotSection.Reactions))
+                return;
+            ReactionsRecord reactions = Single<ReactionsRecord>(contents, SnapshotSection.Reactions);
+            long bytes = sizeof(uint) * (long)ColliderReactions.WordsOf(reactions.hasWettedAreas != 0);
+            Length(contents, SnapshotSection.ReactionSums, bytes);
+            if (reactions.frames != ReactionsRecord.NothingPending)
+                Length(contents, SnapshotSection.ReactionsTaken, bytes);
+            Require(reactions.time >= 0f && IsFinite(reactions.time) && reactions.takenTime >= 0f && IsFinite(reactions.takenTime)
+                && reactions.hasWettedAreas <= 1 && reactions.frames >= ReactionsRecord.NothingPending && math.isfinite(reactions.takenImpulse)
+                && math.all(math.isfinite((float3)reactions.shiftSince)), "the sums of forces on colliders cannot be");
+        }
+
+        // Flags and counts look like small floats.
+        static bool AreFinite(byte[] bytes)
+        {
+            foreach (float value in MemoryMarshal.Cast<byte, float>(bytes))
+                if (!IsFinite(value))
+                    return false;
+            return true;
         }
 
         static void CheckPart(in PartRecord part, int most)

@@ -14,6 +14,9 @@ namespace Rill
 
         public int Count => sections.Count;
 
+        /// <summary>Floating bodies; null where it is not known whether there were any. The section of the same name has them as bytes.</summary>
+        public List<SnapshotBody> Bodies { get; set; }
+
         public bool Has(SnapshotSection section) => sections.ContainsKey(section);
 
         /// <summary>Empty where there is no such section.</summary>
@@ -49,7 +52,9 @@ namespace Rill
             foreach (KeyValuePair<SnapshotSection, byte[]> section in sections)
                 fluid.Set(section.Key, section.Value);
             foreach (SnapshotSection section in new[] { SnapshotSection.Time, SnapshotSection.EmitterStates, SnapshotSection.DrainStates,
-                SnapshotSection.Emitters, SnapshotSection.Drains, SnapshotSection.Colliders })
+                SnapshotSection.Emitters, SnapshotSection.Drains, SnapshotSection.Colliders, SnapshotSection.Calls, SnapshotSection.Forces,
+                SnapshotSection.Reactions, SnapshotSection.ReactionSums, SnapshotSection.ReactionsTaken, SnapshotSection.TakenColliders,
+                SnapshotSection.Bodies })
                 fluid.sections.Remove(section);
 
             uint[] counters = Values<uint>(SnapshotSection.Counters).ToArray();

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Rill
 {
@@ -20,7 +21,7 @@ namespace Rill
         public uint stepIndex;
         public int lastSubsteps;
         public float3 minAdded, maxAdded;
-        /// <summary>Flags: <see cref="HasNew"/> and <see cref="IsStart"/>.</summary>
+        /// <summary>Flags: <see cref="HasNew"/>, <see cref="IsStart"/> and <see cref="HasMarked"/>.</summary>
         public uint flags;
         public uint hasLifetimes;
 
@@ -28,6 +29,8 @@ namespace Rill
         public const uint HasNew = 1;
         /// <summary>Particles of volumes may lie in colliders, since version 4.</summary>
         public const uint IsStart = 2;
+        /// <summary>Particles are marked as removed that the next sort leaves out, since version 5.</summary>
+        public const uint HasMarked = 4;
     }
 
     /// <summary>A <see cref="FixedStepClock"/>, s.</summary>
@@ -150,5 +153,100 @@ namespace Rill
         public PoseRecord end, seen;
         /// <summary>Whether it had not jumped since.</summary>
         public uint follows;
+    }
+
+    /// <summary>What scripts and frames did since the last steps that is no state of the water.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]
+    struct CallsRecord
+    {
+        /// <summary>s, see <see cref="FixedStepClock"/>.</summary>
+        public double frameDropped;
+        public int droppingFrames, sinceDrop;
+        /// <summary>Where the box was in the last steps, world space, m.</summary>
+        public PoseRecord collected;
+        /// <summary>Flags: <see cref="PositionIsKnown"/> and <see cref="IsTeleported"/>.</summary>
+        public uint flags;
+        /// <summary>Since the counts of emitters and drains were last asked for.</summary>
+        public int stepsSinceReadback;
+
+        /// <summary>The box came from its last position.</summary>
+        public const uint PositionIsKnown = 1;
+        /// <summary>The box was teleported since the last steps.</summary>
+        public const uint IsTeleported = 2;
+    }
+
+    /// <summary>What the fluid did to a collider, as far as is known, and how that moves. World space.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]
+    struct ForceRecord
+    {
+        /// <summary>Flags: <see cref="Reacts"/> and so on.</summary>
+        public uint flags;
+        public ColliderTrack track;
+        public Vector3 force, torque;
+        public RelativeMotion motion;
+        public float duration;
+        public int step;
+        /// <summary>How far the fluid was teleported since, m.</summary>
+        public Vector3 shiftSince;
+        public WettedArea wetted, lastWetted;
+        /// <summary>s.</summary>
+        public float quiet;
+
+        public const uint Reacts = 1;
+        /// <summary>There is a force.</summary>
+        public const uint HasForce = 2;
+        /// <summary>A first force is summed.</summary>
+        public const uint Awaits = 4;
+        /// <summary>Of a <see cref="ContactWatch"/>.</summary>
+        public const uint Touches = 8, Hits = 16, WasWet = 32;
+
+        public bool Has(uint flag) => (flags & flag) != 0;
+
+        public void Set(in FluidForce from, in ContactWatch watch)
+        {
+            flags |= HasForce;
+            force = from.Force;
+            torque = from.Torque;
+            motion = from.Motion;
+            duration = from.Duration;
+            step = from.Step;
+            shiftSince = from.ShiftSince;
+            wetted = from.Wetted;
+            watch.Save(ref this);
+        }
+
+        /// <param name="moved">How far the fluid is from where it was in the snapshot, m.</param>
+        public FluidForce ForceFrom(FluidSimulation fluid, Vector3 moved)
+            => new FluidForce(fluid, force, torque, motion, duration, step, fluid.WorldShift - shiftSince - moved, wetted);
+    }
+
+    /// <summary>Of <see cref="ColliderReactions"/> and what waits for them.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]
+    struct ReactionsRecord
+    {
+        /// <summary>Fluid time of the sums and of what was asked for, s.</summary>
+        public float time, takenTime;
+        public uint hasWettedAreas;
+        /// <summary>Of the game, after the snapshot, in which what was asked for came; -1 where nothing was.</summary>
+        public int frames;
+        /// <summary>N s of a displacement of one particle by d.</summary>
+        public double takenImpulse;
+        /// <summary>Of the domain, world space.</summary>
+        public Quaternion takenRotation;
+        /// <summary>How far the fluid was teleported since, m.</summary>
+        public Vector3 shiftSince;
+        public int takenStep;
+
+        public const int NothingPending = -1;
+    }
+
+    /// <summary>A collider as it was when the sums were taken. World space, m.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]
+    struct TakenRecord
+    {
+        public RelativeMotion motion;
+        public Vector3 place;
+        /// <summary>d.</summary>
+        public float arm;
     }
 }

@@ -60,5 +60,22 @@ namespace Rill
         Colliders,
         /// <summary>float, s: length of the substep that the flow's potential is of, since version 3.</summary>
         FlowTime,
+        /// <summary>A <see cref="CallsRecord"/>, since version 5.</summary>
+        Calls,
+        /// <summary><see cref="ForceRecord"/> [colliders], since version 5.</summary>
+        Forces,
+        /// <summary>A <see cref="ReactionsRecord"/>, since version 5.</summary>
+        Reactions,
+        /// <summary>uint, what the fluid did to colliders since it was last asked for, since version 5.</summary>
+        ReactionSums,
+        /// <summary>uint, the same of before, which was asked for and had not come, since version 5.</summary>
+        ReactionsTaken,
+        /// <summary><see cref="TakenRecord"/> [colliders], since version 5.</summary>
+        TakenColliders,
+        /// <summary><see cref="SnapshotBody"/> [bodies], one after the other, since version 5.</summary>
+        Bodies,
+        /// <summary>uint [cells + 1], where the particles lie that the last step sorted, for what is asked before the next; since version
+        /// 5.</summary>
+        CellStarts,
     }
 }

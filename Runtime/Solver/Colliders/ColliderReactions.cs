@@ -35,7 +35,7 @@ namespace Rill
         public ColliderReactions(ComputeShader shader, bool hasWettedAreas, ReadbackErrors errors = null)
         {
             HasWettedAreas = hasWettedAreas;
-            words = WettedFirst + (hasWettedAreas ? WettedStride * ColliderSet.Most : 0);
+            words = WordsOf(hasWettedAreas);
             zeros = new uint[words];
             readback = new Readback(GpuBuffer.Structured<uint>("Rill.Colliders.Taken", words));
             readback.Report(errors, ReadbackKinds.Forces);
@@ -57,6 +57,38 @@ namespace Rill
 
         /// <summary>Fluid time over which the newest result was summed, s; 0 before the first.</summary>
         public float Duration { get; private set; }
+
+        /// <summary>Prepares a snapshot of the sums, and of those that are pending.</summary>
+        /// <param name="record">What is known of what is pending besides.</param>
+        public void Save(SnapshotCapture capture, SnapshotContents contents, ReactionsRecord record)
+        {
+            (record.time, record.takenTime) = (time, takenTime);
+            record.hasWettedAreas = HasWettedAreas ? 1u : 0u;
+            record.frames = ReactionsRecord.NothingPending;
+            capture.Add(new StateBuffer(SnapshotSection.ReactionSums, sums, StateExtent.All), 0);
+            ReadbackArrival arrival = readback.Follow();
+            if (arrival != null)
+                capture.Add(new StateBuffer(SnapshotSection.ReactionsTaken, readback.Buffer, StateExtent.All), 0);
+            int now = Time.frameCount;
+            capture.Finishing(() =>
+            {
+                record.frames = arrival?.FramesAfter(now) ?? ReactionsRecord.NothingPending;
+                contents.Set(SnapshotSection.Reactions, record);
+            });
+        }
+
+        /// <summary>Takes all of it out of one. Of one that has made no request.</summary>
+        public void Load(SnapshotContents contents)
+        {
+            ReactionsRecord record = contents.Get<ReactionsRecord>(SnapshotSection.Reactions);
+            (time, takenTime) = (record.time, record.takenTime);
+            sums.SetData(contents.Values<uint>(SnapshotSection.ReactionSums).ToArray());
+            if (record.frames != ReactionsRecord.NothingPending)
+                readback.Resume(contents.Values<uint>(SnapshotSection.ReactionsTaken), record.frames);
+        }
+
+        /// <summary>Words of the sums.</summary>
+        public static int WordsOf(bool hasWettedAreas) => WettedFirst + (hasWettedAreas ? WettedStride * ColliderSet.Most : 0);
 
         /// <summary>Records the sums as what a kernel adds to.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.Reactions, sums);

@@ -1,9 +1,11 @@
+using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using UnityEngine;
 
 namespace Rill
 {
     /// <summary>Follows a collider through the steps in which the force on it is summed.</summary>
+    [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     struct ColliderTrack
     {
         // substeps in which pushed water comes to move along: measured, see floating-study.md of the documentation
@@ -19,9 +21,13 @@ namespace Rill
         public static ColliderTrack At(in RigidPose pose) => new ColliderTrack { pose = pose };
 
         /// <summary>Goes along with the box of a fluid that was teleported, if it was.</summary>
-        public void Teleport(FluidSimulation fluid)
+        public void Teleport(FluidSimulation fluid) => GoTo(fluid.Teleported(pose));
+
+        /// <summary>Goes along with a box that was put elsewhere, m.</summary>
+        public void Shift(float3 by) => GoTo(new RigidPose(pose.position + by, pose.rotation));
+
+        void GoTo(in RigidPose now)
         {
-            RigidPose now = fluid.Teleported(pose);
             positions += (now.position - pose.position) * time;
             pose = now;
         }

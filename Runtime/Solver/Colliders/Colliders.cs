@@ -108,8 +108,22 @@ namespace Rill
             return changed || set.Moves;
         }
 
-        /// <summary>What rests came to rest beside these: they are no change.</summary>
-        public void Adopt(ColliderSet set) => seenVersion = set.Version;
+        /// <summary>What rests came to rest beside these: they are no change. Nor are they for what was summed.</summary>
+        public void Adopt(ColliderSet set) => (seenVersion, seenOrder) = (set.Version, set.Order);
+
+        /// <summary>Whether what was summed is of these colliders.</summary>
+        public bool HasSumsOf(ColliderSet set) => reactions != null && seenOrder == set.Order;
+
+        /// <summary>Takes what was summed out of a snapshot, or begins without.</summary>
+        public void LoadReactions(SnapshotContents contents)
+        {
+            reactions?.Dispose();
+            reactions = null;
+            if (!contents.Has(SnapshotSection.Reactions))
+                return;
+            reactions = new ColliderReactions(shader, contents.Get<ReactionsRecord>(SnapshotSection.Reactions).hasWettedAreas != 0, errors);
+            reactions.Load(contents);
+        }
 
         /// <summary>Records where the colliders are in a substep; little where all rest as they did.</summary>
         /// <exception cref="ArgumentException">The fields of the meshes, or the heights, do not fit a texture.</exception>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Mathematics;
 using Unity.Profiling;
@@ -71,6 +72,18 @@ namespace Rill
             ring.Report(errors, ReadbackKinds.QueryBatches);
             ring.Request(slot);
         }
+
+        /// <summary>Takes words that a request of before a snapshot was to bring; see <see cref="ReadbackRing.Resume"/>.</summary>
+        public void Resume(int slot, ReadOnlySpan<uint> words, int frames) => ring.Resume(slot, words, frames);
+
+        /// <summary>Follows what is pending of a slot.</summary>
+        public ReadbackArrival Follow(int slot) => ring.Follow(slot);
+
+        /// <summary>Lists the slots whose answers are pending, in the order of the requests.</summary>
+        public void ListPending(List<int> pending) => ring.ListPending(pending);
+
+        /// <summary>What a slot's answers are written into.</summary>
+        public GraphicsBuffer Results(int slot) => ring.Buffer(slot);
 
         /// <summary>Waits for the answers that are pending, and for nothing else.</summary>
         public void Complete() => ring.Complete();

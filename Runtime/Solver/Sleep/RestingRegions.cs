@@ -82,14 +82,18 @@ namespace Rill
         }
 
         /// <summary>What the next step depends on besides buffers.</summary>
-        public RestRecord Save() => restored ?? new RestRecord
+        public RestRecord Save()
         {
-            gravity = last.gravity,
-            timeStep = last.timeStep,
-            settings = Crc32C.Of(StructBytes.Of(ref last.settings)),
-            material = Crc32C.Of(StructBytes.Of(ref last.material)),
-            wake = wake ? 1u : 0u,
-        };
+            RestRecord record = restored ?? new RestRecord
+            {
+                gravity = last.gravity,
+                timeStep = last.timeStep,
+                settings = Crc32C.Of(StructBytes.Of(ref last.settings)),
+                material = Crc32C.Of(StructBytes.Of(ref last.material)),
+            };
+            record.wake = wake ? 1u : 0u;
+            return record;
+        }
 
         /// <summary>Takes what was saved: the next step wakes what rests only where it would have, had there been no end.</summary>
         public void Load(in RestRecord record)

@@ -175,6 +175,8 @@ namespace Rill.Tests
 
             public void TellContacts(FluidSimulation fluid) { }
             public bool Leave(FluidSimulation fluid) => false;
+            public void SaveForce(FluidSimulation fluid, ref ForceRecord record) { }
+            public void LoadForce(FluidSimulation fluid, in ForceRecord record, Vector3 moved) { }
             public void TellExit(FluidSimulation fluid) { }
 
             bool Checked(string member) => !Array.Exists(throwsIn.Split(' '), m => m == member) ? true

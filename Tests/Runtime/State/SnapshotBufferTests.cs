@@ -30,7 +30,6 @@ namespace Rill.Tests
             { "constants", (Why.Follows, "from layout and settings, in each step") },
             { "neighborSearch.cellHistogram", (Why.Zero, "the prefix sum clears what it has read") },
             { "neighborSearch.cellRanks", (Why.Rewritten, "the count writes it") },
-            { "neighborSearch.CellStarts", (Why.Rewritten, "the prefix sum writes it") },
             { "neighborSearch.cellStartsAtRest", (Why.Rewritten, "the prefix sum writes it") },
             { "neighborSearch.Order", (Why.Rewritten, "the sort writes it") },
             { "coarseCorrection.Bins", (Why.Zero, "passes clear what they have read") },
@@ -58,8 +57,6 @@ namespace Rill.Tests
             { "colliders.contactOffsets", (Why.Rewritten, "the sort writes it") },
             { "colliders.pathBoundary", (Why.Rewritten, "the count and CollidePaths write it") },
             { "colliders.pathContactOffsets", (Why.Rewritten, "the count and CollidePaths write it") },
-            { "colliders.reactions.sums", (Why.Output, "forces are summed again") },
-            { "colliders.reactions.readback.buffer", (Why.Output, "forces are summed again") },
             { "implicitViscosity.solution", (Why.Rewritten, "FindCoefficients writes it") },
             { "implicitViscosity.nextSolution", (Why.Rewritten, "a pass writes it") },
             { "implicitViscosity.changes", (Why.Rewritten, "FindResidual writes it") },
@@ -164,6 +161,11 @@ namespace Rill.Tests
         }
 
         static HashSet<GraphicsBuffer> Stored(SnapshotScene scene)
-            => new HashSet<GraphicsBuffer>(scene.Fluid.Solver.Capture(new SnapshotContents()).Buffers);
+        {
+            var contents = new SnapshotContents();
+            SnapshotCapture capture = scene.Fluid.Solver.Capture(contents);
+            scene.Fluid.Solver.CaptureReactions(capture, contents, scene.Fluid.ColliderSet, default);
+            return new HashSet<GraphicsBuffer>(capture.Buffers);
+        }
     }
 }

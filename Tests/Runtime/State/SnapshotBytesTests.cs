@@ -143,8 +143,8 @@ namespace Rill.Tests
                 "do not begin with 'RillSnap'").SetName("no snapshot");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => new byte[0]), "do not begin with 'RillSnap'").SetName("nothing");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => b.Take(b.Length - 5).ToArray()), "Read all of the file").SetName("truncated");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 5)),
-                "have version 5, but this package reads up to 4. Update").SetName("newer version");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 6)),
+                "have version 6, but this package reads up to 5. Update").SetName("newer version");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, b.Length - 400, 77, false)), "checksum is another")
                 .SetName("changed");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 24, 99)), "section 99 is unknown").SetName("unknown section");

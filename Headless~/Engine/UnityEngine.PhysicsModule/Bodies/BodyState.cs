@@ -16,6 +16,7 @@ namespace UnityEngine.Headless
         Quaternion lastRotation, shownRotation;
         Vector3? wantedPosition;
         Quaternion? wantedRotation;
+        bool isTeleported;      // since the last step, and its object is where it was
 
         public BodyPose Pose => new BodyPose(Position, Rotation);
 
@@ -30,6 +31,7 @@ namespace UnityEngine.Headless
         {
             Position = lastPosition = shownPosition = position;
             Rotation = lastRotation = shownRotation = rotation;
+            isTeleported = false;
         }
 
         /// <summary>What moved the object other than its body moved the body.</summary>
@@ -42,12 +44,13 @@ namespace UnityEngine.Headless
             }
         }
 
-        public void Teleport(Transform transform, Vector3 position, Quaternion rotation)
+        /// <summary>Puts the body elsewhere; as in Unity, its object follows with the next step.</summary>
+        public void Teleport(Transform transform, Vector3? position, Quaternion? rotation)
         {
-            SetPose(position, rotation);
-            IsTouched = true;
-            transform.SetPositionAndRotation(position, rotation);
-            Remember(transform);
+            Follow(transform);
+            Position = lastPosition = position ?? Position;
+            Rotation = lastRotation = rotation ?? Rotation;
+            isTeleported = IsTouched = true;
         }
 
         public void MoveTo(Transform transform, Vector3? position, Quaternion? rotation)
@@ -67,7 +70,10 @@ namespace UnityEngine.Headless
         }
 
         public void ShowBetween(Transform transform, float fraction)
-            => Show(transform, Vector3.Lerp(lastPosition, Position, fraction), Quaternion.Slerp(lastRotation, Rotation, fraction));
+        {
+            if (!isTeleported)
+                Show(transform, Vector3.Lerp(lastPosition, Position, fraction), Quaternion.Slerp(lastRotation, Rotation, fraction));
+        }
 
         void Show(Transform transform, Vector3 position, Quaternion rotation)
         {
@@ -123,6 +129,7 @@ namespace UnityEngine.Headless
                 MoveFree(body, time);
             wantedPosition = null;
             wantedRotation = null;
+            isTeleported = false;
         }
 
         void MoveFree(Rigidbody body, float time)

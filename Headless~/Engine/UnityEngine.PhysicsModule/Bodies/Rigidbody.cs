@@ -55,9 +55,8 @@ namespace UnityEngine
         public Vector3 velocity { get => State.Velocity; set { State.Velocity = value; WakeUp(); } }
         public Vector3 angularVelocity { get => State.AngularVelocity;
             set { State.AngularVelocity = Vector3.ClampMagnitude(value, maxAngularVelocity); WakeUp(); } }
-        public Vector3 position { get { State.Follow(transform); return State.Position; } set => State.Teleport(transform, value, State.Rotation); }
-        public Quaternion rotation { get { State.Follow(transform); return State.Rotation; } set => State.Teleport(transform,
-            State.Position, value); }
+        public Vector3 position { get { State.Follow(transform); return State.Position; } set => State.Teleport(transform, value, null); }
+        public Quaternion rotation { get { State.Follow(transform); return State.Rotation; } set => State.Teleport(transform, null, value); }
 
         public void AddForce(Vector3 force) => AddForce(force, ForceMode.Force);
         public void AddForce(float x, float y, float z) => AddForce(new Vector3(x, y, z), ForceMode.Force);
