@@ -71,7 +71,7 @@ namespace Rill
             numbers[slot] = requests++;
             slots[slot].Resume(words, frames);
             if (frames == 0)
-                slots[slot].Complete();
+                slots[slot].TryFinishResumed();
         }
 
         /// <summary>Follows what is pending of a slot; null where nothing is.</summary>

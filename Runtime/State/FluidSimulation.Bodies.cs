@@ -95,7 +95,7 @@ namespace Rill
         void WarnOf(StringBuilder names, string what, string follows)
         {
             if (names != null)
-                Debug.LogWarning($"Rill: FluidSimulation '{name}' was restored. {what}{names}. {follows}", this);
+                Debug.LogWarning($"Rill: FluidSimulation '{name}' was restored. {what}" + names.ToString() + ". " + follows, this);
         }
     }
 }

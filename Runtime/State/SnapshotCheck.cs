@@ -32,7 +32,8 @@ namespace Rill
             Require(solver.lastSubsteps >= 0 && solver.lastSubsteps <= MaxSubsteps && (solver.lastSubsteps > 0 || solver.moved == 0),
                 Invariant($"{solver.lastSubsteps} substeps cannot be"));
             Require(IsFinite(solver.minAdded) && IsFinite(solver.maxAdded), "where particles were added is not finite");
-            Require(solver.flags <= (SolverRecord.HasNew | SolverRecord.IsStart | SolverRecord.HasMarked) && solver.hasLifetimes <= 1, "a flag is unknown");
+            Require(solver.flags <= (SolverRecord.HasNew | SolverRecord.IsStart | SolverRecord.HasMarked) && solver.hasLifetimes <= 1,
+                "a flag is unknown");
         }
 
         static void CheckParticles(SnapshotContents contents, in SolverRecord solver)

@@ -12,6 +12,12 @@ namespace Host.Check.Api
     {
         const string Mathematics = "com.unity.mathematics";
 
+        // The package writes the new name from the version on that has it, by a define that the host does not set.
+        static readonly HashSet<string> Renamed = new HashSet<string>
+        {
+            "UnityEngine.Rigidbody.set_velocity(UnityEngine.Vector3)",      // linearVelocity: BodyPlacement.SetVelocity
+        };
+
         readonly IReadOnlyList<string> names;
         readonly Func<IReadOnlyList<ApiCatalog>> lists;
 
@@ -39,7 +45,8 @@ namespace Host.Check.Api
             var members = new HashSet<string>();
             foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, names, findings))
                 using (assembly)
-                    Examine(assembly, versions, types, members, findings);
+                    Examine(assembly, versions, types, members, findings, (what, complaint) => Renamed.Contains(what)
+                        && complaint == "has it as obsolete");
             findings.Looked = $"{types.Count} types and {members.Count} members of Unity against " +
                 $"{string.Join(", ", versions.Select(unity => $"{unity.Version} ({unity.Types.Count} types, {unity.MemberCount} members)"))}";
             return findings;
