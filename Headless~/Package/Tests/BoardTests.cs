@@ -75,8 +75,10 @@ namespace Host.Tests
                     double sum = 0.0;
                     for (int i = 0; i < Rays * Rays; i++)
                     {
-                        double across = (x + (i % Rays + 0.5) / Rays) / Pixels * 2.0 - 1.0, up = (y + (i / Rays + 0.5) / Rays) / Pixels * 2.0 - 1.0;
-                        sum += Seen(shape, index, new double3(0.0, 0.0, -4.0), math.normalize(new double3(across * half, up * half, 1.0)), false, 1.0);
+                        double across = (x + (i % Rays + 0.5) / Rays) / Pixels * 2.0 - 1.0;
+                        double up = (y + (i / Rays + 0.5) / Rays) / Pixels * 2.0 - 1.0;
+                        double3 direction = math.normalize(new double3(across * half, up * half, 1.0));
+                        sum += Seen(shape, index, new double3(0.0, 0.0, -4.0), direction, false, 1.0);
                     }
                     double linear = sum / (Rays * Rays);
                     picture[y * Pixels + x] = linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.Pow(linear, 1.0 / 2.4) - 0.055;
@@ -122,7 +124,8 @@ namespace Host.Tests
             {
                 (t, n) = (0.0, default);
                 return false;
-            },
+            }
+            ,
         };
 
         // Where the axes' sum of squares is that of the radius; an axis of 0 does not count.

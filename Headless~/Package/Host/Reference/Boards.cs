@@ -37,8 +37,14 @@ namespace Host.Reference
             scene.SetPicture(name + ".png", size, size, samples, seed, 0);
             scene.SetCamera(Matrix4x4.Translate(new Vector3(0f, 0f, -4f)), FieldOfView, 0.01f, 5000f);
             scene.SetWorld(new Color(0.5f, 0.5f, 0.5f));
-            scene.AddMaterial("board", new JsonObject { ["kind"] = "emission", ["board"] = new JsonObject { ["size"] = Square,
-                ["colors"] = new JsonArray(CyclesScene.Numbers(0.8, 0.8, 0.8), CyclesScene.Numbers(0.1, 0.1, 0.1)) } });
+            scene.AddMaterial("board", new JsonObject
+            {
+                ["kind"] = "emission", ["board"] = new JsonObject
+                {
+                    ["size"] = Square,
+                    ["colors"] = new JsonArray(CyclesScene.Numbers(0.8, 0.8, 0.8), CyclesScene.Numbers(0.1, 0.1, 0.1))
+                }
+            });
             const float thickness = 1e-3f;
             scene.AddObject("board", "board", new JsonObject { ["shape"] = "box", ["size"] = CyclesScene.Numbers(2000, 2000, thickness) },
                 Matrix4x4.Translate(new Vector3(0f, 0f, Plane + 0.5f * thickness)), 0);

@@ -47,13 +47,19 @@ namespace Host.Reference
 
         /// <param name="irradiance">On a surface that faces it, in units in which a white matte one then sends 1 / pi.</param>
         public void SetSun(Vector3 direction, Color color, double irradiance, double degrees)
-            => root["sun"] = new JsonObject { ["direction"] = Numbers(direction.x, direction.y, direction.z),
-                ["color"] = Numbers(color.r, color.g, color.b), ["irradiance"] = irradiance, ["degrees"] = degrees };
+            => root["sun"] = new JsonObject
+            {
+                ["direction"] = Numbers(direction.x, direction.y, direction.z),
+                ["color"] = Numbers(color.r, color.g, color.b), ["irradiance"] = irradiance, ["degrees"] = degrees
+            };
 
         public void SetWorld(Color color) => root["world"] = new JsonObject { ["color"] = Numbers(color.r, color.g, color.b) };
 
         /// <param name="file">Latitude and longitude, linear, as <see cref="SkyPicture"/> writes it.</param>
         public void SetSky(string file) => root["world"] = new JsonObject { ["sky"] = file };
+
+        /// <summary>Also draws where the material is seen first.</summary>
+        public void SetMask(string material, string picture) => root["mask"] = new JsonObject { ["material"] = material, ["picture"] = picture };
 
         public void AddMaterial(string name, JsonObject settings)
         {
@@ -62,10 +68,26 @@ namespace Host.Reference
         }
 
         /// <param name="smooth">Edges that bend less are round, degrees; 0 for flat faces.</param>
-        public void AddObject(string name, string material, JsonObject shape, Matrix4x4 toWorld, double smooth)
+        public void AddObject(string name, string material, JsonObject shape, Matrix4x4 toWorld, double smooth, bool castsShadow = true)
         {
-            (shape["name"], shape["material"], shape["matrix"], shape["smooth"]) = (name, material, Rows(toWorld), smooth);
+            (shape["name"], shape["material"], shape["matrix"], shape["smooth"], shape["shadow"]) =
+                (name, material, Rows(toWorld), smooth, castsShadow);
             objects.Add(shape);
+        }
+
+        public void AddMesh(string name, string material, MeshData mesh, Matrix4x4 toWorld, double smooth, bool castsShadow = true)
+        {
+            string file = $"mesh{objects.Count}.bin";
+            mesh.Write(Path.Combine(Folder, file));
+            AddObject(name, material, new JsonObject { ["file"] = file }, toWorld, smooth, castsShadow);
+        }
+
+        /// <summary>Removes what was written for Blender, but no picture.</summary>
+        public void Clean()
+        {
+            foreach (string file in Directory.GetFiles(Folder, "mesh*.bin").Append(Path.Combine(Folder, "scene.json"))
+                .Append(Path.Combine(Folder, "sky.hdr")))
+                File.Delete(file);
         }
 
         /// <summary>Draws the picture and returns its path.</summary>

@@ -35,15 +35,14 @@ def swap_mesh(mesh):
 
 
 def read_mesh(path, name):
-    """int32 vertices, corners, faces, has_uv; float32 xyz of vertices; int32 vertex of corners; int32 corners of faces; float32 uv of corners."""
+    """int32 vertices, corners, faces; float32 xyz of vertices; int32 vertex of corners; int32 corners of faces."""
     with open(path, 'rb') as file:
         def read(kind, count):
             values = array.array(kind)
             values.fromfile(file, count)
             return values
-        vertices, corners, faces, has_uv = read('i', 4)
+        vertices, corners, faces = read('i', 3)
         positions, corner_vertex, sizes = read('f', 3 * vertices), read('i', corners), read('i', faces)
-        uv = read('f', 2 * corners) if has_uv else None
     mesh = bpy.data.meshes.new(name)
     mesh.vertices.add(vertices)
     mesh.vertices.foreach_set('co', positions)
@@ -57,11 +56,8 @@ def read_mesh(path, name):
     mesh.polygons.add(faces)
     mesh.polygons.foreach_set('loop_start', starts)
     mesh.polygons.foreach_set('loop_total', sizes)
-    if uv is not None:
-        mesh.uv_layers.new(name='uv').data.foreach_set('uv', uv)
     mesh.update(calc_edges=True)
-    # Unity's faces turn clockwise as seen from outside. Swapped axes make that counterclockwise, which is Blender's outside.
-    mesh.transform(SWAP)
+    swap_mesh(mesh)
     return mesh
 
 
@@ -134,20 +130,66 @@ class Nodes:
         return self.new('ShaderNodeMixRGB', {0: odd, 1: rgba(given['colors'][0]), 2: rgba(given['colors'][1])}).outputs[0]
 
 
+    def hash(self, x, y):
+        return self.math('FRACT', self.math('MULTIPLY', self.math('SINE', self.math('ADD', self.math('MULTIPLY', x, 12.9898),
+                                                                                    self.math('MULTIPLY', y, 78.233))), 43758.5453))
+
+    def grain(self, x, y):
+        """Between the hashes of four corners."""
+        corner = [self.math('FLOOR', x), self.math('FLOOR', y)]
+        within = [self.math('SUBTRACT', x, corner[0]), self.math('SUBTRACT', y, corner[1])]
+        smooth = [self.math('MULTIPLY', self.math('MULTIPLY', t, t), self.math('SUBTRACT', 3.0, self.math('MULTIPLY', t, 2.0))) for t in within]
+        beyond = [self.math('ADD', c, 1.0) for c in corner]
+
+        def between(a, b, t):
+            return self.math('ADD', a, self.math('MULTIPLY', self.math('SUBTRACT', b, a), t))
+        return between(between(self.hash(*corner), self.hash(beyond[0], corner[1]), smooth[0]),
+                       between(self.hash(corner[0], beyond[1]), self.hash(*beyond), smooth[0]), smooth[1])
+
+    def tiles(self, side):
+        """TileShade of Solid.hlsl without its filter: samples do that here. Of Unity's axes, by the largest part of the normal."""
+        geometry = self.new('ShaderNodeNewGeometry')
+        at = self.new('ShaderNodeSeparateXYZ', {0: geometry.outputs['Position']}).outputs
+        facing = [self.math('ABSOLUTE', axis) for axis in self.new('ShaderNodeSeparateXYZ', {0: geometry.outputs['True Normal']}).outputs]
+        x, y, z = at[0], at[2], at[1]                   # Unity's
+        up = self.math('COMPARE', facing[2], self.math('MAXIMUM', self.math('MAXIMUM', facing[0], facing[1]), facing[2]), 1e-5)
+        across = self.math('GREATER_THAN', facing[0], self.math('SUBTRACT', facing[1], 1e-5))
+
+        def choose(condition, then, otherwise):
+            return self.math('ADD', self.math('MULTIPLY', condition, then),
+                             self.math('MULTIPLY', self.math('SUBTRACT', 1.0, condition), otherwise))
+        u = self.math('DIVIDE', choose(up, x, choose(across, z, x)), side)
+        v = self.math('DIVIDE', choose(up, z, y), side)
+        cell = [self.math('FLOOR', u), self.math('FLOOR', v)]
+        within = [self.math('SUBTRACT', u, cell[0]), self.math('SUBTRACT', v, cell[1])]
+        edge = self.math('MINIMUM', *(self.math('MINIMUM', t, self.math('SUBTRACT', 1.0, t)) for t in within))
+        stone = self.math('GREATER_THAN', edge, 0.015)
+        shade = self.math('ADD', 0.86, self.math('MULTIPLY', 0.14, self.hash(self.math('ADD', cell[0], 0.5), self.math('ADD', cell[1], 0.5))))
+        for scale, strength in ((7.0, 0.1), (41.0, 0.08)):
+            grain = self.grain(self.math('MULTIPLY', u, scale), self.math('MULTIPLY', v, scale))
+            shade = self.math('ADD', shade, self.math('MULTIPLY', strength, self.math('SUBTRACT', grain, 0.5)))
+        return choose(stone, self.math('ADD', shade, 0.07), 0.62)
+
+
 def rgba(color):
     return (*color[:3], 1.0)
 
 
-def volume(nodes, left):
-    """Absorption by what is left of white after 1 m."""
-    rates = [-math.log(max(value, 1e-6)) for value in left]
+def volume(nodes, given):
+    """What is taken out of light, 1/m, and what an even light in the medium adds to it, per m."""
+    rates = given['extinction']
     density = max(rates)
     if density <= 0:
         return None
-    return nodes.new('ShaderNodeVolumeAbsorption', {'Density': density, 'Color': rgba([1 - rate / density for rate in rates])}).outputs[0]
+    taken = nodes.new('ShaderNodeVolumeAbsorption', {'Density': density, 'Color': rgba([1 - rate / density for rate in rates])}).outputs[0]
+    strength = max(given['glow'])
+    if strength <= 0:
+        return taken
+    added = nodes.new('ShaderNodeEmission', {'Color': rgba([value / strength for value in given['glow']]), 'Strength': strength}).outputs[0]
+    return nodes.new('ShaderNodeAddShader', {0: taken, 1: added}).outputs[0]
 
 
-def material_of(given, folder):
+def material_of(given, sun):
     material = bpy.data.materials.new(given['name'])
     material.use_nodes = True
     nodes = Nodes(material.node_tree)
@@ -155,32 +197,41 @@ def material_of(given, folder):
     kind = given['kind']
     surface = None
     if kind == 'glass':
-        surface = nodes.new('ShaderNodeBsdfGlass', {'IOR': given['index'], 'Color': rgba(given.get('color', (1, 1, 1)))}, distribution='SHARP').outputs[0]
+        surface = nodes.new('ShaderNodeBsdfGlass', {'IOR': given['index'], 'Color': rgba((1, 1, 1))}, distribution='SHARP').outputs[0]
         if given.get('lightPasses'):        # straight through to what lies below: no caustics, but no black shadow either
             shadow = nodes.new('ShaderNodeLightPath').outputs['Is Shadow Ray']
             clear = nodes.new('ShaderNodeBsdfTransparent').outputs[0]
             surface = nodes.new('ShaderNodeMixShader', {0: shadow, 1: surface, 2: clear}).outputs[0]
-        inside = volume(nodes, given['left']) if 'left' in given else None
+        inside = volume(nodes, given) if 'extinction' in given else None
         if inside is not None:
             nodes.links.new(inside, output.inputs['Volume'])
     else:
         if 'board' in given:
             color = nodes.board(given['board'])
-        elif 'texture' in given:
-            image = bpy.data.images.load(os.path.join(folder, given['texture']))
-            image.colorspace_settings.name = 'sRGB'
-            scaled = nodes.new('ShaderNodeMapping', {0: nodes.new('ShaderNodeTexCoord').outputs['UV'], 'Scale': (*given.get('tiling', (1, 1)), 1),
-                                                     'Location': (*given.get('offset', (0, 0)), 0)}).outputs[0]
-            texel = nodes.new('ShaderNodeTexImage', {0: scaled}, image=image).outputs[0]
-            color = nodes.new('ShaderNodeMixRGB', {0: 1.0, 1: texel, 2: rgba(given['color'])}, blend_type='MULTIPLY').outputs[0]
         else:
             color = nodes.new('ShaderNodeRGB')
             color.outputs[0].default_value = rgba(given['color'])
             color = color.outputs[0]
         if kind == 'emission':
             surface = nodes.new('ShaderNodeEmission', {'Color': color, 'Strength': 1.0}).outputs[0]
-        elif kind == 'diffuse':
-            surface = nodes.new('ShaderNodeBsdfDiffuse', {'Color': color}).outputs[0]
+        elif kind == 'solid':       # Solid.hlsl: an even light from all around, and the sun
+            if given['tile'] > 0:
+                color = nodes.new('ShaderNodeMixRGB', {0: 1.0, 1: color, 2: nodes.tiles(given['tile'])}, blend_type='MULTIPLY').outputs[0]
+            around = nodes.new('ShaderNodeMixRGB', {0: 1.0, 1: color, 2: rgba(given['ambient'])}, blend_type='MULTIPLY').outputs[0]
+            straight = nodes.math('SUBTRACT', 1.0, nodes.new('ShaderNodeLightPath').outputs['Is Diffuse Ray'])
+            surface = nodes.new('ShaderNodeEmission', {'Color': around, 'Strength': straight}).outputs[0]
+            direct = nodes.new('ShaderNodeBsdfDiffuse', {'Color': color}).outputs[0]
+            if given['alpha'] < 1 and sun:      # by no chance, and without a shadow: a thin veil that would be noise
+                facing = nodes.new('ShaderNodeVectorMath', {0: nodes.new('ShaderNodeNewGeometry').outputs['Normal'],
+                                                            1: -swapped(sun['direction']).normalized()}, operation='DOT_PRODUCT').outputs['Value']
+                bright = nodes.math('MULTIPLY', straight, nodes.math('MULTIPLY', nodes.math('MAXIMUM', facing, 0.0), sun['irradiance'] / math.pi))
+                lit = nodes.new('ShaderNodeMixRGB', {0: 1.0, 1: color, 2: rgba(sun['color'])}, blend_type='MULTIPLY').outputs[0]
+                direct = nodes.new('ShaderNodeEmission', {'Color': lit, 'Strength': bright}).outputs[0]
+            surface = nodes.new('ShaderNodeAddShader', {0: surface, 1: direct}).outputs[0]
+            if given['alpha'] < 1:
+                clear = nodes.new('ShaderNodeBsdfTransparent').outputs[0]
+                front = nodes.math('SUBTRACT', 1.0, nodes.new('ShaderNodeNewGeometry').outputs['Backfacing'])       # Cull Back
+                surface = nodes.new('ShaderNodeMixShader', {0: nodes.math('MULTIPLY', front, given['alpha']), 1: clear, 2: surface}).outputs[0]
         else:
             raise ValueError(f'unknown kind of material {kind}')
     nodes.links.new(surface, output.inputs['Surface'])
@@ -230,6 +281,7 @@ def add_world(given, folder):
         color.outputs[0].default_value = rgba(given['color'])
         color = color.outputs[0]
     background = nodes.new('ShaderNodeBackground', {'Color': color, 'Strength': 1.0}).outputs[0]
+    world.cycles_visibility.diffuse = False         # the even light of materials stands for it
     nodes.links.new(background, nodes.new('ShaderNodeOutputWorld').inputs['Surface'])
 
 
@@ -271,7 +323,7 @@ def main(path):
     add_world(given['world'], folder)
     if 'sun' in given:
         add_sun(given['sun'])
-    materials = {m['name']: material_of(m, folder) for m in given['materials']}
+    materials = {m['name']: material_of(m, given.get('sun')) for m in given['materials']}
     for placed in given['objects']:
         mesh = mesh_of(placed, folder)
         mesh.validate()
@@ -280,8 +332,27 @@ def main(path):
         mesh.materials.append(materials[placed['material']])
         made = bpy.data.objects.new(placed['name'], mesh)
         bpy.context.collection.objects.link(made)
-        if 'matrix' in placed:
-            made.matrix_world = matrix(placed['matrix'])
+        made.matrix_world = matrix(placed['matrix'])
+        made.visible_shadow = placed['shadow']
+    bpy.ops.render.render(write_still=True)
+    if 'mask' in given:
+        draw_mask(given, folder)
+
+
+def draw_mask(given, folder):
+    """White where the material of the mask is seen first, black elsewhere; what one sees through is left out."""
+    scene = bpy.context.scene
+    scene.world.node_tree.nodes['Background'].inputs['Strength'].default_value = 0
+    clear = {m['name'] for m in given['materials'] if m.get('alpha', 1) < 1}
+    for made in list(scene.objects):
+        if made.type == 'LIGHT' or made.type == 'MESH' and made.data.materials[0].name in clear:
+            bpy.data.objects.remove(made)
+    for material in bpy.data.materials:
+        nodes = Nodes(material.node_tree)
+        white = 1.0 if material.name == given['mask']['material'] else 0.0
+        nodes.links.new(nodes.new('ShaderNodeEmission', {'Strength': white}).outputs[0], nodes.new('ShaderNodeOutputMaterial').inputs['Surface'])
+    scene.cycles.samples = 8
+    scene.render.filepath = os.path.join(folder, given['mask']['picture'])
     bpy.ops.render.render(write_still=True)
 
 
