@@ -4,8 +4,8 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>
-    /// LDR-FLIP of Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A Difference Evaluator for Alternating Images":
-    /// what a person sees who flips between two pictures, from 0 (nothing) to 1. Written by the paper; sections and constants are its own.
+    /// LDR-FLIP of Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A Difference Evaluator for Alternating
+    /// Images": what a person sees who flips between two pictures, from 0 (nothing) to 1. Written by the paper; sections and constants are its own.
     /// </summary>
     static class Flip
     {
@@ -15,7 +15,8 @@ namespace Rill.Tests
         const double ColorPower = 0.7, ColorKnee = 0.4, ColorAtKnee = 0.95;      // q_c, p_c, p_t
         const double FeatureWidth = 0.082, FeaturePower = 0.5;                    // w degrees, q_f
 
-        // Contrast sensitivity in the frequency domain, (a1, b1, a2, b2) of a sum of two Gaussians, section 4.1.1: achromatic, red-green, blue-yellow.
+        // Contrast sensitivity in the frequency domain, (a1, b1, a2, b2) of a sum of two Gaussians, section 4.1.1: achromatic, red-green,
+        // blue-yellow.
         static readonly double[][] sensitivity =
         {
             new[] { 1.0, 0.0047, 0.0, 1e-5 }, new[] { 1.0, 0.0053, 0.0, 1e-5 }, new[] { 34.1, 0.04, 13.5, 0.025 },
@@ -73,7 +74,8 @@ namespace Rill.Tests
             double y = (opponent.x + 16.0) / 116.0;
             double3 xyz = new double3(y + opponent.y / 500.0, y, y - opponent.z / 200.0) * white;
             double volume = math.dot(red, math.cross(green, blue));
-            return new double3(math.dot(xyz, math.cross(green, blue)), math.dot(xyz, math.cross(blue, red)), math.dot(xyz, math.cross(red, green))) / volume;
+            return new double3(math.dot(xyz, math.cross(green, blue)), math.dot(xyz, math.cross(blue, red)),
+                math.dot(xyz, math.cross(red, green))) / volume;
         }
 
         // CIE L*a*b*, its a and b by the Hunt effect, section 4.1.2: colors are paler where they are dark.
@@ -201,7 +203,10 @@ namespace Rill.Tests
             int side = 2 * radius + 1, wide = width + 2 * radius;
             var padded = new double[wide * (height + 2 * radius)];
             for (int i = 0; i < padded.Length; i++)
-                padded[i] = values[Math.Min(Math.Max(i / wide - radius, 0), height - 1) * width + Math.Min(Math.Max(i % wide - radius, 0), width - 1)];
+            {
+                int x = Math.Min(Math.Max(i % wide - radius, 0), width - 1), y = Math.Min(Math.Max(i / wide - radius, 0), height - 1);
+                padded[i] = values[y * width + x];
+            }
             var sums = new double[values.Length];
             for (int y = 0; y < height; y++)
                 for (int x = 0; x < width; x++)
