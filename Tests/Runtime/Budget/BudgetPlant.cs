@@ -70,6 +70,14 @@ namespace Rill.Tests
 
         public int Changes(float from, float to) => changes.Count(time => time > from && time <= to);
 
+        /// <summary>Each change and what it led to.</summary>
+        public List<(float time, int rung)> ChangesOfRung()
+            => changes.Select(time => (time, Rungs[(int)Math.Round(time / Frame)])).ToList();
+
+        /// <summary>Times at which it stepped up to a rung.</summary>
+        public List<float> TriesOf(int rung)
+            => Enumerable.Range(1, Rungs.Count - 1).Where(i => Rungs[i] == rung && Rungs[i - 1] < rung).Select(i => i * Frame).ToList();
+
         /// <summary>The detector of oscillation: most changes in any one second after a time.</summary>
         public int MaxChangesInASecond(float from)
         {
