@@ -166,6 +166,7 @@ namespace Rill.Tests
                 Assert.That(detector.TryGetSample(out FluidDetectorSample sample) || sample.valid, Is.False);
                 Assert.That(detector.ShapeVolume, Is.Zero);
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         // Moved a tenth of a spacing at a time, a box in water never finds more or less.
@@ -281,6 +282,67 @@ namespace Rill.Tests
                 Assert.That(fills.Max(), Is.GreaterThan(0.6f));
                 Assert.That(said.Where(what => what != "impact"), Is.EqualTo(new[] { "entered", "filled", "emptied", "left" }));
                 Assert.That(said.Count(what => what == "impact"), Is.EqualTo(1));
+            }
+        }
+
+        // Water that drifts evenly, and thresholds that are set just inside of each band around what is measured, and just beyond.
+        [Test]
+        public void Each_event_comes_again_only_after_its_threshold_was_left_by_the_whole_band()
+        {
+            using (var scene = new SourceScene(0.6f * Vector3.one, Spacing, 100))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.AddWhere(place => Math.Abs(place.x) < 0.1f && Math.Abs(place.y) < 0.1f && Math.Abs(place.z) < 0.1f, 0.1f * Vector3.right);
+                FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d =>
+                {
+                    d.Size = 0.6f * Vector3.one;
+                    d.EnterFill = d.FillLevel = 1f;
+                    d.ImpactSpeed = 100f;
+                    d.Hysteresis = 0.01f;
+                });
+                string called = "";
+                detector.OnEnter += () => called += "entered ";
+                detector.OnExit += () => called += "left ";
+                detector.OnFilled += () => called += "filled ";
+                detector.OnEmptied += () => called += "emptied ";
+                detector.OnImpact += () => called += "impact ";
+                scene.Run(1);
+                float fill = detector.Latest.fill, speed = detector.Latest.velocity.magnitude;
+                Assert.That(fill, Is.EqualTo(64f * Spacing * Spacing * Spacing / 0.216f).Within(0.1f).Percent);
+                Assert.That(speed, Is.EqualTo(0.1f).Within(1).Percent);
+
+                Expect("", () => detector.EnterFill = 1.01f * fill);
+                Expect("entered ", () => detector.EnterFill = 0.99f * fill);
+                Expect("", () => detector.EnterFill = 1.98f * fill);
+                Expect("", () => detector.EnterFill = 0.99f * fill);
+                Expect("left ", () => detector.EnterFill = 2.02f * fill);
+                Expect("", () => detector.EnterFill = 1.01f * fill);
+                Expect("entered ", () => detector.EnterFill = 0.99f * fill);
+
+                Expect("", () => detector.FillLevel = 1.01f * fill);
+                Expect("filled ", () => detector.FillLevel = 0.99f * fill);
+                Expect("", () => detector.FillLevel = fill + 0.0099f);
+                Expect("", () => detector.FillLevel = 0.99f * fill);
+                Expect("emptied ", () => detector.FillLevel = fill + 0.0101f);
+                Expect("", () => detector.FillLevel = 1.01f * fill);
+                Expect("filled ", () => detector.FillLevel = 0.99f * fill);
+
+                Expect("", () => detector.ImpactSpeed = 1.01f * speed);
+                Expect("impact ", () => detector.ImpactSpeed = 0.99f * speed);
+                Expect("", () => detector.ImpactSpeed = 1.24f * speed);
+                Expect("", () => detector.ImpactSpeed = 0.99f * speed);
+                Expect("", () => detector.ImpactSpeed = 1.26f * speed);
+                Expect("", () => detector.ImpactSpeed = 1.01f * speed);
+                Expect("impact ", () => detector.ImpactSpeed = 0.99f * speed);
+
+                void Expect(string events, Action set)
+                {
+                    called = "";
+                    set();
+                    scene.Run(1);
+                    Assert.That(called, Is.EqualTo(events), $"enters at {detector.EnterFill / fill}, fills at {detector.FillLevel / fill} of " +
+                        $"the fill, hits at {detector.ImpactSpeed / speed} of the speed");
+                }
             }
         }
 
@@ -408,6 +470,7 @@ namespace Rill.Tests
                 scene.Step();
                 Assert.That(empty.Flushed().step, Is.EqualTo(1));
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]
@@ -424,6 +487,7 @@ namespace Rill.Tests
                 List<FluidDetector> all = scene.Fluid.GetComponentsInChildren<FluidDetector>().ToList();
                 Assert.That(all.Count(detector => detector.Number >= 0 && detector.Flushed().volume > 0f), Is.EqualTo(32));
             }
+            LogAssert.NoUnexpectedReceived();
         }
     }
 }
