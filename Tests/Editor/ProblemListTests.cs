@@ -83,6 +83,7 @@ namespace Rill.Editor.Tests
             Assert.That(Problem(drain), Does.StartWith("Rate limit -1 is outside 0 to"));
             drain.RateLimit = 1f;
             Assert.That(ProblemList.Of(new Object[] { drain }), Is.Empty);
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

@@ -78,6 +78,7 @@ namespace Rill.Editor.Tests
             Change(collider, "bounciness", property => property.floatValue = 0.5f);
             LogAssert.Expect(LogType.Warning, new Regex("friction 7 is outside"));
             SettingsQueue.Apply();
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

@@ -279,6 +279,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("FluidPhysicsColliders 'Pool': friction 2 is outside 0 to 1"));
             colliders.Friction = 2f;
             Assert.That(colliders.Friction, Is.EqualTo(1f));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

@@ -97,6 +97,7 @@ namespace Rill.Tests
             terrain.Refresh();
             Assert.That(thing.GetComponent<FluidCollider>().Heights, Is.Not.Null);
             Object.DestroyImmediate(large);
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -126,6 +127,7 @@ namespace Rill.Tests
             data.SetHoles(3, 3, new bool[1, 1]);
             LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': its Terrain has holes"));
             yield return null;
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

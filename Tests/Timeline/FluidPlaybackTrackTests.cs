@@ -221,6 +221,7 @@ namespace Rill.Tests
                 asset.Begin = begin;
                 Assert.That(asset.Begin, Is.Zero);
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]

@@ -66,6 +66,7 @@ namespace Rill.Tests
             settings.referenceSpeed = 2f;
             foam.Settings = settings;
             Assert.That(Problems(foam), Is.Empty);
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]

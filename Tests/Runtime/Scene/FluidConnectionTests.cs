@@ -141,6 +141,7 @@ namespace Rill.Tests
             var problems = new List<string>();
             ((IHasProblems)connection).ListProblems(problems);
             Assert.That(problems, Has.Exactly(1).Contains("capacity of 60 is full"));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -238,6 +239,7 @@ namespace Rill.Tests
             FluidConnection connection = Connect(left, null);
             LogAssert.Expect(LogType.Warning, new Regex("both ends are 'Left'"));
             connection.Second = left;
+            LogAssert.NoUnexpectedReceived();
         }
     }
 }

@@ -179,6 +179,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("FluidCollider 'Plate': hit impulse 0 is outside"));
             plate.HitImpulse = 0f;
             Assert.That(plate.HitImpulse, Is.GreaterThan(0f));
+            LogAssert.NoUnexpectedReceived();
         }
 
         FluidCollider Plate(Vector3 position)

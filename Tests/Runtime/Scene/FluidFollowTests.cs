@@ -115,6 +115,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidFollow 'Fluid': .*distance"));
             follow.Distance = 0.2f;
             Assert.That(follow.Distance, Is.EqualTo(1f));
+            LogAssert.NoUnexpectedReceived();
         }
 
         // ---- helpers

@@ -164,6 +164,7 @@ namespace Rill.Tests
                 Assert.That(emitter.Rate, Is.Zero);
                 Assert.That(scene.AssertConserved().particles, Is.Zero);
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]
@@ -429,6 +430,11 @@ namespace Rill.Tests
                 FluidForceField late = scene.Add<FluidForceField>(Vector3.zero, Vector3.up, f => f.Bounds = ForceFieldBounds.Sphere);
                 scene.Step();
                 Assert.That(scene.Fluid.Input.sources.fieldCount, Is.EqualTo(32));
+                late.enabled = false;
+                late.enabled = true;
+                scene.Step();
+                Assert.That(late.Number, Is.EqualTo(-1));
+                LogAssert.NoUnexpectedReceived();
                 first.enabled = false;
                 late.enabled = false;
                 late.enabled = true;
@@ -436,6 +442,7 @@ namespace Rill.Tests
                 scene.Step();
                 Assert.That(scene.Fluid.Input.sources.fieldCount, Is.EqualTo(32));
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

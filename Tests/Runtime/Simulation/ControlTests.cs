@@ -182,6 +182,7 @@ namespace Rill.Tests
                     UnityEngine.Object.DestroyImmediate(gameObject);
                 }
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

@@ -214,6 +214,7 @@ namespace Rill.Tests
             yield return Frames(8);
             fluid.TryGetStatistics(out statistics);
             Assert.That(statistics.relaxationClamped, Is.False);
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -357,6 +358,7 @@ namespace Rill.Tests
             FluidSimulation fluid = Dam(f => SetSerialized(f, "stepRate", given));
             Assert.That(fluid.IsRunning);
             Assert.That(fluid.FixedStep, Is.EqualTo(1f / expected));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -370,6 +372,7 @@ namespace Rill.Tests
             int before = fluid.StepCount;
             yield return null;
             Assert.That(fluid.StepCount, Is.EqualTo(before + expected));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -381,6 +384,7 @@ namespace Rill.Tests
             Assert.That(fluid.Gravity, Is.EqualTo(new Vector3(0f, -9.81f, 0f)));
             yield return Frames(2);
             Assert.That(State(fluid).Count, Is.EqualTo(800));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -489,6 +493,7 @@ namespace Rill.Tests
                 f => AddWater(f, new Vector3(0.5f, 0.4f, 0.5f), new Vector3(0.5f, 0f, 0f)));
             yield return Frames(1);
             Assert.That(State(fluid).Count, Is.EqualTo(400));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -509,6 +514,7 @@ namespace Rill.Tests
             });
             yield return Frames(1);
             Assert.That(State(fluid).Count, Is.EqualTo(400));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -518,6 +524,7 @@ namespace Rill.Tests
             FluidSimulation fluid = Fluid("Small", Box, Spacing, 500, new Vector3(0.5f, 0.4f, 0.5f));
             yield return Frames(1);
             Assert.That(State(fluid).Count, Is.EqualTo(500));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]

@@ -77,6 +77,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': iterations 99 is outside 1 to 50"));
             fluid.Iterations = 99;
             Assert.That(fluid.Iterations, Is.EqualTo(50));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]

@@ -444,6 +444,7 @@ namespace Rill.Tests
             Assert.That(surface.Look.refractionIndex, Is.EqualTo(2f));
             Assert.That(surface.Look.colorDepth, Is.EqualTo(1f));
             Assert.That(surface.Preset, Is.EqualTo(SurfacePreset.Custom));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

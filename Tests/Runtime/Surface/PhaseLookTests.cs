@@ -98,6 +98,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("of 5 phase looks only the first 3 can be told apart"));
             surface.PhaseLooks = new[] { Clear(First), Clear(Second), Clear(First), Clear(First), Clear(First) };
             Assert.That(surface.PhaseLooks.Length, Is.EqualTo(3));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

@@ -350,6 +350,7 @@ namespace Rill.Tests
                 late.Flush();
                 AssertNone(late);
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

@@ -93,6 +93,7 @@ namespace Rill.Tests
             distances = Bake(deforming);
             Assert.That(distances.Min(), Is.GreaterThan(1f), "nothing is there");
             Assert.That(distances.All(d => !float.IsNaN(d) && !float.IsInfinity(d)));
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]

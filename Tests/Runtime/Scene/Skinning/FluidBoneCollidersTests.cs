@@ -150,6 +150,7 @@ namespace Rill.Tests
             bones.MinVertices = 0;
             LogAssert.Expect(LogType.Warning, new Regex("coverage 0 is outside 0.5 to 1"));
             bones.Coverage = 0f;
+            LogAssert.NoUnexpectedReceived();
         }
 
         void Refused(string problem)

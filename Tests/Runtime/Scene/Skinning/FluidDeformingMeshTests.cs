@@ -229,6 +229,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("triangles per frame 1 is outside 100 to 10000000"));
             deforming.TrianglesPerFrame = 1;
             yield return null;
+            LogAssert.NoUnexpectedReceived();
         }
 
         FluidDeformingMesh AddArm(Action<FluidDeformingMesh> setUp = null)

@@ -144,6 +144,7 @@ namespace Rill.Tests
                 scene.ReadBack();
                 Assert.That(drain.Drained, Is.EqualTo(scene.Count(ParticleCounter.Drained)));
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]
@@ -165,6 +166,7 @@ namespace Rill.Tests
                 scene.ReadBack();
                 Assert.That(second.Drained, Is.Zero);
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         // Frames as they come: each brings back what was asked for before it.

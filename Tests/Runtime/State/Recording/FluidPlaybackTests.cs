@@ -323,6 +323,7 @@ namespace Rill.Tests
                 LogAssert.Expect(LogType.Warning, new Regex("speed 200 is outside -100 to 100"));
                 playback.Speed = 200f;
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         /// <summary>A file whose frames are not read before the gate is open.</summary>

@@ -146,6 +146,7 @@ namespace Rill.Tests
                 LogAssert.Expect(LogType.Warning, new Regex("buffered frames 2 is outside 4 to 64"));
                 water.Recorder.BufferedFrames = 2;
             }
+            LogAssert.NoUnexpectedReceived();
         }
 
         [Test]
