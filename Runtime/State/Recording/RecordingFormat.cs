@@ -212,5 +212,8 @@ namespace Rill
         /// <summary>Fluid time, s.</summary>
         public double time;
         public int particles, step;
+
+        /// <summary>Whether a frame is what the index says of it.</summary>
+        public bool IsOf(RecordedFrame frame) => frame.particles == particles && frame.time == time && frame.step == step;
     }
 }

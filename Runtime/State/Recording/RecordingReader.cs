@@ -71,11 +71,12 @@ namespace Rill
         /// <exception cref="IOException">The disk does not give it.</exception>
         public void Read(int number, RecordedFrame frame)
         {
-            long at = entries[number].position;
+            IndexEntry entry = entries[number];
+            long at = entry.position;
             ReadAt(at, headerBytes);
             long particlesAt = at + RecordingFormat.FrameHeaderBytes;
             if (!RecordingFormat.TryReadFrameHeader(headerBytes, Header, number, end - particlesAt, frame, out int length,
-                out uint checksum) || frame.particles != entries[number].particles)
+                out uint checksum) || !entry.IsOf(frame))
                 throw DamagedFrame(number);
             frame.Reserve(length / sizeof(uint));
             Span<byte> bytes = MemoryMarshal.AsBytes(frame.words.AsSpan()).Slice(0, length);

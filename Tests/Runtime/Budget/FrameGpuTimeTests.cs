@@ -1,5 +1,6 @@
 using System;
 using NUnit.Framework;
+using UnityEngine.Rendering;
 using Random = Unity.Mathematics.Random;
 
 namespace Rill.Tests
@@ -73,9 +74,62 @@ namespace Rill.Tests
             var source = new FrameGpuTime();
             StepTime with = Play(source, 240, frame => frame / 30 % 2 == 0 ? 1f : 2f, (frame, fluid) => frame % 3 == 0 ? fluid + 1.0 : 0.0);
             Assert.That(with.Milliseconds / with.Modeled, Is.EqualTo(Factor).Within(20).Percent);
-            for (int i = 0; i < 90; i++)
+            for (int i = 0; i < 56; i++)
+                source.Read(Seconds, new WorkHistory(), 0.0);
+            Assert.That(source.Kind, Is.EqualTo(GpuTimeKind.Modeled), "for less than a second");
+            for (int i = 0; i < 5; i++)
                 source.Read(Seconds, new WorkHistory(), 0.0);
             Assert.That(source.Kind, Is.EqualTo(GpuTimeKind.None), "for longer than a second");
+        }
+
+        [Test]
+        public void Times_of_steps_that_stop_coming_give_way_to_the_model_after_a_second_and_come_back_at_once()
+        {
+            var measured = new Told { Milliseconds = 2f };
+            using (var best = new BestGpuTime(measured, new FrameGpuTime { DeviceFactor = 3f }))
+            {
+                var history = new WorkHistory();
+                history.Add(1, 1.5f);
+                Assert.That(best.Read(Seconds, history).Milliseconds, Is.EqualTo(2f));
+                Assert.That(best.Kind, Is.EqualTo(GpuTimeKind.Measured));
+                measured.Milliseconds = 0f;
+                for (int i = 0; i < 58; i++)
+                    Assert.That(best.Read(Seconds, history).Milliseconds, Is.Zero, $"frame {i}");
+                Assert.That(best.Kind, Is.EqualTo(GpuTimeKind.Measured));
+                for (int i = 0; i < 3; i++)
+                    best.Read(Seconds, history);
+                Assert.That(best.Read(Seconds, history).Milliseconds, Is.EqualTo(4.5f).Within(1e-4f));
+                Assert.That(best.Kind, Is.EqualTo(GpuTimeKind.Modeled));
+                measured.Milliseconds = 2f;
+                Assert.That(best.Read(Seconds, history).Milliseconds, Is.EqualTo(2f));
+                Assert.That(best.Kind, Is.EqualTo(GpuTimeKind.Measured));
+            }
+            Assert.That(measured.IsDisposed);
+        }
+
+        [Test]
+        public void A_device_that_tells_no_times_of_steps_has_the_model_at_once()
+        {
+            using (var best = new BestGpuTime(null, new FrameGpuTime { DeviceFactor = 3f }))
+            {
+                var history = new WorkHistory();
+                history.Add(1, 1.5f);
+                Assert.That(best.Read(Seconds, history).Milliseconds, Is.EqualTo(4.5f).Within(1e-4f));
+                Assert.That(best.Kind, Is.EqualTo(GpuTimeKind.Modeled));
+            }
+        }
+
+        sealed class Told : IGpuTimeSource
+        {
+            public float Milliseconds;
+            public bool IsDisposed { get; private set; }
+
+            public GpuTimeKind Kind => GpuTimeKind.Measured;
+
+            public void BeginStep(CommandBuffer commands) { }
+            public void EndStep(CommandBuffer commands) { }
+            public StepTime Read(float seconds, WorkHistory work) => new StepTime(Milliseconds, Milliseconds);
+            public void Dispose() => IsDisposed = true;
         }
 
         // Tells of each frame four frames later; returns the last reading.

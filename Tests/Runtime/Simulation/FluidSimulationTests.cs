@@ -217,6 +217,29 @@ namespace Rill.Tests
             LogAssert.NoUnexpectedReceived();
         }
 
+        // Frames of 0.2 s need 12 steps, and 4 are taken.
+        [Test]
+        public void Time_that_is_dropped_is_told_once_after_five_frames_in_a_row()
+        {
+            using (var scene = new SourceScene(0.3f * Vector3.one, Spacing, 10))
+            {
+                for (int i = 0; i < 4; i++)
+                    scene.Fluid.Advance(0.2f);
+                scene.Step();
+                for (int i = 0; i < 4; i++)
+                    scene.Fluid.Advance(0.2f);
+                LogAssert.NoUnexpectedReceived();
+                LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidSimulation 'Fluid' drops time.* of 0\\.2 s need 12 fixed steps"));
+                foreach (int row in new[] { 1, 8, 8 })
+                {
+                    for (int i = 0; i < row; i++)
+                        scene.Fluid.Advance(0.2f);
+                    scene.Step();
+                }
+            }
+            LogAssert.NoUnexpectedReceived();
+        }
+
         [UnityTest]
         public IEnumerator A_viscosity_beyond_its_passes_is_said_once_by_name_with_the_remedy()
         {

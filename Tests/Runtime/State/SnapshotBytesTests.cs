@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Reflection;
+using System.Runtime.CompilerServices;
 using System.Text;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -156,6 +158,127 @@ namespace Rill.Tests
         [TestCaseSource(nameof(Refusals))]
         public void A_refusal_says_what_is_wrong(Func<byte[], byte[]> change, string expected)
             => Assert.That(Refusal(change(bytes)), Does.Contain(expected));
+
+        // Each number of each record of its own. The checksum is right.
+        [Test]
+        public void A_number_that_is_not_finite_is_refused_wherever_it_stands_in_a_record()
+        {
+            int refused = Refuse<SolverRecord>(SnapshotSection.Solver) + Refuse<RestRecord>(SnapshotSection.Rest)
+                + Refuse<CoarseRecord>(SnapshotSection.Coarse) + Refuse<ExtrapolationRecord>(SnapshotSection.Extrapolation)
+                + Refuse<TimeRecord>(SnapshotSection.Time) + Refuse<EmitterRecord>(SnapshotSection.Emitters)
+                + Refuse<DrainRecord>(SnapshotSection.Drains) + Refuse<ColliderRecord>(SnapshotSection.Colliders);
+            Assert.That(refused, Is.GreaterThan(100));
+
+            int Refuse<T>(SnapshotSection section) where T : struct
+            {
+                int count = 0;
+                T[] records = FluidSnapshot.FromBytes(bytes).Contents.Values<T>(section).ToArray();
+                Assert.That(records, Is.Not.Empty, section.ToString());
+                foreach (object notFinite in new object[] { float.NaN, float.PositiveInfinity, float.NegativeInfinity })
+                    foreach ((string field, object changed) in WithEach(records[records.Length - 1], (float)notFinite))
+                    {
+                        SnapshotContents contents = FluidSnapshot.FromBytes(bytes).Contents;
+                        var all = (T[])records.Clone();
+                        all[all.Length - 1] = (T)changed;
+                        contents.SetValues<T>(section, all);
+                        Assert.That(Refusal(SnapshotFormat.Write(contents)), Is.Not.Null, $"{typeof(T).Name}{field} of {notFinite}");
+                        count++;
+                    }
+                return count;
+            }
+        }
+
+        static IEnumerable<(string field, object changed)> WithEach(object record, float value)
+        {
+            foreach (FieldInfo field in record.GetType().GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
+            {
+                object copy = RuntimeHelpers.GetObjectValue(record);
+                if (field.FieldType == typeof(float) || field.FieldType == typeof(double))
+                {
+                    field.SetValue(copy, Convert.ChangeType(value, field.FieldType));
+                    yield return ("." + field.Name, copy);
+                }
+                else if (field.FieldType.IsValueType && !field.FieldType.IsPrimitive && !field.FieldType.IsEnum)
+                    foreach ((string inner, object changed) in WithEach(field.GetValue(record), value))
+                    {
+                        field.SetValue(copy, changed);
+                        yield return ("." + field.Name + inner, copy);
+                    }
+            }
+        }
+
+        static IEnumerable<TestCaseData> WrongRecords()
+        {
+            yield return Wrong<SolverRecord>("spacing of 0", SnapshotSection.Solver, r => { r.spacing = 0f; return r; }, "is no size");
+            yield return Wrong<SolverRecord>("box without width", SnapshotSection.Solver, r => { r.domainSize.x = 0f; return r; }, "is no size");
+            yield return Wrong<SolverRecord>("more moved than there are", SnapshotSection.Solver,
+                r => { r.moved = r.particles + 1; return r; }, "which moved, cannot be");
+            yield return Wrong<SolverRecord>("fewer at most than there are", SnapshotSection.Solver,
+                r => { r.maxParticles = r.particles - 1; return r; }, "which moved, cannot be");
+            yield return Wrong<SolverRecord>("more than a fluid has", SnapshotSection.Solver,
+                r => { r.particles = r.maxParticles = 16777217; return r; }, "which moved, cannot be");
+            yield return Wrong<SolverRecord>("substeps below 0", SnapshotSection.Solver, r => { r.lastSubsteps = -1; return r; }, "substeps cannot be");
+            yield return Wrong<SolverRecord>("no substeps of what moved", SnapshotSection.Solver, r => { r.lastSubsteps = 0; return r; }, "substeps cannot be");
+            yield return Wrong<SolverRecord>("1025 substeps", SnapshotSection.Solver, r => { r.lastSubsteps = 1025; return r; }, "substeps cannot be");
+            yield return Wrong<SolverRecord>("flag", SnapshotSection.Solver, r => { r.flags = 1u << 7; return r; }, "a flag is unknown");
+            yield return Wrong<SolverRecord>("flag of lifetimes", SnapshotSection.Solver, r => { r.hasLifetimes = 2; return r; }, "a flag is unknown");
+            yield return Wrong<RestRecord>("wake", SnapshotSection.Rest, r => { r.wake = 2; return r; }, "what the water rested under");
+            yield return Wrong<ExtrapolationRecord>("time step", SnapshotSection.Extrapolation, r => { r.lastTimeStep = -0.01f; return r; }, "last time step");
+            yield return Wrong<TimeRecord>("step", SnapshotSection.Time, r => { r.stepCount = -1; return r; }, "a time is negative");
+            yield return Wrong<TimeRecord>("time", SnapshotSection.Time, r => { r.fluidTime = -1.0; return r; }, "a time is negative");
+            yield return Wrong<TimeRecord>("time of 2e12 s", SnapshotSection.Time, r => { r.fluidTime = 2e12; return r; }, "a time is negative");
+            yield return Wrong<TimeRecord>("accumulated time", SnapshotSection.Time, r => { r.clock.accumulated = -1.0; return r; }, "a time is negative");
+            yield return Wrong<TimeRecord>("lag", SnapshotSection.Time, r => { r.clock.lastFrameLag = -1.0; return r; }, "a time is negative");
+            yield return Wrong<TimeRecord>("duration", SnapshotSection.Time, r => { r.lastDuration = -1f; return r; }, "pose of the box");
+            yield return Wrong<EmitterRecord>("number", SnapshotSection.Emitters, r => { r.part.number = 32; return r; }, "number or the pose");
+            yield return Wrong<EmitterRecord>("count", SnapshotSection.Emitters, r => { r.clock.due = -1; return r; }, "what an emitter let in");
+            yield return Wrong<EmitterRecord>("volume", SnapshotSection.Emitters, r => { r.clock.volume = -1.0; return r; }, "what an emitter let in");
+            yield return Wrong<DrainRecord>("number", SnapshotSection.Drains, r => { r.part.number = 32; return r; }, "number or the pose");
+            yield return Wrong<DrainRecord>("budget", SnapshotSection.Drains, r => { r.budget = -1.0; return r; }, "what a drain may take");
+        }
+
+        static TestCaseData Wrong<T>(string name, SnapshotSection section, Func<T, T> change, string expected) where T : struct
+            => new TestCaseData(new Func<byte[], byte[]>(b =>
+            {
+                SnapshotContents contents = FluidSnapshot.FromBytes(b).Contents;
+                T[] records = contents.Values<T>(section).ToArray();
+                records[0] = change(records[0]);
+                contents.SetValues<T>(section, records);
+                return SnapshotFormat.Write(contents);
+            }), expected).SetName($"{typeof(T).Name} with a wrong {name}");
+
+        [TestCaseSource(nameof(WrongRecords))]
+        public void A_record_that_cannot_be_is_refused(Func<byte[], byte[]> change, string expected)
+            => Assert.That(Refusal(change(bytes)), Does.Contain(expected));
+
+        // A word more and a word less; those that depend on the box are refused by the fluid.
+        [Test]
+        public void A_section_of_another_length_is_refused()
+        {
+            var taken = new List<string>();
+            using (var scene = new SnapshotScene(Small))
+                foreach (SnapshotSection section in FluidSnapshot.FromBytes(bytes).Contents.Sections.Select(s => s.Key).ToArray())
+                    foreach (int more in new[] { 4, -4 })
+                    {
+                        SnapshotContents contents = FluidSnapshot.FromBytes(bytes).Contents;
+                        byte[] whole = contents.Bytes(section).ToArray();
+                        if (whole.Length + more < 0)
+                            continue;
+                        contents.Set(section, whole.Concat(new byte[4]).Take(whole.Length + more).ToArray());
+                        byte[] changed = SnapshotFormat.Write(contents);
+                        if (Refusal(changed) != null)
+                            continue;
+                        try
+                        {
+                            scene.Fluid.Restore(FluidSnapshot.FromBytes(changed));
+                            taken.Add($"{section} {more}");
+                        }
+                        catch (ArgumentException)
+                        {
+                        }
+                    }
+            Assert.That(taken, Is.Empty);
+        }
 
         [Test]
         public void Another_box_spacing_or_capacity_is_refused_by_name_and_the_fluid_stays()

@@ -126,6 +126,21 @@ namespace Rill.Tests
             Assert.That((size.Width, size.Height), Is.EqualTo((224, 128)));
         }
 
+        // 864 x 448: three quarters of it are 290,304 texels.
+        [Test]
+        public void A_size_shrinks_after_a_second_to_less_than_three_quarters_and_to_no_more()
+        {
+            ScreenSize size = default;
+            size.Fit(800, 400, 1920, 1080);
+            Assert.That((size.Width, size.Height), Is.EqualTo((864, 448)));
+            for (int i = 0; i < 180; i++)
+                Assert.That(size.Fit(720, 360, 1920, 1080), Is.False, "768 x 384 are 294,912");
+            for (int i = 0; i < 59; i++)
+                Assert.That(size.Fit(680, 360, 1920, 1080), Is.False, $"frame {i} of a second of 60");
+            Assert.That(size.Fit(680, 360, 1920, 1080), Is.True, "736 x 384 are 282,624");
+            Assert.That((size.Width, size.Height), Is.EqualTo((736, 384)));
+        }
+
         [Test]
         public void Texels_of_thickness_keep_their_width_near_to_where_it_changes()
         {

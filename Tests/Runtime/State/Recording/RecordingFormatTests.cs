@@ -114,7 +114,17 @@ namespace Rill.Tests
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 12, 255)), "its fields 255 are unknown").SetName("unknown fields");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 16, 17)), "coordinates have 17 bits").SetName("other bits");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 23, 255)), "its capacity is").SetName("huge capacity");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 20, 0u)), "its capacity is 0, and a fluid has 1 to 16,777,216").SetName("no capacity");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 20, 16777217u)), "its capacity is 16,777,217").SetName("capacity above the most");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 27, 255)), "its spacing is").SetName("negative spacing");
+            foreach (float value in new[] { 0f, float.NaN, float.PositiveInfinity })
+                for (int field = 0; field < 4; field++)
+                {
+                    int at = 24 + 4 * field;
+                    yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, at, math.asuint(value))),
+                        "its spacing is").SetName($"{new[] { "spacing", "width", "height", "length" }[field]} of {value}");
+                }
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 32, math.asuint(-30f))), "its spacing is").SetName("negative height");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => { b = (byte[])b.Clone(); b[30] ^= 1; return b; }),
                 "checksum of its header is another").SetName("changed header");
             yield return new TestCaseData(new Func<byte[],
@@ -143,8 +153,64 @@ namespace Rill.Tests
             Assert.That(RefusalWith(entries, e => Set(e, 2, v => { v.particles = 501; return v; })), Does.Contain("with 501 particles"));
             Assert.That(RefusalWith(entries, e => Set(e, 3, v => { v.time = double.NaN; return v; })), Does.Contain("has the time"));
             Assert.That(RefusalWith(entries, e => Set(e, 3, v => { v.time = 0.0; return v; })), Does.Contain("has the time"));
+            Assert.That(RefusalWith(entries, e => Set(e, 0, v => { v.time = double.NaN; return v; })), Does.Contain("frame 0 of its index has the time"));
+            Assert.That(RefusalWith(entries, e => Set(e, 6, v => { v.time = double.PositiveInfinity; return v; })), Does.Contain("has the time"));
+            Assert.That(RefusalWith(entries, e => Set(e, 3, v => { v.step = -1; return v; })), Does.Contain("frame 3 of its index lies at byte"));
+            Assert.That(RefusalWith(entries, e => Set(e, 5, v => { v.particles = 500; return v; })), Does.Contain("frame 6 of its index lies at byte"));
+            Assert.That(RefusalWith(entries, e => e.Add(new IndexEntry { position = Ends().Last(), time = 1.0 })),
+                Does.Contain("frame 7 of its index ends after the frames"));
             Assert.That(RefusalWith(entries, e => e.RemoveAt(6)), Does.Contain("does not list all"));
             Assert.That(RefusalWith(entries, e => Set(e, 6, v => { v.particles = 490; return v; })), Does.Contain("does not list all"));
+        }
+
+        static IEnumerable<TestCaseData> FramesThatAreWrong()
+        {
+            yield return Wrong("mark", 0, BitConverter.GetBytes(0x78644952u));
+            yield return Wrong("number of the next", 4, BitConverter.GetBytes(5));
+            yield return Wrong("particles above the capacity", 8, BitConverter.GetBytes(501));
+            yield return Wrong("particles above the capacity with their bytes", 8, BitConverter.GetBytes(501).Concat(new byte[4])
+                .Concat(BitConverter.GetBytes(4 / 30.0)).Concat(BitConverter.GetBytes(9)).Concat(BitConverter.GetBytes((int)(4 * Header.Layout.Words(501)))).ToArray());
+            yield return Wrong("particles of more bytes", 8, BitConverter.GetBytes(101));
+            yield return Wrong("all the particles that there are", 8, BitConverter.GetBytes(uint.MaxValue));
+            yield return Wrong("bytes of other particles", 28, BitConverter.GetBytes(4 * Words(4) + 4));
+            yield return Wrong("bytes beyond the file", 28, BitConverter.GetBytes(uint.MaxValue));
+            yield return Wrong("time that is not a number", 16, BitConverter.GetBytes(double.NaN));
+            yield return Wrong("time without end", 16, BitConverter.GetBytes(double.PositiveInfinity));
+            yield return Wrong("time before the last frame's", 16, BitConverter.GetBytes(2.9 / 30.0));
+            yield return Wrong("step below 0", 24, BitConverter.GetBytes(-1));
+        }
+
+        static TestCaseData Wrong(string name, int at, byte[] value) => new TestCaseData(at, value).SetName("A frame is refused with a wrong " + name);
+
+        // By the index, and one after the other where there is none.
+        [TestCaseSource(nameof(FramesThatAreWrong))]
+        public void A_frame_with_a_right_checksum_that_is_wrong_is_refused_in_each_way_of_reading(int at, byte[] value)
+        {
+            byte[] changed = WithFrame(bytes, 4, at, value), without = changed.Take((int)Ends().Last()).ToArray();
+            Assert.That(Refusal(changed), Does.Contain("Frame 4 of the recording was changed since it was written"));
+            Assert.That(Count(without), Is.EqualTo(4), "the frames before it");
+            Assert.That(Refusal(without), Is.Null);
+        }
+
+        [Test]
+        public void A_frame_of_the_index_that_lies_elsewhere_in_time_is_refused()
+        {
+            Assert.That(Refusal(WithFrame(bytes, 4, 16, BitConverter.GetBytes(4.1 / 30.0))), Does.Contain("Frame 4"), "s");
+            Assert.That(Refusal(WithFrame(bytes, 4, 24, BitConverter.GetBytes(10))), Does.Contain("Frame 4"), "steps");
+        }
+
+        [Test]
+        public void Frames_of_one_time_are_taken_in_each_way_of_reading()
+        {
+            byte[] frames = bytes.Take((int)Ends().Last()).ToArray();
+            for (int i = 0; i < Counts.Length; i++)
+                frames = WithFrame(frames, i, 16, BitConverter.GetBytes(0.5));
+            Assert.That(Count(frames), Is.EqualTo(Counts.Length));
+            IndexEntry[] entries = Counts.Select((particles, i) => new IndexEntry
+            {
+                position = i == 0 ? RecordingFormat.HeaderBytes : Ends()[i - 1], time = 0.5, particles = particles, step = 2 * i + 1
+            }).ToArray();
+            Assert.That(Refusal(frames.Concat(RecordingFormat.WriteIndex(entries, frames.Length)).ToArray()), Is.Null);
         }
 
         [Test]
@@ -254,6 +320,24 @@ namespace Rill.Tests
         }
 
         static void Set(List<IndexEntry> entries, int i, Func<IndexEntry, IndexEntry> change) => entries[i] = change(entries[i]);
+
+        static byte[] With(byte[] source, int at, uint value)
+        {
+            byte[] changed = source;
+            for (int i = 0; i < 4; i++)
+                changed = With(changed, at + i, (byte)(value >> 8 * i));
+            return changed;
+        }
+
+        // With a right checksum of the frame's header.
+        static byte[] WithFrame(byte[] source, int number, int at, byte[] value)
+        {
+            var changed = (byte[])source.Clone();
+            int begin = number == 0 ? RecordingFormat.HeaderBytes : (int)Ends()[number - 1];
+            value.CopyTo(changed, begin + at);
+            BitConverter.GetBytes(Crc32C.Of(changed.AsSpan(begin, 36))).CopyTo(changed, begin + 36);
+            return changed;
+        }
 
         static byte[] With(byte[] source, int at, byte value)
         {
