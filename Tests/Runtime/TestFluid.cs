@@ -47,10 +47,12 @@ namespace Rill.Tests
 
         public TestFluid Add(float3[] places, float3 velocity = default) => Add(places, _ => velocity);
 
-        public TestFluid Add(float3[] places, Func<float3, float3> velocityAt)
+        public TestFluid Add(float3[] places, Func<float3, float3> velocityAt) => Add(places, places.Select(velocityAt).ToArray());
+
+        public TestFluid Add(float3[] places, float3[] speeds)
         {
             using (var positions = new NativeArray<float4>(places.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))
-            using (var velocities = new NativeArray<float4>(places.Select(p => new float4(velocityAt(p), 0f)).ToArray(), Allocator.Persistent))
+            using (var velocities = new NativeArray<float4>(speeds.Select(v => new float4(v, 0f)).ToArray(), Allocator.Persistent))
                 Solver.Add(positions, velocities);
             Added += places.Length;
             return this;

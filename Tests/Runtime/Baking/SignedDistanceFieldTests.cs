@@ -1,4 +1,5 @@
 using System;
+using System.Reflection;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -147,6 +148,39 @@ namespace Rill.Tests
             Assert.That(field.Validate(out string problem), Is.False);
             Assert.That(problem, Does.Contain("do not fill").And.Contain("bake it again"));
         }
+
+        [TestCase("voxelSize", 0f)]
+        [TestCase("voxelSize", -0.1f)]
+        [TestCase("voxelSize", float.NaN)]
+        [TestCase("voxelSize", float.PositiveInfinity)]
+        [TestCase("center.x", float.NaN)]
+        [TestCase("center.y", float.PositiveInfinity)]
+        [TestCase("center.z", float.NegativeInfinity)]
+        [TestCase("size.x", float.NaN)]
+        [TestCase("size.x", 1.001f)]
+        [TestCase("size.y", 1.001f)]
+        [TestCase("size.z", 0.999f)]
+        public void A_field_of_a_file_with_a_number_that_cannot_be_is_found(string what, float value)
+        {
+            Bounds bounds = field.Bounds;
+            if (what == "voxelSize")
+                Set("voxelSize", value);
+            else
+            {
+                int axis = what[what.Length - 1] - 'x';
+                Vector3 center = bounds.center, size = bounds.size;
+                if (what[0] == 'c')
+                    center[axis] = value;
+                else
+                    size[axis] *= value;
+                Set("bounds", new Bounds(center, size));
+            }
+            Assert.That(field.Validate(out string problem), Is.False);
+            Assert.That(problem, Does.Contain("do not fill").And.Contain("bake it again"));
+        }
+
+        void Set(string name, object value) => typeof(SignedDistanceField).GetField(name, BindingFlags.Instance | BindingFlags.NonPublic)
+            .SetValue(field, value);
 
         static void DestroyReplaced(Texture3D texture)
         {

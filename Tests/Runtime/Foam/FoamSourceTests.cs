@@ -10,9 +10,11 @@ namespace Rill.Tests
     public class FoamSourceTests
     {
         const float Step = 1f / 60f;
-        static readonly double Low = FoamScales.MinSpeed * 20.0, High = FoamScales.MaxSpeed * 20.0;      // d/s, of FoamStage.Settings
-        const double MinStrain = FoamScales.MinStrain;   // 1/s, at 1 for speed over depth
-        static readonly double Made = Step * Math.Pow(FoamScales.TrappedAir / 20.0, 3.0);
+        // As Documentation~/foam-study.md has them.
+        const double Low = 0.25 * 20.0, High = 0.5 * 20.0;      // d/s, of FoamStage.Settings
+        const double MinStrain = 2.0;       // 1/s, at 1 for speed over depth
+        const double SolverStrain = 0.025, MinBend = 0.1, MaxBend = 0.5;
+        static readonly double Made = Step * Math.Pow(50.0 / 20.0, 3.0);
 
         [TestCaseSource(typeof(GpuTest), nameof(GpuTest.Sizes))]
         public void Potentials_are_those_of_the_reference(int count)
@@ -203,12 +205,11 @@ namespace Rill.Tests
                 }
                 for (int i = 0; i < count; i++)
                     if (FliesOut[i])
-                        Crest[i] = Made * Kinetic[i] * Reference.FoamPotentials.Ramp(potentials.Bend(i, normals), FoamScales.MinBend,
-                            FoamScales.MaxBend);
+                        Crest[i] = Made * Kinetic[i] * Reference.FoamPotentials.Ramp(potentials.Bend(i, normals), MinBend, MaxBend);
             }
 
             // Without the solver's own.
-            static double Flow(double strain) => Math.Sqrt(Math.Max(strain * strain - Math.Pow(FoamScales.SolverStrain / Step, 2.0), 0.0));
+            static double Flow(double strain) => Math.Sqrt(Math.Max(strain * strain - Math.Pow(SolverStrain / Step, 2.0), 0.0));
 
             /// <summary>Whether single precision may take it to be on the other side of a limit.</summary>
             public bool IsUncertain(int i) => isUncertain[i];

@@ -11,10 +11,11 @@ namespace Rill.Tests
     public class RestingRegionsTests
     {
         const float Spacing = 0.05f, SleepSpeed = 0.02f, TimeStep = 1f / 60f;
+        const float JitterRatio = 25f;      // of one particle's speed over that of a region
         const uint Asleep = (uint)RegionState.Asleep, AtEdge = (uint)RegionState.AsleepAtEdge, Awake = (uint)RegionState.Awake;
         const float SleepDisplacement = SleepSpeed * TimeStep / Spacing;      // d
 
-        static readonly int StepsToSleep = (int)math.ceil(RestingRegions.Delay / TimeStep);
+        static readonly int StepsToSleep = (int)math.ceil(0.5f / TimeStep);
 
         // By the mean way of a region or by one fast particle; in boxes of whole and of cut regions.
         [TestCase(40, 48, 40, 62, 1.5f, 1)]
@@ -42,7 +43,7 @@ namespace Rill.Tests
 
                 for (int i = mover * 20; i < mover * 20 + fastParticles; i++)
                     state.velocities[i] = new float4(
-                        (i % 2 == 0 ? 1.2f : -1.2f) * RestingRegions.JitterRatio * SleepDisplacement / TimeStep, 0f, 0f, 0f);
+                        (i % 2 == 0 ? 1.2f : -1.2f) * JitterRatio * SleepDisplacement / TimeStep, 0f, 0f, 0f);
                 stage.Set(state);
                 Assert.That(stage.Run(1), Is.EqualTo(Enumerable.Range(0, total).Select(region => Around(region, mover, counts)).ToArray()),
                     "fast particles whose velocities cancel");
@@ -254,7 +255,7 @@ namespace Rill.Tests
             var state = new ParticleState(box, places.ToArray());
             for (int i = 0; i < state.Count; i += 2)
             {
-                float3 velocity = random.NextFloat3Direction() * (0.5f * RestingRegions.JitterRatio * SleepDisplacement / TimeStep);
+                float3 velocity = random.NextFloat3Direction() * (0.5f * JitterRatio * SleepDisplacement / TimeStep);
                 state.velocities[i] = new float4(velocity, 1f);
                 state.velocities[i + 1] = new float4(-velocity, 1f);
             }
