@@ -183,8 +183,8 @@ namespace Rill
             return field != null ? field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit : 0f;
         }
 
-        // Angular acceleration of the body alone, rad/s².
-        static Vector3 Turn(Rigidbody body, Vector3 torque)
+        /// <summary>Angular acceleration of the body alone, rad/s².</summary>
+        internal static Vector3 Turn(Rigidbody body, Vector3 torque)
         {
             Quaternion axes = body.rotation * body.inertiaTensorRotation;
             Vector3 local = Quaternion.Inverse(axes) * torque, inertia = body.inertiaTensor;

@@ -4,6 +4,7 @@ using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
@@ -52,6 +53,46 @@ namespace Rill.Tests
             Assert.That(last.Average(), Is.EqualTo(scene.Level).Within(0.15f * Ball), "half of it is under water");
             Assert.That(last.Max() - last.Min(), Is.LessThan(0.25f * Ball), "it is at rest");
             Assert.That(scene.Speeds.Max(), Is.LessThan(1.5f), "nothing threw it");
+        }
+
+        [Test]
+        public void A_script_s_step_takes_a_turn_along_as_it_takes_a_motion()
+        {
+            UnityEngine.Physics.simulationMode = SimulationMode.Script;
+            Time.fixedDeltaTime = 1f / 40f;
+            Rigidbody body = Body();
+            PhysicsStep step = PhysicsStep.OfFixedUpdate(body.gameObject);
+            Assert.That(step.Time, Is.EqualTo(1f / 40f));
+            for (int i = 0; i < 2; i++)
+                step.Accelerate(body, new Vector3(0f, 2f, 0f), new Vector3(0f, 0f, 3f));
+            UnityEngine.Physics.Simulate(1f / 100f);
+            Assert.That(Vector3.Distance(body.GetPointVelocity(body.worldCenterOfMass), new Vector3(0f, 0.1f, 0f)), Is.LessThan(1e-3f), "m/s");
+            Assert.That(Vector3.Distance(body.angularVelocity, new Vector3(0f, 0f, 0.15f)), Is.LessThan(1e-3f), "rad/s");
+            Object.DestroyImmediate(body.gameObject);
+        }
+
+        // About each of its principal axes as much as its moment of inertia lets it; not about one that has none.
+        [Test]
+        public void A_torque_turns_a_body_by_the_moments_about_its_own_axes_however_it_lies()
+        {
+            Rigidbody body = Body();
+            body.rotation = Quaternion.Euler(30f, 70f, -20f);
+            body.inertiaTensor = new Vector3(1f, 2f, 4f);
+            body.inertiaTensorRotation = Quaternion.Euler(0f, 40f, 25f);
+            Quaternion axes = body.rotation * body.inertiaTensorRotation;
+            Vector3 turn = FloatingBody.Turn(body, axes * new Vector3(6f, 6f, 6f));
+            Assert.That(Vector3.Distance(turn, axes * new Vector3(6f, 3f, 1.5f)), Is.LessThan(1e-4f));
+            body.inertiaTensor = new Vector3(1f, 0f, 4f);
+            turn = FloatingBody.Turn(body, axes * new Vector3(6f, 6f, 6f));
+            Assert.That(Vector3.Distance(turn, axes * new Vector3(6f, 0f, 1.5f)), Is.LessThan(1e-4f));
+            Object.DestroyImmediate(body.gameObject);
+        }
+
+        static Rigidbody Body()
+        {
+            var body = GameObject.CreatePrimitive(PrimitiveType.Cube).AddComponent<Rigidbody>();
+            body.useGravity = false;
+            return body;
         }
     }
 }

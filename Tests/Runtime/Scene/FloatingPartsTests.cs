@@ -56,6 +56,47 @@ namespace Rill.Tests
             Assert.That(acceleration.magnitude, Is.EqualTo(5f).Within(1e-3f));
         }
 
+        // Half the diagonal of the box is 0.354 m; a second part reaches 1 m further.
+        [TestCase(0f, 0.353553f)]
+        [TestCase(1f, 1.353553f)]
+        public void The_limit_holds_at_the_farthest_point_of_a_body_that_turns(float aside, float reach)
+        {
+            foreach (float turn in new[] { 0.9f * 5f / reach, 2f * 5f / reach, 1000f })
+            {
+                var response = new FloatingResponse();
+                response.Begin(1e6f, Center, Vector3.zero, Vector3.zero, Step);     // so heavy that the water resists no turn
+                Add(response, Center, Size, Vector3.zero, Center, Quaternion.identity);
+                Add(response, Center + aside * Vector3.right, Size, Vector3.zero, Center, Quaternion.identity);
+                response.EndFluid(Density, Gravity * Vector3.down);
+                Vector3 axis = new Vector3(0.6f, 0f, -0.8f);
+                response.Solve(Vector3.zero, turn * axis, 5f, out _, out Vector3 angular);
+                Assert.That(Vector3.Distance(angular, Mathf.Min(turn, 5f / reach) * axis), Is.LessThan(0.01f * 5f / reach), $"{turn} rad/s²");
+            }
+        }
+
+        // Without gravity nothing tells the two halves apart: what a fluid does to a velocity it does to an angular velocity.
+        [Test]
+        public void Turns_are_resisted_in_proportion_to_the_inertia_as_motion_is_to_the_mass()
+        {
+            var response = new FloatingResponse();
+            var random = new Unity.Mathematics.Random(3u);
+            float resisted = 0f;
+            for (int i = 0; i < 10; i++)
+            {
+                Vector3 velocity = random.NextFloat3(-1f, 1f), slip = random.NextFloat3(-1f, 1f), push = random.NextFloat3(-100f, 100f);
+                response.Begin(Mass, Center, velocity, velocity, Step);
+                ColliderMotion shape = Shape(Center, Size, Quaternion.identity);
+                response.AddPart(shape, Volume(Size));
+                response.Add(shape, Volume(Size), new FluidForce(null, push, Vector3.zero,
+                    new RelativeMotion(Center, Quaternion.identity, slip, slip, Memory)));
+                response.EndFluid(Density, Vector3.zero);
+                response.Solve(Vector3.zero, push / Mass, 1e6f, out Vector3 acceleration, out Vector3 angular);
+                Assert.That(Vector3.Distance(angular, acceleration), Is.LessThan(1e-3f * (1f + acceleration.magnitude)), $"step {i}");
+                resisted = Mathf.Max(resisted, Vector3.Distance(acceleration, push / Mass));
+            }
+            Assert.That(resisted, Is.GreaterThan(1f), "the water resists");
+        }
+
         [Test]
         public void A_part_that_no_fluid_tells_of_counts_as_dry()
         {
