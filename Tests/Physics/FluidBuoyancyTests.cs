@@ -110,6 +110,7 @@ namespace Rill.Tests
             scene.Fluid.enabled = false;
             yield return scene.Play(6f);
             Assert.That(scene.Speeds.Last(), Is.EqualTo(FloatingScene.Gravity * 6f).Within(0.5f));
+            yield return scene.Play(6f);
             LogAssert.NoUnexpectedReceived();
         }
 
