@@ -217,22 +217,29 @@ namespace Rill.Tests
                 r => { r.maxParticles = r.particles - 1; return r; }, "which moved, cannot be");
             yield return Wrong<SolverRecord>("more than a fluid has", SnapshotSection.Solver,
                 r => { r.particles = r.maxParticles = 16777217; return r; }, "which moved, cannot be");
-            yield return Wrong<SolverRecord>("substeps below 0", SnapshotSection.Solver, r => { r.lastSubsteps = -1; return r; }, "substeps cannot be");
-            yield return Wrong<SolverRecord>("no substeps of what moved", SnapshotSection.Solver, r => { r.lastSubsteps = 0; return r; }, "substeps cannot be");
-            yield return Wrong<SolverRecord>("1025 substeps", SnapshotSection.Solver, r => { r.lastSubsteps = 1025; return r; }, "substeps cannot be");
+            yield return Wrong<SolverRecord>("substeps below 0", SnapshotSection.Solver,
+                r => { r.lastSubsteps = -1; return r; }, "substeps cannot be");
+            yield return Wrong<SolverRecord>("no substeps of what moved", SnapshotSection.Solver,
+                r => { r.lastSubsteps = 0; return r; }, "substeps cannot be");
+            yield return Wrong<SolverRecord>("1025 substeps", SnapshotSection.Solver,
+                r => { r.lastSubsteps = 1025; return r; }, "substeps cannot be");
             yield return Wrong<SolverRecord>("flag", SnapshotSection.Solver, r => { r.flags = 1u << 7; return r; }, "a flag is unknown");
-            yield return Wrong<SolverRecord>("flag of lifetimes", SnapshotSection.Solver, r => { r.hasLifetimes = 2; return r; }, "a flag is unknown");
+            yield return Wrong<SolverRecord>("flag of lifetimes", SnapshotSection.Solver,
+                r => { r.hasLifetimes = 2; return r; }, "a flag is unknown");
             yield return Wrong<RestRecord>("wake", SnapshotSection.Rest, r => { r.wake = 2; return r; }, "what the water rested under");
-            yield return Wrong<ExtrapolationRecord>("time step", SnapshotSection.Extrapolation, r => { r.lastTimeStep = -0.01f; return r; }, "last time step");
+            yield return Wrong<ExtrapolationRecord>("time step", SnapshotSection.Extrapolation,
+                r => { r.lastTimeStep = -0.01f; return r; }, "last time step");
             yield return Wrong<TimeRecord>("step", SnapshotSection.Time, r => { r.stepCount = -1; return r; }, "a time is negative");
             yield return Wrong<TimeRecord>("time", SnapshotSection.Time, r => { r.fluidTime = -1.0; return r; }, "a time is negative");
             yield return Wrong<TimeRecord>("time of 2e12 s", SnapshotSection.Time, r => { r.fluidTime = 2e12; return r; }, "a time is negative");
-            yield return Wrong<TimeRecord>("accumulated time", SnapshotSection.Time, r => { r.clock.accumulated = -1.0; return r; }, "a time is negative");
+            yield return Wrong<TimeRecord>("accumulated time", SnapshotSection.Time,
+                r => { r.clock.accumulated = -1.0; return r; }, "a time is negative");
             yield return Wrong<TimeRecord>("lag", SnapshotSection.Time, r => { r.clock.lastFrameLag = -1.0; return r; }, "a time is negative");
             yield return Wrong<TimeRecord>("duration", SnapshotSection.Time, r => { r.lastDuration = -1f; return r; }, "pose of the box");
             yield return Wrong<EmitterRecord>("number", SnapshotSection.Emitters, r => { r.part.number = 32; return r; }, "number or the pose");
             yield return Wrong<EmitterRecord>("count", SnapshotSection.Emitters, r => { r.clock.due = -1; return r; }, "what an emitter let in");
-            yield return Wrong<EmitterRecord>("volume", SnapshotSection.Emitters, r => { r.clock.volume = -1.0; return r; }, "what an emitter let in");
+            yield return Wrong<EmitterRecord>("volume", SnapshotSection.Emitters,
+                r => { r.clock.volume = -1.0; return r; }, "what an emitter let in");
             yield return Wrong<DrainRecord>("number", SnapshotSection.Drains, r => { r.part.number = 32; return r; }, "number or the pose");
             yield return Wrong<DrainRecord>("budget", SnapshotSection.Drains, r => { r.budget = -1.0; return r; }, "what a drain may take");
         }

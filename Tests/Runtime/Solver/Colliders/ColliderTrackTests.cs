@@ -56,7 +56,8 @@ namespace Rill.Tests
 
         // Of every point of the ball around it, and not twice as much.
         [Test]
-        public void What_a_collider_sweeps_in_a_substep_is_as_far_as_its_points_go([Values(0f, 1f)] float moves, [Values(0f, 0.02f, 0.3f)] float turns)
+        public void What_a_collider_sweeps_in_a_substep_is_as_far_as_its_points_go([Values(0f, 1f)] float moves,
+            [Values(0f, 0.02f, 0.3f)] float turns)
         {
             var size = new float3(3f, 4f, 12f);
             float reach = math.length(size);

@@ -114,8 +114,10 @@ namespace Rill.Tests
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 12, 255)), "its fields 255 are unknown").SetName("unknown fields");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 16, 17)), "coordinates have 17 bits").SetName("other bits");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 23, 255)), "its capacity is").SetName("huge capacity");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 20, 0u)), "its capacity is 0, and a fluid has 1 to 16,777,216").SetName("no capacity");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 20, 16777217u)), "its capacity is 16,777,217").SetName("capacity above the most");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 20, 0u)),
+                "its capacity is 0, and a fluid has 1 to 16,777,216").SetName("no capacity");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 20, 16777217u)),
+                "its capacity is 16,777,217").SetName("capacity above the most");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 27, 255)), "its spacing is").SetName("negative spacing");
             foreach (float value in new[] { 0f, float.NaN, float.PositiveInfinity })
                 for (int field = 0; field < 4; field++)
@@ -153,10 +155,12 @@ namespace Rill.Tests
             Assert.That(RefusalWith(entries, e => Set(e, 2, v => { v.particles = 501; return v; })), Does.Contain("with 501 particles"));
             Assert.That(RefusalWith(entries, e => Set(e, 3, v => { v.time = double.NaN; return v; })), Does.Contain("has the time"));
             Assert.That(RefusalWith(entries, e => Set(e, 3, v => { v.time = 0.0; return v; })), Does.Contain("has the time"));
-            Assert.That(RefusalWith(entries, e => Set(e, 0, v => { v.time = double.NaN; return v; })), Does.Contain("frame 0 of its index has the time"));
+            Assert.That(RefusalWith(entries, e => Set(e, 0, v => { v.time = double.NaN; return v; })),
+                Does.Contain("frame 0 of its index has the time"));
             Assert.That(RefusalWith(entries, e => Set(e, 6, v => { v.time = double.PositiveInfinity; return v; })), Does.Contain("has the time"));
             Assert.That(RefusalWith(entries, e => Set(e, 3, v => { v.step = -1; return v; })), Does.Contain("frame 3 of its index lies at byte"));
-            Assert.That(RefusalWith(entries, e => Set(e, 5, v => { v.particles = 500; return v; })), Does.Contain("frame 6 of its index lies at byte"));
+            Assert.That(RefusalWith(entries, e => Set(e, 5, v => { v.particles = 500; return v; })),
+                Does.Contain("frame 6 of its index lies at byte"));
             Assert.That(RefusalWith(entries, e => e.Add(new IndexEntry { position = Ends().Last(), time = 1.0 })),
                 Does.Contain("frame 7 of its index ends after the frames"));
             Assert.That(RefusalWith(entries, e => e.RemoveAt(6)), Does.Contain("does not list all"));
@@ -169,7 +173,8 @@ namespace Rill.Tests
             yield return Wrong("number of the next", 4, BitConverter.GetBytes(5));
             yield return Wrong("particles above the capacity", 8, BitConverter.GetBytes(501));
             yield return Wrong("particles above the capacity with their bytes", 8, BitConverter.GetBytes(501).Concat(new byte[4])
-                .Concat(BitConverter.GetBytes(4 / 30.0)).Concat(BitConverter.GetBytes(9)).Concat(BitConverter.GetBytes((int)(4 * Header.Layout.Words(501)))).ToArray());
+                .Concat(BitConverter.GetBytes(4 / 30.0)).Concat(BitConverter.GetBytes(9))
+                .Concat(BitConverter.GetBytes((int)(4 * Header.Layout.Words(501)))).ToArray());
             yield return Wrong("particles of more bytes", 8, BitConverter.GetBytes(101));
             yield return Wrong("all the particles that there are", 8, BitConverter.GetBytes(uint.MaxValue));
             yield return Wrong("bytes of other particles", 28, BitConverter.GetBytes(4 * Words(4) + 4));
@@ -180,7 +185,8 @@ namespace Rill.Tests
             yield return Wrong("step below 0", 24, BitConverter.GetBytes(-1));
         }
 
-        static TestCaseData Wrong(string name, int at, byte[] value) => new TestCaseData(at, value).SetName("A frame is refused with a wrong " + name);
+        static TestCaseData Wrong(string name, int at, byte[] value)
+            => new TestCaseData(at, value).SetName("A frame is refused with a wrong " + name);
 
         // By the index, and one after the other where there is none.
         [TestCaseSource(nameof(FramesThatAreWrong))]
