@@ -6,6 +6,7 @@ using NUnit.Framework;
 using Rill;
 using UnityEngine;
 using UnityEngine.Headless;
+using UnityEngine.Rendering;
 
 namespace Host.Tests
 {
@@ -105,6 +106,35 @@ namespace Host.Tests
             Expose(1);
             Assert.That(halved, Is.GreaterThan(0.05f), "the floor");
             Assert.That(MilkAfter(1), Is.EqualTo(halved).Within(0.001f));
+        }
+
+        // Without a sun: by the light of the sky, and by that of a cube of the user's own.
+        [Test]
+        public void The_light_of_the_sky_in_the_water_is_exposed([Values("14", "17")] string version, [Values] bool own)
+        {
+            Build(version);
+            Sun.intensity = 0;
+            Surface.Preset = SurfacePreset.Milk;
+            Surface.ReflectionStrength = 0;
+            float dark = MilkAfter(3);
+            simulation.Paused = true;
+            var cube = new Cubemap(1, TextureFormat.RGBAHalf, false);
+            for (int face = 0; face < 6; face++)
+                cube.SetPixels(new[] { Color.gray }, (CubemapFace)face);
+            cube.Apply(false);
+            if (own)
+                Surface.Reflection = cube;
+            else
+                (RenderSettings.defaultReflectionMode, RenderSettings.customReflectionTexture) = (DefaultReflectionMode.Custom, cube);
+            Surface.ReflectionStrength = 1;
+            float lit = MilkAfter(2) - dark;
+            Expose(0.5f);
+            float halved = MilkAfter(1) - dark;
+            Surface.Reflection = null;
+            (RenderSettings.defaultReflectionMode, RenderSettings.customReflectionTexture) = (DefaultReflectionMode.Skybox, null);
+            Object.DestroyImmediate(cube);
+            Assert.That(lit, Is.GreaterThan(0.1f));
+            Assert.That(halved, Is.EqualTo(0.5f * lit).Within(0.01f * lit));
         }
 
         [Test]

@@ -114,6 +114,48 @@ namespace Rill.Tests
             }
         }
 
+        // Sides of 4 cells of two spacings and a last, narrower one: half of it, a tenth, and none.
+        [Test]
+        public void What_flows_and_how_full_it_is_are_those_of_each_cell_the_last_and_narrower_ones_too()
+        {
+            var box = new float3(9f, 8.2f, 8f);
+            var random = new Unity.Mathematics.Random(17u);
+            float3[] places = Enumerable.Range(0, 400).Select(_ => random.NextFloat3(0.1f, box - 0.1f)).ToArray();
+            var state = new ParticleState(box, places);
+            for (int i = 0; i < state.Count; i++)
+                state.velocities[i] = new float4(random.NextFloat3(-5f, 5f), 1f);
+            using (var stage = new FoamStage(state, FoamStage.Settings(0f), fluidStep: 1e-4f))
+            {
+                stage.Step();
+                var counts = new int3(5, 5, 4);
+                float4[] cells = GpuTest.Read<float4>(stage.Foam.Cells, 100);
+                Assert.That(stage.Foam.Cells.count, Is.EqualTo(100));
+                int narrow = 0;
+                for (int cell = 0; cell < 100; cell++)
+                {
+                    var at = new int3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
+                    double3 low = 2.0 * (double3)at, high = math.min(low + 2.0, (double3)box), sum = 0.0;
+                    int inside = 0, near = 0;
+                    for (int i = 0; i < stage.Points.Length; i++)
+                    {
+                        double3 p = stage.Points[i];
+                        near += math.cmin(math.abs(p - low)) < 1e-3 || math.cmin(math.abs(p - high)) < 1e-3 ? 1 : 0;
+                        if (!math.all(p >= low) || !math.all(p < high))
+                            continue;
+                        inside++;
+                        sum += stage.Velocities[i];
+                    }
+                    if (near > 0)
+                        continue;
+                    double volume = (high.x - low.x) * (high.y - low.y) * (high.z - low.z);
+                    Assert.That(cells[cell].w, Is.EqualTo(math.min(inside / volume, 1.0)).Within(1e-4), $"fill of cell {at}");
+                    Assert.That(math.distance(cells[cell].xyz, (float3)(sum / math.max(inside, 1))), Is.LessThan(1e-3f), $"flow of cell {at}");
+                    narrow += math.any(high - low < 1.9) && inside > 0 && inside < volume ? 1 : 0;
+                }
+                Assert.That(narrow, Is.GreaterThan(3), "narrower cells that are neither empty nor full");
+            }
+        }
+
         [Test]
         public void A_bubble_rises_at_its_speed_and_becomes_foam_at_the_surface()
         {

@@ -1,6 +1,7 @@
 using System.Collections;
 using System.Collections.Generic;
 using System.Text.RegularExpressions;
+using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -122,6 +123,36 @@ namespace Rill.Tests
             Object.DestroyImmediate(white);
             TestContext.Out.WriteLine($"seen {seen:0.00000}, Schlick {expected:0.00000}");
             Assert.That(seen, Is.EqualTo(expected).Within(0.03f * expected));
+        }
+
+        // Red tells the mip, an eighth for each, and green how much is mirrored. The levels are Unity's: 6 r (1.7 - 0.7 r).
+        [UnityTest]
+        public IEnumerator It_mirrors_the_mip_of_its_roughness()
+        {
+            var cube = new Cubemap(64, TextureFormat.RGBAHalf, true) { filterMode = FilterMode.Trilinear };
+            for (int mip = 0; mip < 7; mip++)
+                for (int face = 0; face < 6; face++)
+                    cube.SetPixels(Enumerable.Repeat(new Color(mip / 8f, 1f, 0f), 64 * 64 >> 2 * mip).ToArray(), (CubemapFace)face, mip);
+            cube.Apply(false);
+            surface.Reflection = cube;
+            surface.ReflectionStrength = 1f;
+            camera.backgroundColor = Color.black;
+            camera.orthographicSize = 0.1f;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(20);
+            fluid.Paused = true;
+            foreach ((float roughness, float level) in new[] { (0f, 0f), (0.25f, 2.2875f), (0.5f, 4.05f), (0.75f, 5.28750f), (1f, 6f) })
+            {
+                SurfaceLook look = surface.Look;
+                look.roughness = roughness;
+                surface.Look = look;
+                yield return Frames(2);
+                Color seen = scene.Mean();
+                TestContext.Out.WriteLine($"roughness {roughness}: mip {8f * seen.r / seen.g:0.000}, {seen.g:0.0000} mirrored");
+                Assert.That(8f * seen.r / seen.g, Is.EqualTo(level).Within(roughness == 0f ? 1f : 0.1f));
+            }
+            surface.Reflection = null;
+            Object.DestroyImmediate(cube);
         }
 
         [UnityTest, Category("LongRun")]
