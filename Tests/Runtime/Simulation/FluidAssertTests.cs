@@ -6,6 +6,7 @@ using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.TestTools;
+using static System.FormattableString;
 
 namespace Rill.Tests
 {
@@ -138,6 +139,49 @@ namespace Rill.Tests
             counters[(int)ParticleCounter.Added] += 7;
             fluid.Solver.Counters.SetData(counters);
             Assert.That(Failure(() => FluidAssert.NothingLost(fluid)), Does.Contain("7 are not accounted for: 407 added"));
+        }
+
+        // Each counter by itself: what came in and is gone, and what went out and is there.
+        [UnityTest]
+        public IEnumerator Each_counter_is_part_of_the_account()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            var counters = new uint[ParticleBuffers.CounterCount];
+            fluid.Solver.Counters.GetData(counters);
+            foreach ((ParticleCounter counter, int missing, string named) in new[]
+            {
+                (ParticleCounter.Added, 7, "407 added"), (ParticleCounter.Emitted, 7, "7 emitted"), (ParticleCounter.HandedIn, 7, "7 handed in"),
+                (ParticleCounter.HandedOut, -7, "7 out"), (ParticleCounter.Drained, -7, "7 drained"), (ParticleCounter.NonFinite, -7, "7 not finite"),
+            })
+            {
+                var changed = (uint[])counters.Clone();
+                changed[(int)counter] += 7;
+                fluid.Solver.Counters.SetData(changed);
+                Assert.That(Failure(() => FluidAssert.NothingLost(fluid)), Does.Contain($" {missing} are not accounted for: ").And.Contain(named));
+            }
+            var drainedAndEmitted = (uint[])counters.Clone();
+            foreach (ParticleCounter counter in new[] { ParticleCounter.Emitted, ParticleCounter.HandedIn, ParticleCounter.Drained,
+                ParticleCounter.HandedOut })
+                drainedAndEmitted[(int)counter] += 7;
+            fluid.Solver.Counters.SetData(drainedAndEmitted);
+            FluidAssert.NothingLost(fluid);
+            fluid.Solver.Counters.SetData(counters);
+            FluidAssert.NothingLost(fluid);
+        }
+
+        // The center of a particle at rest is half a spacing from the wall.
+        [TestCase(0.41f, false)]
+        [TestCase(0.39f, true)]
+        public void A_tenth_of_a_spacing_is_not_yet_escaped(float fromTheWall, bool hasEscaped)
+        {
+            FluidSimulation fluid = Pool();
+            fluid.Advance(1f / 60f);
+            PutAt(fluid, 17, new float4(5f, 11f, fromTheWall, 0f));
+            if (hasEscaped)
+                Assert.That(Failure(() => FluidAssert.NothingEscaped(fluid)), Does.Contain("1 of 400").And.Contain("Particle 17 is at"));
+            else
+                FluidAssert.NothingEscaped(fluid);
         }
 
         [UnityTest]
@@ -274,9 +318,26 @@ namespace Rill.Tests
                 f.Budget = budget;
             });
             yield return Frames(20);
-            FluidAssert.CostBelow(fluid, 100f);
-            string problem = Failure(() => FluidAssert.CostBelow(fluid, 0.001f));
-            Assert.That(problem, Does.Contain("ms a frame, more than 0.001 ms"));
+            float cost = fluid.BudgetState.milliseconds;
+            Assert.That(cost, Is.GreaterThan(0f));
+            FluidAssert.CostBelow(fluid, 1.01f * cost);
+            string problem = Failure(() => FluidAssert.CostBelow(fluid, 0.99f * cost));
+            Assert.That(problem, Does.Contain(Invariant($"its steps take {cost:0.000} ms a frame, more than {0.99f * cost:0.000} ms")));
+        }
+
+        [UnityTest]
+        public IEnumerator A_cost_that_was_modeled_is_no_measured_cost()
+        {
+            FluidSimulation fluid = Pool(setUp: f =>
+            {
+                f.BudgetTime = new TwoMilliseconds { Kind = GpuTimeKind.Modeled };
+                SolverBudget budget = f.Budget;
+                budget.mode = BudgetMode.Milliseconds;
+                f.Budget = budget;
+            });
+            yield return Frames(20);
+            Assert.That(fluid.BudgetState.milliseconds, Is.GreaterThan(0f));
+            Assert.That(() => FluidAssert.CostBelow(fluid, 1000f), Throws.InvalidOperationException.With.Message.Contains("was not measured"));
         }
 
         [UnityTest]
@@ -365,7 +426,7 @@ namespace Rill.Tests
 
         sealed class TwoMilliseconds : IGpuTimeSource
         {
-            public GpuTimeKind Kind => GpuTimeKind.Measured;
+            public GpuTimeKind Kind { get; set; } = GpuTimeKind.Measured;
 
             public void BeginStep(CommandBuffer commands) { }
 

@@ -15,6 +15,8 @@ namespace Rill.Tests
         const int Coarse = 5;       // pixels from ray to ray through the isosurface
 
         [TestCase(24f, 6f, 0.5f, 150, 0f)]
+        [TestCase(18f, 5f, 0.01f, 200, 0f)]
+        [TestCase(18f, 6f, 0.5f, 120, 8f)]
         [TestCase(30f, 8f, 0.5f, 200, 0f, Category = "GpuOnly")]
         [TestCase(30f, 8f, 0.01f, 400, 0f, Category = "GpuOnly")]
         [TestCase(30f, 8f, 0.5f, 200, 8f, Category = "GpuOnly")]
@@ -30,6 +32,7 @@ namespace Rill.Tests
 
         // 24 x 6 x 24: the surface lies at the centers of the coarse grid's cells, which is where it is found worst.
         [TestCase(24f, 6f, 0.5f, 150, 0f, 0.2f, 5f)]
+        [TestCase(18f, 5f, 0.01f, 200, 0f, 0.2f, 5f)]
         [TestCase(30f, 8f, 0.5f, 200, 0f, 0.1f, 2.5f, Category = "GpuOnly")]
         [TestCase(30f, 8f, 0.01f, 400, 0f, 0.1f, 2.5f, Category = "GpuOnly")]
         [TestCase(30f, 8f, 0.5f, 200, 8f, 0.25f, 5.5f, Category = "GpuOnly")]
