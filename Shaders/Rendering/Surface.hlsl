@@ -22,35 +22,7 @@ Texture2DArray<float4> _SurfaceNormals;
 Texture2DArray<float4> _SurfaceThickness;
 
 #ifdef RILL_REFRACTION
-#if defined(RILL_HIGH_DEFINITION)
-Texture2DArray _ColorPyramidTexture;
-#define RILL_SCENE_COLOR(uv) _ColorPyramidTexture.SampleLevel(rill_linear_clamp_sampler, float3(InColorPyramid(uv), eyeIndex), 0)
-#define RILL_SCENE_ARRAY
-#elif defined(RILL_STEREO)
-#ifdef RILL_UNIVERSAL
-#define _SceneColor _CameraOpaqueTexture
-#endif
-Texture2DArray _SceneColor;
-#define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)
-#define RILL_SCENE_ARRAY
-#else
-#ifdef RILL_UNIVERSAL
-#define _SceneColor _CameraOpaqueTexture
-#endif
-Texture2D _SceneColor;
-#define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, uv, 0)
-#endif
-#include "SceneDepth.hlsl"
-
-#if defined(RILL_HIGH_DEFINITION)
-// HDRP's textures are as large as the largest camera needs; this one uses their first texels.
-float2 InColorPyramid(float2 uv)
-{
-    uint width, height, slices;
-    _ColorPyramidTexture.GetDimensions(width, height, slices);
-    return min(uv * _SceneSize.xy, _SceneSize.xy - 0.5) / float2(width, height);
-}
-#endif
+#include "SceneColor.hlsl"
 #endif
 
 struct SurfacePoint
@@ -91,11 +63,6 @@ SurfacePoint PointOn(float2 picture)
 #ifdef RILL_REFRACTION
 static const int kRefractionSteps = 8;      // that halve how much of the bend is known to be hidden
 static const float kRefractionReach = 0.8;  // of the depth that a ray should reach: the scene there may be nearer by the rest, as no floor is flat
-
-float SceneDepthAt(float2 picture)
-{
-    return FromSceneDepth(FlipDepth(SceneDepth(picture, eyeIndex)), picture, eyeIndex);
-}
 
 // Whether the scene that a filtered sample takes in is as far away as the ray there: what hides it must not show in its place.
 bool IsBehind(float2 picture, float z)

@@ -377,6 +377,12 @@ namespace Rill
             new KernelNeed("SurfaceRaster", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("SurfaceShadow", "Vertex", "", 0, 0, 1, 0, 0),
             new KernelNeed("SurfaceShadow", "Fragment", "", 0, 0, 0, 0, 0),
+            new KernelNeed("Water", "Vertex", "", 0, 0, 1, 0, 0),
+            new KernelNeed("Water", "Fragment", "", 0, 0, 2, 0, 7),
+            new KernelNeed("WaterDepth", "Vertex", "", 0, 0, 1, 0, 0),
+            new KernelNeed("WaterDepth", "Fragment", "", 0, 0, 0, 0, 0),
+            new KernelNeed("WaterInside", "Vertex", "", 0, 0, 2, 0, 0),
+            new KernelNeed("WaterInside", "Fragment", "", 0, 0, 2, 0, 6),
         };
     }
 }

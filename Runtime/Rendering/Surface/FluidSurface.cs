@@ -60,9 +60,11 @@ namespace Rill
 
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
+        MeshDraw meshDraw;      // made when first needed
         readonly SurfaceWatch watch = new SurfaceWatch();
         SurfaceFrame frame;
         [NonSerialized] bool hasFrame;
+        MeshFrame? mesh, nextMesh;      // that is drawn, and from the next frame on
         [NonSerialized] Material copy;          // of the user's own
         [NonSerialized] Shader knownShader;
         [NonSerialized] bool knowsFoam;
@@ -131,6 +133,9 @@ namespace Rill
             }
         }
 
+        /// <summary>What is drawn instead of the surface on the screen; null for that.</summary>
+        internal MeshFrame? Mesh { get => nextMesh; set => nextMesh = value; }
+
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
 
@@ -145,16 +150,21 @@ namespace Rill
             if (!hasFrame || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
             {
                 recorder.TurnOff(camera.camera);
+                meshDraw?.TurnOff(camera.camera);
                 return false;
             }
-            if (!recorder.Prepare(camera, frame))
+            if (mesh.HasValue)
+                recorder.TurnOff(camera.camera);
+            else
+                meshDraw?.TurnOff(camera.camera);
+            if (!(mesh.HasValue ? meshDraw.Prepare(camera, mesh.Value) : recorder.Prepare(camera, frame)))
                 return false;
             watch.See();
             return true;
         }
 
         /// <summary>Whether there is anything to record for the picture that the camera draws now.</summary>
-        internal bool IsPreparedFor(Camera camera) => recorder.IsPreparedFor(camera);
+        internal bool IsPreparedFor(Camera camera) => mesh.HasValue ? meshDraw.IsPreparedFor(camera) : recorder.IsPreparedFor(camera);
 
         /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
         /// <param name="camera">With the matrices that it draws with: jittered where antialiasing wants that, of the eyes of this pass.</param>
@@ -169,17 +179,26 @@ namespace Rill
                 shadow.SetOn(ref constants);
             else
                 ShadowCopy.SetNone(ref constants);
-            recorder.Record(cmd, camera, frame, constants);
+            if (mesh.HasValue)
+                meshDraw.Record(cmd, camera, constants);
+            else
+                recorder.Record(cmd, camera, frame, constants);
         }
 
         /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where
         /// none are needed.</summary>
-        internal void RecordMotion(CommandBuffer cmd, in FluidViews camera) => recorder.RecordMotion(cmd, camera);
+        internal void RecordMotion(CommandBuffer cmd, in FluidViews camera)
+        {
+            if (!mesh.HasValue)
+                recorder.RecordMotion(cmd, camera);
+        }
 
         /// <summary>Has the pipeline draw them among the motion vectors of opaque objects instead, after <see cref="Prepare"/> for a camera
         /// that needs them.</summary>
         internal void SubmitMotion(in FluidViews camera)
         {
+            if (mesh.HasValue)
+                return;
             SurfaceView view = recorder.ViewOf(camera.camera);
             if (!view.TrySubmitMotion())
                 return;
@@ -194,11 +213,24 @@ namespace Rill
         /// <param name="shadow">In the Built-in pipeline; null for none.</param>
         internal void Submit(in FluidViews camera, Texture sceneColor, ShadowCopy shadow = null)
         {
+            if (mesh is MeshFrame drawn)
+            {
+                if (meshDraw.BeginSubmit(camera, drawn) is MaterialPropertyBlock ofMesh)
+                    meshDraw.Submit(ShadingParameters(camera, ofMesh, sceneColor, shadow), drawn);
+                return;
+            }
             SurfaceView view = recorder.ViewOf(camera.camera);
             if (view.IsSubmitted)
                 return;
             view.MarkSubmitted(camera.width, camera.height);
-            MaterialPropertyBlock properties = view.Shading;
+            RenderParams parameters = ShadingParameters(camera, view.Shading, sceneColor, shadow);
+            if (copy != null)
+                parameters.material = copy;
+            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, 6);
+        }
+
+        RenderParams ShadingParameters(in FluidViews camera, MaterialPropertyBlock properties, Texture sceneColor, ShadowCopy shadow)
+        {
             if (reflection != null)
                 properties.SetTexture(Ids.ReflectionCube, reflection);
             if (sceneColor != null)
@@ -213,9 +245,7 @@ namespace Rill
             parameters.motionVectorMode = MotionVectorGenerationMode.Camera;
             parameters.reflectionProbeUsage = ReflectionProbeUsage.BlendProbes;
             parameters.lightProbeUsage = LightProbeUsage.BlendProbes;
-            if (copy != null)
-                parameters.material = copy;
-            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, 6);
+            return parameters;
         }
 
         private protected override void Begin()
@@ -232,6 +262,7 @@ namespace Rill
         private protected override void End()
         {
             hasFrame = false;
+            mesh = null;
             active.Remove(this);
             if (Simulation != null)
                 Simulation.AskForSurface -= Ask;
@@ -242,6 +273,8 @@ namespace Rill
             shadow = null;
             recorder?.Dispose();
             recorder = null;
+            meshDraw?.Dispose();
+            meshDraw = null;
             if (active.Count == 0)
                 SurfaceScratch.Shared.Release();
         }
@@ -249,6 +282,7 @@ namespace Rill
         private protected override void ReleaseUnused()
         {
             recorder.ReleaseUnused();
+            meshDraw?.ReleaseUnused();
             SurfaceScratch.Shared.ReleaseUnused();
             BuiltInSurfaces.ReleaseUnused();
         }
@@ -272,6 +306,14 @@ namespace Rill
         private protected override void Draw()
         {
             PbfSolver solver = Simulation.Solver;
+            mesh = nextMesh;
+            if (mesh.HasValue)
+            {
+                meshDraw ??= new MeshDraw();
+                meshDraw.SetKeywords(refraction, reflection != null);
+                hasFrame = true;
+                return;
+            }
             hasFrame = solver.Surface != null;
             if (!hasFrame)
                 return;
@@ -308,6 +350,7 @@ namespace Rill
             description.Draw(ShaderFile, 1);
             description.Draw("SurfaceShadow", 0);       // in shadow maps alone
             recorder?.Describe(description, frame.filterPasses);
+            meshDraw?.Describe(description);
             BuiltInSurfaces.Describe(description);
         }
 

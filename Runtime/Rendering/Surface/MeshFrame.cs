@@ -1,0 +1,66 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>The mesh of a fluid's surface in a frame, for all cameras; see WaterMesh.hlsl and MeshField.hlsl.</summary>
+    struct MeshFrame
+    {
+        /// <summary>28 bytes a vertex, raw; three 32-bit indices a triangle, raw too.</summary>
+        public GraphicsBuffer vertices, indices;
+
+        /// <summary>Two GraphicsBuffer.IndirectDrawIndexedArgs: <see cref="MeshDraw.MonoCommand"/> and
+        /// <see cref="MeshDraw.StereoCommand"/>.</summary>
+        public GraphicsBuffer arguments;
+
+        /// <summary>A word for each brick of the domain, and the nodes of those bricks that the surface is near.</summary>
+        public GraphicsBuffer top, field;
+
+        /// <summary>Distance between nodes, d.</summary>
+        public float cell;
+
+        /// <summary>Bricks of the domain along each axis.</summary>
+        public Vector3Int bricks;
+
+        /// <summary>From the domain's frame in d to the world.</summary>
+        public Matrix4x4 domainToWorld;
+
+        /// <summary>d.</summary>
+        public Vector3 domainSize;
+
+        /// <summary>Particle spacing, m.</summary>
+        public float spacing;
+
+        /// <summary>FluidSimulation.FrameLag.</summary>
+        public Vector4 lag;
+
+        /// <summary>World, of all that is drawn.</summary>
+        public Bounds bounds;
+
+        /// <summary>Sets what the water's shaders read.</summary>
+        public readonly void SetOn(MaterialPropertyBlock block)
+        {
+            block.SetBuffer(Ids.MeshVertices, vertices);
+            block.SetBuffer(Ids.MeshTop, top);
+            block.SetBuffer(Ids.MeshField, field);
+            block.SetFloat(Ids.MeshCell, cell);
+            block.SetVector(Ids.MeshBricks, (Vector3)bricks);
+            block.SetMatrix(Ids.DomainToWorld, domainToWorld);
+            block.SetMatrix(Ids.WorldToDomain, domainToWorld.inverse);
+            block.SetVector(Ids.DrawnDomainSize, domainSize);
+            block.SetVector(Ids.FrameLag, lag);
+        }
+
+        static class Ids
+        {
+            public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
+            public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
+            public static readonly int MeshField = Shader.PropertyToID("_MeshField");
+            public static readonly int MeshCell = Shader.PropertyToID("_MeshCell");
+            public static readonly int MeshBricks = Shader.PropertyToID("_MeshBricks");
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int WorldToDomain = Shader.PropertyToID("_WorldToDomain");
+            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
+        }
+    }
+}

@@ -1,0 +1,179 @@
+// The field from which the water's mesh was found: about the distance to its surface, d, above 0 in water, up to 2. Nodes lie in bricks of
+// 4 x 4 x 4; where the surface is not near, a brick is one word. Includes nothing.
+//
+//   _MeshTop     in  a word for each brick of the domain, x first: 0 all air, 1 all water, else 2 + its index in _MeshField
+//   _MeshField   in  32 words a brick: halves of its nodes, x first, the low one first; node i lies at (i - 0.5) _MeshCell
+#ifndef RILL_MESH_FIELD_INCLUDED
+#define RILL_MESH_FIELD_INCLUDED
+
+StructuredBuffer<uint> _MeshTop;
+StructuredBuffer<uint> _MeshField;
+float _MeshCell;                // distance between nodes, d
+float4 _MeshBricks;             // xyz
+float4 _DrawnDomainSize;        // xyz, d
+
+static const float kMeshFar = 2.0;          // what the field holds at most, d
+static const float kMeshSafety = 0.85;      // of the distance that the field gives: it is not exact
+static const float kMeshMinStep = 0.3;      // cells
+static const uint kMeshSteps = 96, kMeshRefinements = 5;
+
+uint MeshBrick(int3 brick)
+{
+    int3 size = int3(_MeshBricks.xyz);
+    brick = clamp(brick, 0, size - 1);
+    return _MeshTop[(brick.z * size.y + brick.y) * size.x + brick.x];
+}
+
+float UniformBrick(uint entry)
+{
+    return entry == 1 ? kMeshFar : -kMeshFar;
+}
+
+// l: of the node in its brick.
+float BrickNode(uint brick, uint l)
+{
+    uint pair = _MeshField[brick * 32 + l / 2];
+    return f16tof32((l & 1) != 0 ? pair >> 16 : pair & 0xffff);
+}
+
+float MeshNode(int3 node)
+{
+    uint entry = MeshBrick(node >> 2);
+    int3 at = node & 3;
+    return entry < 2 ? UniformBrick(entry) : BrickNode(entry - 2, (at.z * 4 + at.y) * 4 + at.x);
+}
+
+// The last node that lies in the domain, along each axis; the first is 1.
+float3 LastMeshNode()
+{
+    return max(ceil(_DrawnDomainSize.xyz / _MeshCell + 0.5) - 1.0, 2.0);
+}
+
+// A point of the domain, d, in nodes; as if the field went on unchanged from the last node to the walls.
+float3 InMeshNodes(float3 p)
+{
+    return clamp(p / _MeshCell + 0.5, 1.0, LastMeshNode());
+}
+
+// At a point of the domain, d.
+float MeshDistance(float3 p)
+{
+    float3 at = InMeshNodes(p);
+    int3 low = int3(min(floor(at), LastMeshNode() - 1.0));
+    float3 part = at - low;
+    int3 local = low & 3;
+    uint entry = MeshBrick(low >> 2);
+    float4 near = UniformBrick(entry), far = near;      // along x and y, at low and high z
+    if (any(local == 3))
+    {
+        near = float4(MeshNode(low), MeshNode(low + int3(1, 0, 0)), MeshNode(low + int3(0, 1, 0)), MeshNode(low + int3(1, 1, 0)));
+        far = float4(MeshNode(low + int3(0, 0, 1)), MeshNode(low + int3(1, 0, 1)), MeshNode(low + int3(0, 1, 1)), MeshNode(low + 1));
+    }
+    else if (entry >= 2)
+    {
+        uint brick = entry - 2, l = (local.z * 4 + local.y) * 4 + local.x;
+        near = float4(BrickNode(brick, l), BrickNode(brick, l + 1), BrickNode(brick, l + 4), BrickNode(brick, l + 5));
+        far = float4(BrickNode(brick, l + 16), BrickNode(brick, l + 17), BrickNode(brick, l + 20), BrickNode(brick, l + 21));
+    }
+    float4 plane = lerp(near, far, part.z);
+    float2 row = lerp(plane.xz, plane.yw, part.x);
+    return lerp(row.x, row.y, part.y);
+}
+
+// Unit normal out of the water, in the domain's frame.
+float3 MeshNormal(float3 p)
+{
+    float h = 0.75 * _MeshCell;
+    float3 uphill = 0.0;
+    [loop]
+    for (uint i = 0; i < 6; i++)
+    {
+        uint axis = i >> 1;
+        float3 offset = float3(axis == 0, axis == 1, axis == 2) * ((i & 1) != 0 ? -h : h);
+        uphill += offset * MeshDistance(p + offset);
+    }
+    float squared = dot(uphill, uphill);
+    return squared > 1e-12 ? -uphill * rsqrt(squared) : float3(0.0, 1.0, 0.0);
+}
+
+// Where a ray leaves the domain's box, d, and the wall there: its normal points out. Of a point beyond it, what lies ahead.
+float BoxExit(float3 from, float3 along, out float3 wall)
+{
+    float3 safe = abs(along) > 1e-7 ? along : 1e-7;
+    float3 reach = ((safe > 0.0 ? _DrawnDomainSize.xyz : 0.0) - from) / safe;
+    float exit = min(reach.x, min(reach.y, reach.z));
+    wall = reach.x <= exit ? float3(sign(safe.x), 0.0, 0.0) : reach.y <= exit ? float3(0.0, sign(safe.y), 0.0) : float3(0.0, 0.0, sign(safe.z));
+    return max(exit, 0.0);
+}
+
+// Where a ray enters the domain's box, d: 0 inside; below 0 where it misses.
+float BoxEntry(float3 from, float3 along)
+{
+    float3 safe = abs(along) > 1e-7 ? along : 1e-7;
+    float3 a = -from / safe, b = (_DrawnDomainSize.xyz - from) / safe;
+    float3 low = min(a, b), high = max(a, b);
+    float entry = max(max(low.x, low.y), max(low.z, 0.0)), exit = min(high.x, min(high.y, high.z));
+    return entry <= exit ? entry : -1.0;
+}
+
+// How far a ray goes through a brick that is all air or all water without coming to a node of another, d; 0 in others.
+float UniformReach(float3 p, float3 along)
+{
+    float3 at = InMeshNodes(p);
+    int3 brick = int3(floor(at)) >> 2;
+    if (MeshBrick(brick) >= 2)
+        return 0.0;
+    float3 low = brick * 4.0;
+    float3 safe = abs(along) > 1e-7 ? along : 1e-7;
+    float3 reach = ((safe > 0.0 ? low + 3.0 : low) - at) / safe;
+    return max(min(reach.x, min(reach.y, reach.z)), 0.0) * _MeshCell;
+}
+
+// Along a ray through water (side 1) or air (side -1), d, to where that ends, at most to `end`; the ray may begin a little on the other side.
+// found: whether it ends before.
+float MarchMesh(float3 from, float3 along, float side, float begin, float end, out bool found)
+{
+    float t = begin, low = begin, high = end, atLow = 0.0, atHigh = 0.0;
+    bool isIn = false, isRefining = false, isDone = begin >= end;
+    uint refined = 0;
+    found = false;
+    [loop]
+    for (uint i = 0; i < kMeshSteps && !isDone; i++)
+    {
+        float3 p = from + along * t;
+        float value = side * MeshDistance(p);
+        bool isAcross = value <= 0.0;
+        if (isAcross && (isIn || t - begin > 1.5 * _MeshCell))
+        {
+            high = t;
+            atHigh = value;
+            isDone = !isIn;
+            isRefining = found = true;
+        }
+        else if (!isAcross)
+        {
+            isIn = true;
+            low = t;
+            atLow = value;
+        }
+        if (isRefining)
+        {
+            // By the secant, but never so near to an end that the other stays.
+            float part = atLow / max(atLow - atHigh, 1e-6);
+            isDone = isDone || refined == kMeshRefinements;
+            t = isIn ? lerp(low, high, isDone ? saturate(part) : clamp(part, 0.1, 0.9)) : t;
+            refined++;
+        }
+        else
+        {
+            isDone = t >= end;
+            float step = max(value * kMeshSafety, kMeshMinStep * _MeshCell);
+            if (value > 0.9 * kMeshFar)
+                step = max(step, UniformReach(p, along));
+            t = min(t + step, end);
+        }
+    }
+    return found ? t : end;
+}
+
+#endif
