@@ -28,8 +28,10 @@ namespace Rill.Tests
             int3 counts = (new int3(x, y, z) + 7) / 8;
             int total = counts.x * counts.y * counts.z;
             ParticleState state = Jittering(new float3(x, y, z), counts, 20);
+            float4 along = 0f;
+            along[mover % 3] = meanDisplacement * SleepDisplacement / TimeStep;      // each axis is one's
             for (int i = mover * 20; i < mover * 20 + 20; i++)
-                state.velocities[i].xyz += new float3(0f, meanDisplacement * SleepDisplacement / TimeStep, 0f);
+                state.velocities[i] += along;
             bool moves = meanDisplacement > 1f;
             using (var stage = new Stage(state))
             {
