@@ -33,6 +33,16 @@ namespace Rill
             return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.Structured, (int)count, stride));
         }
 
+        /// <summary>A raw buffer of words that may be vertices or indices too.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">No word, or more bytes than the device can bind.</exception>
+        public static GraphicsBuffer Raw(string name, long words, GraphicsBuffer.Target target)
+        {
+            if (words < 1 || words * sizeof(uint) > MaxBinding)
+                throw Limit.OutOfRange(nameof(words), words,
+                    Invariant($"{name}: {words:N0} words of 4 bytes; this device binds 1 to {MaxBinding / sizeof(uint):N0}."));
+            return Named(name, new GraphicsBuffer(target | GraphicsBuffer.Target.Raw, (int)words, sizeof(uint)));
+        }
+
         /// <summary>One struct as a constant buffer; its size is a multiple of 16 bytes.</summary>
         public static GraphicsBuffer Constants<T>(string name) where T : struct
         {

@@ -7,11 +7,28 @@ namespace Rill
     partial class PbfSolver
     {
         SurfaceParticles surface;
+        SurfaceMesh mesh;
+        float meshCell;
         int substepsSinceSurface;
         bool hasNew;        // particles that the last step did not move
 
         /// <summary>What has to be drawn of the water's surface; null while nothing draws it.</summary>
         public SurfaceParticles Surface => surface;
+
+        /// <summary>Distance of the nodes of the surface's mesh, d, 0.25 to 2; 0 where the surface is drawn as ellipsoids.</summary>
+        public float MeshCell
+        {
+            get => meshCell;
+            set
+            {
+                if (value != meshCell)
+                    InvalidateSurface();
+                meshCell = value;
+            }
+        }
+
+        /// <summary>The water's surface as a mesh; null while nothing draws it, or not as a mesh.</summary>
+        public SurfaceMesh Mesh => mesh;
 
         /// <summary>Whether <see cref="Surface"/> is that of the current state.</summary>
         public bool SurfaceIsCurrent { get; private set; }
@@ -24,13 +41,36 @@ namespace Rill
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {
             surface ??= new SurfaceParticles(Layout);
+            if (mesh != null && mesh.Cell != MeshCell)
+                ReleaseMesh();
+            if (MeshCell > 0f)
+                mesh ??= new SurfaceMesh(Layout, MeshCell);
             bool hasSteps = lastSubsteps > 0 && !isRestored && !HasMarked;       // the neighbor lists do not know which particles are gone
             StepInput last = input;
             last.settings.substeps = Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
-            surface.Record(Context(cmd, last, hasSteps), hasSteps, hasNew, SurfaceVersion, substepsSinceSurface, hasGhosts);
+            StepContext step = Context(cmd, last, hasSteps);
+            surface.Record(step, hasSteps, hasNew, SurfaceVersion, substepsSinceSurface, hasGhosts, mesh != null);
+            if (mesh != null)
+                RecordMesh(step, hasSteps);
             SurfaceIsCurrent = true;
             substepsSinceSurface = 0;
+        }
+
+        /// <summary>Once a frame, before its surface is recorded: asks how large the last mesh was to be, and makes room where an earlier one had
+        /// too little. The surface is not current then.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">It is more than the device can bind.</exception>
+        public void FollowMeshSize()
+        {
+            if (mesh != null && mesh.Follow())
+                SurfaceIsCurrent = false;
+        }
+
+        void RecordMesh(in StepContext step, bool hasSteps)
+        {
+            if (lastSubsteps == 0)
+                UploadConstants(step.Commands, step.Input);
+            mesh.Record(step, surface, hasSteps);
         }
 
         // What comes next has nothing to do with what was drawn before.
@@ -46,6 +86,13 @@ namespace Rill
             surface?.Dispose();
             surface = null;
             SurfaceIsCurrent = false;
+            ReleaseMesh();
+        }
+
+        void ReleaseMesh()
+        {
+            mesh?.Dispose();
+            mesh = null;
         }
     }
 }

@@ -105,6 +105,18 @@ float4 UnpackRotation(uint packed)
         : float4(kept, left);
 }
 
+// The rows of a unit quaternion's matrix, see RotationOf.
+float3x3 RotationRows(float4 q)
+{
+    float3 twice = 2.0 * q.xyz;
+    float3 squares = twice * q.xyz;
+    float3 products = float3(twice.x * q.y, twice.y * q.z, twice.z * q.x);     // 2xy, 2yz, 2zx
+    float3 turns = twice * q.w;
+    return float3x3(1.0 - squares.y - squares.z, products.x + turns.z, products.z - turns.y,
+        products.x - turns.z, 1.0 - squares.x - squares.z, products.y + turns.x,
+        products.z + turns.y, products.y - turns.x, 1.0 - squares.x - squares.y);
+}
+
 // rows: unit vectors along the semi-axes, perpendicular, right-handed.
 SurfaceParticle PackSurface(float3 center, uint index, float3x3 rows, float3 semiAxes, float3 chord)
 {
@@ -154,14 +166,7 @@ void UnpackSurface(SurfaceParticle particle, out float3 center, out float3x3 axe
     }
     else
     {
-        float4 q = UnpackRotation(particle.b.x);
-        float3 twice = 2.0 * q.xyz;
-        float3 squares = twice * q.xyz;
-        float3 products = float3(twice.x * q.y, twice.y * q.z, twice.z * q.x);     // 2xy, 2yz, 2zx
-        float3 turns = twice * q.w;
-        axes[0] = float3(1.0 - squares.y - squares.z, products.x + turns.z, products.z - turns.y);
-        axes[1] = float3(products.x - turns.z, 1.0 - squares.x - squares.z, products.y + turns.x);
-        axes[2] = float3(products.z + turns.y, products.y - turns.x, 1.0 - squares.x - squares.y);
+        axes = RotationRows(UnpackRotation(particle.b.x));
     }
     axes[0] *= semiAxes.x;
     axes[1] *= semiAxes.y;

@@ -51,6 +51,7 @@ namespace Rill
                 case "Statistics": return DeviceFeature.Statistics;
                 case "SurfaceFoam": return DeviceFeature.Foam | DeviceFeature.Surface;
                 case "SurfaceFilter":
+                case "SurfaceMesh":
                 case "SurfaceThickness":
                 case "SurfaceParticles": return DeviceFeature.Surface;
                 case "ImplicitViscosity": return DeviceFeature.DynamicViscosity;
@@ -68,29 +69,42 @@ namespace Rill
             {
                 case "":
                 case "ADD":
+                case "ADD_ELEMENTS":
                 case "ADD_NEW":
                 case "APPLY":
                 case "ARTIFICIAL_PRESSURE":
                 case "AT_REST":
                 case "AVERAGE":
+                case "BEGIN":
                 case "BINS":
                 case "BLUR":
+                case "CLEAR_SUMS":
+                case "COEFFICIENTS":
                 case "COLUMNS":
                 case "COMPACT":
-                case "COEFFICIENTS":
                 case "CONFINE":
                 case "CORRECT":
                 case "COUNT":
+                case "COUNT_CELLS":
+                case "ELEMENTS":
                 case "EMIT":
                 case "ESTIMATE":
                 case "FEW":
                 case "FIELDS":
                 case "FIND":
+                case "FIND_FIELD":
+                case "FINISH_MESH":
                 case "FIRST":
                 case "FLOW":
                 case "HIDE_GHOSTS":
                 case "LAST":
                 case "LEAVE":
+                case "LIST_DROPS":
+                case "MAKE":
+                case "MAKE_ELEMENTS":
+                case "MAKE_QUADS":
+                case "MAKE_VERTICES":
+                case "MARK_BRICKS":
                 case "MESH":
                 case "MOVE":
                 case "NARROW":
@@ -98,6 +112,7 @@ namespace Rill
                 case "PASS":
                 case "PATHS":
                 case "PHASES":
+                case "PLACE_BRICKS":
                 case "PROJECTION":
                 case "REDUCE":
                 case "REMOVE":
@@ -110,8 +125,12 @@ namespace Rill
                 case "SHIFT":
                 case "SMALL":
                 case "SMOOTH":
+                case "SMOOTH_MESH":
                 case "SPAWN":
+                case "STORE_BRICKS":
+                case "STORE_COUNTS":
                 case "STORE_DRAWN":
+                case "STORE_DROPS":
                 case "TAGGED":
                 case "UNPACK":
                 case "VOLUME": return DeviceFeature.None;

@@ -33,7 +33,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
         readonly KernelVariants estimate;     // that leave out what lies deep
-        readonly Kernel addNew, storeDrawn, smooth, shape, hideGhosts;
+        readonly Kernel addNew, storeDrawn, smooth, shape, shapeElements, makeElements, hideGhosts;
         readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore;
@@ -46,6 +46,8 @@ namespace Rill
             storeDrawn = new Kernel(shader, "StoreDrawn");
             smooth = new Kernel(shader, "Smooth");
             shape = new Kernel(shader, "Shape");
+            shapeElements = new Kernel(shader, "ShapeElements");
+            makeElements = new Kernel(shader, "MakeElements");
             hideGhosts = new Kernel(shader, "HideGhosts");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
@@ -92,7 +94,9 @@ namespace Rill
         /// <param name="version">One more than that of the surface before; more than one where that has nothing to do with this one.</param>
         /// <param name="substepsSince">Substeps since the surface before.</param>
         /// <param name="hasGhosts">Whether some of the particles are ghosts.</param>
-        public void Record(in StepContext step, bool hasSteps, bool hasNew, int version, int substepsSince, bool hasGhosts = false)
+        /// <param name="asElements">Whether <see cref="Particles"/> are those of SurfaceElement.hlsl, for a <see cref="SurfaceMesh"/>.</param>
+        public void Record(in StepContext step, bool hasSteps, bool hasNew, int version, int substepsSince, bool hasGhosts = false,
+            bool asElements = false)
         {
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
@@ -110,9 +114,13 @@ namespace Rill
             if (hasSteps)
             {
                 RecordSmoothing(step);
-                RecordShape(step, version, substepsSince);
+                RecordShape(step, version, substepsSince, asElements ? shapeElements : shape);
             }
-            if (hasGhosts)
+            else if (asElements)
+            {
+                RecordElements(step);
+            }
+            if (hasGhosts && !asElements)
                 RecordHiding(step);
             cmd.EndSample(Marker);
         }
@@ -128,7 +136,8 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        public static StageDescription Describe(SurfaceParticles stage, in StepContext step)
+        /// <param name="asElements">As <see cref="Record"/> has it.</param>
+        public static StageDescription Describe(SurfaceParticles stage, in StepContext step, bool asElements)
         {
             string reason = stage != null
                 ? Invariant($"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over ") +
@@ -142,7 +151,7 @@ namespace Rill
             description.Kernel(stage.estimate.For(stage.LeavesOutDeep(step)), 0, variant);
             description.Kernel(stage.storeDrawn, 0);
             description.Kernel(stage.smooth, 0, variant);
-            description.Kernel(stage.shape, 0, variant);
+            description.Kernel(asElements ? stage.shapeElements : stage.shape, 0, variant);
             description.Buffer("Rill.Surface", stage.surface);
             description.Buffer("Rill.Surface.Planes", stage.planes);
             description.Buffer("Rill.Surface.SmoothPlanes", stage.smoothPlanes);
@@ -204,16 +213,25 @@ namespace Rill
             }
         }
 
-        void RecordShape(in StepContext step, int version, int substepsSince)
+        void RecordShape(in StepContext step, int version, int substepsSince, int kernel)
         {
             CommandBuffer cmd = step.Commands;
-            BindNeighbors(step, shape);
-            cmd.SetComputeBufferParam(shader, shape, Ids.Planes, planes);
+            BindNeighbors(step, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Planes, planes);
             cmd.SetComputeIntParam(shader, Ids.SurfaceVersion, version);
             cmd.SetComputeFloatParam(shader, Ids.SinceSurface, substepsSince);
-            cmd.SetComputeBufferParam(shader, shape, Ids.ParticleIds, step.Particles.Ids);
-            cmd.SetComputeBufferParam(shader, shape, Ids.PlanesBefore, planesBefore);
-            cmd.DispatchCompute(shader, shape, arguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, step.Particles.Ids);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.PlanesBefore, planesBefore);
+            cmd.DispatchCompute(shader, kernel, arguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void RecordElements(in StepContext step)
+        {
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, makeElements, Ids.ParticleIds, step.Particles.Ids);
+            cmd.SetComputeBufferParam(shader, makeElements, Ids.Surface, surface);
+            cmd.SetComputeBufferParam(shader, makeElements, Ids.SurfaceCounters, counters);
+            cmd.DispatchCompute(shader, makeElements, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordHiding(in StepContext step)

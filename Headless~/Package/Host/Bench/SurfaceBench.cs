@@ -36,10 +36,12 @@ namespace Host.Bench
                 => Array.Empty<string>(), AllowMultipleArgumentsPerToken = true };
             var quality = new Option<SurfaceQuality>("--quality") { Description = "low, medium or high.",
                 DefaultValueFactory = _ => SurfaceQuality.Medium };
+            var mesh = new Option<float>("--mesh") {
+                Description = "Also find it as a mesh, with nodes this far apart in particle spacings: 0.5, 0.75 or 1." };
             Option<string> shaders = ShadersOption.Create();
             var command = new Command("surface",
                 "Measures GPU milliseconds of the surface that is found once a frame, and of drawing it.") { particles, window, steps,
-                screens, quality, kernels, csv, shaders };
+                screens, quality, mesh, kernels, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -48,17 +50,23 @@ namespace Host.Bench
                     GivenNumber.CheckOption("--particles", count, ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)
                     throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
+                float cell = parsed.GetValue(mesh);
+                if (cell != 0f && !(cell >= 0.25f && cell <= 2f))
+                    throw new HostException(string.Create(CultureInfo.InvariantCulture,
+                        $"--mesh {cell}: nodes lie 0.25 to 2 spacings apart, e.g. 0.75."));
+                if (cell != 0f && parsed.GetValue(screens).Length > 0)
+                    throw new HostException("--mesh with --screen: the passes of a screen draw ellipsoids. Give one of them.");
                 var windows = Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();
                 if (windows.Count == 0)
                     throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", Windows.Select(w => w.Name))} or all.");
                 return Execute(parsed.GetValue(particles), windows, parsed.GetValue(screens).Select(Screen.Parse).ToArray(),
-                    parsed.GetValue(quality), parsed.GetValue(steps), parsed.GetValue(csv), Console.Out);
+                    parsed.GetValue(quality), cell, parsed.GetValue(steps), parsed.GetValue(csv), Console.Out);
             });
             return command;
         }
 
         static int Execute(int[] counts, List<(string Name, int First, int Last)> windows, Screen[] screens, SurfaceQuality quality,
-            int steps, string csv, TextWriter output)
+            float cell, int steps, string csv, TextWriter output)
         {
             using var session = new Session(Session.Root());
             StepInput input = ExperimentFigures.Input(SolverSettings.Default);
@@ -72,16 +80,22 @@ namespace Host.Bench
             foreach (int count in counts)
             {
                 ExperimentScene scene = ExperimentScene.Dam(count);
-                using var solver = new PbfSolver(scene.LayoutFor(input.settings));
+                using var solver = new PbfSolver(scene.LayoutFor(input.settings)) { MeshCell = cell };
                 foreach ((string name, int first, int last) in windows)
                 {
                     Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, scene.Fill, input, first, last, steps,
-                        cmd => solver.RecordSurface(cmd, input));
+                        cmd =>
+                        {
+                            solver.FollowMeshSize();
+                            solver.RecordSurface(cmd, input);
+                        });
                     var counters = new uint[solver.Surface.Counters.count];
                     solver.Surface.Counters.GetData(counters);
                     uint drawn = counters[(int)SurfaceParticles.Counter.Drawn];
                     long bytes = solver.Describe(input, 0).Single(stage => stage.Name == "Surface particles").Bytes;
                     Print(scene.Particles, name, times, drawn, bytes, output);
+                    if (solver.Mesh != null)
+                        PrintMesh(solver, input, output);
                     foreach ((string stage, StepTimes.Spread spread) in times)
                         table.Add(scene.Particles, name, "", stage, spread.Median, spread.Low, spread.High, spread.Count, drawn, bytes);
                     foreach (Screen screen in screens)
@@ -91,6 +105,19 @@ namespace Host.Bench
             if (csv != null)
                 table.Save(Path.GetFullPath(csv));
             return 0;
+        }
+
+        static void PrintMesh(PbfSolver solver, StepInput input, TextWriter output)
+        {
+            var counters = new uint[solver.Mesh.Counters.count];
+            solver.Mesh.Counters.GetData(counters);
+            uint Of(SurfaceMesh.Counter counter) => counters[(int)counter];
+            long bytes = solver.Describe(input, 0).Single(stage => stage.Name == "Surface mesh").Bytes;
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"mesh with nodes {solver.Mesh.Cell} d apart: " +
+                $"{Of(SurfaceMesh.Counter.Bricks):N0} bricks, {Of(SurfaceMesh.Counter.Vertices):N0} vertices, " +
+                $"{Of(SurfaceMesh.Counter.Quads):N0} quads, {Of(SurfaceMesh.Counter.Drops):N0} drops; " +
+                $"{Of(SurfaceMesh.Counter.VerticesNeeded) - Of(SurfaceMesh.Counter.Vertices):N0} vertices have no room; " +
+                $"{bytes / 1048576.0:0.0} MiB"));
         }
 
         static void Draw(PbfSolver solver, ExperimentScene scene, StepInput input, (string Name, int First, int Last) window, Screen screen,

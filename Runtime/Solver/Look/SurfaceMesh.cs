@@ -1,0 +1,463 @@
+using System;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+using static System.FormattableString;
+
+namespace Rill
+{
+    /// <summary>The water's surface as a closed mesh, found once a frame for all cameras, from the elements of
+    /// <see cref="SurfaceParticles"/>.</summary>
+    sealed class SurfaceMesh : IDisposable
+    {
+        /// <summary>Entries of _MeshCounters. What is needed is more than what there is where buffers are too small.</summary>
+        [GenerateHlsl("SurfaceMesh")]
+        public enum Counter { BricksNeeded, Bricks, VerticesNeeded, Vertices, QuadsNeeded, Quads, MeshedBricks, Holes, Drops }
+
+        /// <summary>nodes of a brick along an axis</summary>
+        [GenerateHlsl("SurfaceMesh")] public const int Brick = 4;
+
+        /// <summary>bytes of a vertex: float3 position, snorm16x4 normal, half4 displacement</summary>
+        [GenerateHlsl("SurfaceMesh")] public const int VertexBytes = 28;
+
+        /// <summary>Bytes of _MeshArguments: a GraphicsBuffer.IndirectDrawIndexedArgs for one eye, one for two, then groups of
+        /// kernels.</summary>
+        [GenerateHlsl("SurfaceMesh")]
+        const uint MonoDrawAt = 0, StereoDrawAt = 20, MarkArgumentsAt = 40, AddArgumentsAt = 52,
+            BrickArgumentsAt = 64, VertexArgumentsAt = 76, DropDrawAt = 96;
+
+        /// <summary>droplets of a particle that flies by itself</summary>
+        [GenerateHlsl("SurfaceMesh")] const uint Droplets = 12;
+
+        /// <summary>GraphicsBuffer.IndirectDrawArgs in <see cref="Arguments"/> for the drops: of one eye, and of two.</summary>
+        public const int MonoDropCommand = (int)DropDrawAt / GraphicsBuffer.IndirectDrawArgs.size, StereoDropCommand = MonoDropCommand + 1;
+
+        const int ArgumentWords = 32;
+        const int BrickNodes = Brick * Brick * Brick;
+        const int SmoothingPairs = 2;
+        const float SmoothStep = 0.5f, SpreadStep = -0.53f;     // Taubin 1995
+
+        /// <summary>Room for as many bricks, vertices and quads as this fraction of the particles, before more is known.</summary>
+        const double FirstBricks = 0.06, FirstVertices = 0.6;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Mesh");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("SurfaceMesh");
+        readonly Kernel begin, listDrops, storeDrops, markBricks, placeBricks, storeBricks, clearSums, addElements, findField, countCells,
+            storeCounts, makeVertices, makeQuads, smoothMesh, finishMesh;
+        readonly int top;
+        readonly uint[] sizes = new uint[Enum.GetValues(typeof(Counter)).Length];
+        Readback readback;
+        readonly PrefixSum sumMarks;
+        PrefixSum sumCounts;
+        GraphicsBuffer marks, marksBefore, meshTop, brickPlaces, nodeSums, field, cellMasks, brickCounts, countsBefore, vertices, smoothVertices,
+            links, meshVertices, meshIndices, arguments, counters, drops;
+
+        /// <param name="layout">Of the solver.</param>
+        /// <param name="cell">Distance of the field's nodes, d, 0.25 to 2.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The box has more bricks than a buffer of this device holds.</exception>
+        public SurfaceMesh(SolverLayout layout, float cell)
+        {
+            Cell = cell;
+            float3 nodes = math.ceil(layout.DomainSize / cell + 0.5f) + 1f;
+            Bricks = (int3)math.ceil(nodes / Brick);
+            long all = (long)Bricks.x * Bricks.y * Bricks.z;
+            if (all + 1 > Math.Min(GpuBuffer.MaxBinding / sizeof(uint), PrefixSum.MaxCapacity))
+                throw Limit.OutOfRange(nameof(cell), cell, Invariant($"The box would have {all:N0} bricks of the water's mesh, more than a ") +
+                    "buffer of this device holds. Lower the quality of the surface, or shrink the box.");
+            top = (int)all;
+            begin = new Kernel(shader, "Begin");
+            listDrops = new Kernel(shader, "ListDrops");
+            storeDrops = new Kernel(shader, "StoreDrops");
+            markBricks = new Kernel(shader, "MarkBricks");
+            placeBricks = new Kernel(shader, "PlaceBricks");
+            storeBricks = new Kernel(shader, "StoreBricks");
+            clearSums = new Kernel(shader, "ClearSums");
+            addElements = new Kernel(shader, "AddElements");
+            findField = new Kernel(shader, "FindField");
+            countCells = new Kernel(shader, "CountCells");
+            storeCounts = new Kernel(shader, "StoreCounts");
+            makeVertices = new Kernel(shader, "MakeVertices");
+            makeQuads = new Kernel(shader, "MakeQuads");
+            smoothMesh = new Kernel(shader, "SmoothMesh");
+            finishMesh = new Kernel(shader, "FinishMesh");
+            try
+            {
+                sumMarks = new PrefixSum(StageShader.LoadCompute("PrefixSum"), top + 1);
+                marks = GpuBuffer.Structured<uint>("Rill.Mesh.Marks", top + 1);
+                marksBefore = GpuBuffer.Structured<uint>("Rill.Mesh.MarksBefore", top + 1);
+                meshTop = GpuBuffer.Structured<uint>("Rill.Mesh.Top", top);
+                counters = GpuBuffer.Structured<uint>("Rill.Mesh.Counters", Enum.GetValues(typeof(Counter)).Length);
+                readback = new Readback(counters);
+                arguments = GpuBuffer.Arguments("Rill.Mesh.Arguments", ArgumentWords);
+                drops = GpuBuffer.Structured<uint>("Rill.Mesh.Drops", layout.Capacity);
+                BufferClear.Now(marks, counters);
+                int bricks = (int)Math.Min(top, 1024 + FirstBricks * layout.Capacity), room = (int)(4096 + FirstVertices * layout.Capacity);
+                Reserve(bricks, room, room);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>Distance of the field's nodes, d.</summary>
+        public float Cell { get; }
+
+        /// <summary>Bricks of the box along each axis.</summary>
+        public int3 Bricks { get; }
+
+        public int BrickCapacity { get; private set; }
+        public int VertexCapacity { get; private set; }
+        public int QuadCapacity { get; private set; }
+
+        /// <summary><see cref="VertexBytes"/> each, of which the first [Vertices] are set.</summary>
+        public GraphicsBuffer Vertices => meshVertices;
+
+        /// <summary>uint, 6 for each quad.</summary>
+        public GraphicsBuffer Indices => meshIndices;
+
+        /// <summary>Two GraphicsBuffer.IndirectDrawIndexedArgs: for one eye and for two.</summary>
+        public GraphicsBuffer Arguments => arguments;
+
+        /// <summary>uint, indices of the elements that are drops; as many as the counters say, in any order.</summary>
+        public GraphicsBuffer Drops => drops;
+
+        /// <summary>uint for each brick of the box: 0 air, 1 water, n + 2 for the brick with number n.</summary>
+        public GraphicsBuffer Top => meshTop;
+
+        /// <summary>uint, 32 for each brick: two halves, the distance of a node from the surface, d, positive in water, -2 to 2.</summary>
+        public GraphicsBuffer Field => field;
+
+        /// <summary>uint, by <see cref="Counter"/>.</summary>
+        public GraphicsBuffer Counters => counters;
+
+        /// <summary>Walls that have quads: bit 2 a + s for that at the low (s 0) or high end of axis a.</summary>
+        public int ShownWalls { get; set; } = 63;
+
+        /// <summary>Makes room for meshes of up to this size; what was there is lost.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">It is more than the device can bind.</exception>
+        public void Reserve(int bricks, int newVertices, int newQuads)
+        {
+            if (bricks > BrickCapacity)
+            {
+                sumCounts?.Dispose();
+                GpuBuffer.Release(ref brickPlaces);
+                GpuBuffer.Release(ref nodeSums);
+                GpuBuffer.Release(ref field);
+                GpuBuffer.Release(ref cellMasks);
+                GpuBuffer.Release(ref brickCounts);
+                GpuBuffer.Release(ref countsBefore);
+                sumCounts = new PrefixSum(StageShader.LoadCompute("PrefixSum"), 2 * bricks + 1);
+                brickPlaces = GpuBuffer.Structured<uint>("Rill.Mesh.BrickPlaces", bricks);
+                nodeSums = GpuBuffer.Structured<int>("Rill.Mesh.NodeSums", 2L * BrickNodes * bricks);
+                field = GpuBuffer.Structured<uint>("Rill.Mesh.Field", (long)BrickNodes / 2 * bricks);
+                cellMasks = GpuBuffer.Structured<uint>("Rill.Mesh.CellMasks", 2L * bricks);
+                brickCounts = GpuBuffer.Structured<uint>("Rill.Mesh.BrickCounts", 2L * bricks + 1);
+                countsBefore = GpuBuffer.Structured<uint>("Rill.Mesh.CountsBefore", 2L * bricks + 1);
+                BufferClear.Now(brickCounts);
+                BrickCapacity = bricks;
+            }
+            if (newVertices > VertexCapacity)
+            {
+                GpuBuffer.Release(ref vertices);
+                GpuBuffer.Release(ref smoothVertices);
+                GpuBuffer.Release(ref links);
+                GpuBuffer.Release(ref meshVertices);
+                vertices = GpuBuffer.Structured<float4>("Rill.Mesh.Vertices", newVertices);
+                smoothVertices = GpuBuffer.Structured<float4>("Rill.Mesh.SmoothVertices", newVertices);
+                links = GpuBuffer.Structured<uint>("Rill.Mesh.Links", 6L * newVertices);
+                meshVertices = GpuBuffer.Raw("Rill.Mesh.DrawnVertices", (long)VertexBytes / sizeof(uint) * newVertices, 0);
+                VertexCapacity = newVertices;
+            }
+            if (newQuads > QuadCapacity)
+            {
+                GpuBuffer.Release(ref meshIndices);
+                meshIndices = GpuBuffer.Raw("Rill.Mesh.Indices", 6L * newQuads, GraphicsBuffer.Target.Index);
+                QuadCapacity = newQuads;
+            }
+        }
+
+        /// <summary>Asks for the size of the newest mesh, and makes room where an earlier one had too little. After its commands were
+        /// executed.</summary>
+        /// <returns>Whether buffers are new, and the mesh is gone.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">It is more than the device can bind.</exception>
+        public bool Follow()
+        {
+            bool isNew = false;
+            if (readback.HasResult)
+            {
+                for (int i = 0; i < sizes.Length; i++)
+                    sizes[i] = readback.Latest[i];
+                readback.Invalidate();
+                isNew = Enlarge(sizes);
+            }
+            readback.Request();
+            return isNew;
+        }
+
+        /// <summary>Makes room for what an earlier mesh has needed, and a quarter more.</summary>
+        /// <param name="needed">The words of <see cref="Counters"/>.</param>
+        /// <returns>Whether there was not enough.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">It is more than the device can bind.</exception>
+        public bool Enlarge(uint[] needed)
+        {
+            long newBricks = needed[(int)Counter.BricksNeeded], newVertices = needed[(int)Counter.VerticesNeeded];
+            long newQuads = needed[(int)Counter.QuadsNeeded];
+            if (newBricks <= BrickCapacity && newVertices <= VertexCapacity && newQuads <= QuadCapacity)
+                return false;
+            Reserve(Enlarged(newBricks, BrickCapacity), Enlarged(newVertices, VertexCapacity), Enlarged(newQuads, QuadCapacity));
+            return true;
+        }
+
+        static int Enlarged(long needed, int capacity) => needed <= capacity ? capacity : (int)Math.Min(needed + needed / 4, int.MaxValue);
+
+        /// <summary>Records the mesh of the elements, after they are recorded.</summary>
+        /// <param name="hasSteps">As the elements had it: if not, none is of the mesh, and the particles are in no cells.</param>
+        public void Record(in StepContext step, SurfaceParticles elements, bool hasSteps)
+        {
+            CommandBuffer cmd = step.Commands;
+            cmd.BeginSample(Marker);
+            step.BindConstants(shader);
+            cmd.SetComputeFloatParam(shader, Ids.MeshCell, Cell);
+            cmd.SetComputeVectorParam(shader, Ids.MeshBricks, new Vector4(Bricks.x, Bricks.y, Bricks.z, top));
+            cmd.SetComputeIntParam(shader, Ids.BrickCapacity, BrickCapacity);
+            cmd.SetComputeIntParam(shader, Ids.VertexCapacity, VertexCapacity);
+            cmd.SetComputeIntParam(shader, Ids.QuadCapacity, QuadCapacity);
+            cmd.SetComputeIntParam(shader, Ids.ShownWalls, ShownWalls);
+            cmd.SetComputeIntParam(shader, Ids.HasCells, hasSteps ? 1 : 0);
+            RecordBricks(step, elements);
+            RecordField(step, elements);
+            RecordCells(cmd);
+            RecordVertices(step);
+            cmd.EndSample(Marker);
+        }
+
+        public void Dispose()
+        {
+            sumMarks?.Dispose();
+            sumCounts?.Dispose();
+            sumCounts = null;
+            GpuBuffer.Release(ref marks);
+            GpuBuffer.Release(ref marksBefore);
+            GpuBuffer.Release(ref meshTop);
+            GpuBuffer.Release(ref brickPlaces);
+            GpuBuffer.Release(ref nodeSums);
+            GpuBuffer.Release(ref field);
+            GpuBuffer.Release(ref cellMasks);
+            GpuBuffer.Release(ref brickCounts);
+            GpuBuffer.Release(ref countsBefore);
+            GpuBuffer.Release(ref vertices);
+            GpuBuffer.Release(ref smoothVertices);
+            GpuBuffer.Release(ref links);
+            GpuBuffer.Release(ref meshVertices);
+            GpuBuffer.Release(ref meshIndices);
+            GpuBuffer.Release(ref arguments);
+            GpuBuffer.Release(ref drops);
+            if (readback == null)
+                GpuBuffer.Release(ref counters);
+            readback?.Dispose();        // and the counters, once none is pending
+            readback = null;
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(SurfaceMesh stage)
+        {
+            string reason = stage != null
+                ? Invariant($"a component draws the surface as a mesh: after the last step of a frame, nodes {stage.Cell} d apart")
+                : "no component draws the surface as a mesh";
+            var description = new StageDescription("Surface mesh", stage != null, reason);
+            if (stage == null)
+                return description;
+            description.Kernel(stage.begin, 0);
+            description.Kernel(stage.listDrops, 0);
+            description.Kernel(stage.storeDrops, 0);
+            description.Kernel(stage.markBricks, 0);
+            stage.sumMarks.Describe(description, 0);
+            description.Kernel(stage.placeBricks, 0);
+            description.Kernel(stage.storeBricks, 0);
+            description.Kernel(stage.clearSums, 0);
+            description.Kernel(stage.addElements, 0);
+            description.Kernel(stage.findField, 0);
+            description.Kernel(stage.countCells, 0);
+            stage.sumCounts.Describe(description, 0);
+            description.Kernel(stage.storeCounts, 0);
+            description.Kernel(stage.makeVertices, 0);
+            description.Kernel(stage.makeQuads, 0);
+            description.Kernel(stage.smoothMesh, 0);
+            description.Kernel(stage.finishMesh, 0);
+            description.Buffer("Rill.Mesh.Marks", stage.marks);
+            description.Buffer("Rill.Mesh.MarksBefore", stage.marksBefore);
+            description.Buffer("Rill.Mesh.Top", stage.meshTop);
+            description.Buffer("Rill.Mesh.BrickPlaces", stage.brickPlaces);
+            description.Buffer("Rill.Mesh.NodeSums", stage.nodeSums);
+            description.Buffer("Rill.Mesh.Field", stage.field);
+            description.Buffer("Rill.Mesh.CellMasks", stage.cellMasks);
+            description.Buffer("Rill.Mesh.BrickCounts", stage.brickCounts);
+            description.Buffer("Rill.Mesh.CountsBefore", stage.countsBefore);
+            description.Buffer("Rill.Mesh.Vertices", stage.vertices);
+            description.Buffer("Rill.Mesh.SmoothVertices", stage.smoothVertices);
+            description.Buffer("Rill.Mesh.Links", stage.links);
+            description.Buffer("Rill.Mesh.DrawnVertices", stage.meshVertices);
+            description.Buffer("Rill.Mesh.Indices", stage.meshIndices);
+            description.Buffer("Rill.Mesh.Arguments", stage.arguments);
+            description.Buffer("Rill.Mesh.Counters", stage.counters);
+            description.Buffer("Rill.Mesh.Drops", stage.drops);
+            return description;
+        }
+
+        void RecordBricks(in StepContext step, SurfaceParticles elements)
+        {
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, begin, Ids.SurfaceCounters, elements.Counters);
+            cmd.SetComputeBufferParam(shader, begin, Ids.MeshArguments, arguments);
+            cmd.SetComputeBufferParam(shader, begin, Ids.MeshCounters, counters);
+            cmd.DispatchCompute(shader, begin, 1, 1, 1);
+
+            cmd.SetComputeIntParam(shader, Ids.DropCapacity, drops.count);
+            BindElements(cmd, listDrops, elements);
+            cmd.SetComputeBufferParam(shader, listDrops, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, listDrops, Ids.MeshDrops, drops);
+            cmd.DispatchCompute(shader, listDrops, arguments, MarkArgumentsAt);
+            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshArguments, arguments);
+            cmd.DispatchCompute(shader, storeDrops, 1, 1, 1);
+
+            BindElements(cmd, markBricks, elements);
+            cmd.SetComputeBufferParam(shader, markBricks, Ids.Marks, marks);
+            cmd.DispatchCompute(shader, markBricks, arguments, MarkArgumentsAt);
+            sumMarks.Record(cmd, marks, marksBefore, top + 1);
+
+            cmd.SetComputeBufferParam(shader, placeBricks, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, placeBricks, Ids.MarksBefore, marksBefore);
+            cmd.SetComputeBufferParam(shader, placeBricks, Ids.MeshTop, meshTop);
+            cmd.SetComputeBufferParam(shader, placeBricks, Ids.BrickPlaces, brickPlaces);
+            ThreadGroups.Dispatch(cmd, shader, placeBricks, ((long)top + ParticleBuffers.Group - 1) / ParticleBuffers.Group);
+
+            cmd.SetComputeBufferParam(shader, storeBricks, Ids.MarksBefore, marksBefore);
+            cmd.SetComputeBufferParam(shader, storeBricks, Ids.MeshArguments, arguments);
+            cmd.SetComputeBufferParam(shader, storeBricks, Ids.MeshCounters, counters);
+            cmd.DispatchCompute(shader, storeBricks, 1, 1, 1);
+        }
+
+        void RecordField(in StepContext step, SurfaceParticles elements)
+        {
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, clearSums, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, clearSums, Ids.NodeSums, nodeSums);
+            cmd.DispatchCompute(shader, clearSums, arguments, BrickArgumentsAt);
+
+            BindElements(cmd, addElements, elements);
+            cmd.SetComputeBufferParam(shader, addElements, Ids.MeshTop, meshTop);
+            cmd.SetComputeBufferParam(shader, addElements, Ids.NodeSums, nodeSums);
+            cmd.DispatchCompute(shader, addElements, arguments, AddArgumentsAt);
+
+            BindBricks(cmd, findField);
+            cmd.SetComputeBufferParam(shader, findField, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, findField, Ids.NodeSums, nodeSums);
+            cmd.DispatchCompute(shader, findField, arguments, BrickArgumentsAt);
+        }
+
+        void RecordCells(CommandBuffer cmd)
+        {
+            BindBricks(cmd, countCells);
+            cmd.SetComputeBufferParam(shader, countCells, Ids.CellMasks, cellMasks);
+            cmd.SetComputeBufferParam(shader, countCells, Ids.BrickCounts, brickCounts);
+            cmd.DispatchCompute(shader, countCells, arguments, BrickArgumentsAt);
+            sumCounts.Record(cmd, brickCounts, countsBefore, 2 * BrickCapacity + 1);
+
+            cmd.SetComputeBufferParam(shader, storeCounts, Ids.CountsBefore, countsBefore);
+            cmd.SetComputeBufferParam(shader, storeCounts, Ids.MeshArguments, arguments);
+            cmd.SetComputeBufferParam(shader, storeCounts, Ids.MeshCounters, counters);
+            cmd.DispatchCompute(shader, storeCounts, 1, 1, 1);
+
+            BindCells(cmd, makeVertices);
+            cmd.SetComputeBufferParam(shader, makeVertices, Ids.Vertices, vertices);
+            cmd.SetComputeBufferParam(shader, makeVertices, Ids.Links, links);
+            cmd.DispatchCompute(shader, makeVertices, arguments, BrickArgumentsAt);
+
+            BindCells(cmd, makeQuads);
+            cmd.SetComputeBufferParam(shader, makeQuads, Ids.MeshIndices, meshIndices);
+            cmd.DispatchCompute(shader, makeQuads, arguments, BrickArgumentsAt);
+        }
+
+        void RecordVertices(in StepContext step)
+        {
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, smoothMesh, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, smoothMesh, Ids.Links, links);
+            for (int pass = 0; pass < 2 * SmoothingPairs; pass++)
+            {
+                cmd.SetComputeFloatParam(shader, Ids.SmoothStep, pass % 2 == 0 ? SmoothStep : SpreadStep);
+                cmd.SetComputeBufferParam(shader, smoothMesh, Ids.Vertices, vertices);
+                cmd.SetComputeBufferParam(shader, smoothMesh, Ids.SmoothVertices, smoothVertices);
+                cmd.DispatchCompute(shader, smoothMesh, arguments, VertexArgumentsAt);
+                (vertices, smoothVertices) = (smoothVertices, vertices);
+            }
+            cmd.SetComputeBufferParam(shader, finishMesh, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, finishMesh, Ids.Links, links);
+            cmd.SetComputeBufferParam(shader, finishMesh, Ids.Vertices, vertices);
+            cmd.SetComputeBufferParam(shader, finishMesh, Ids.Positions, step.Particles.Positions);
+            cmd.SetComputeBufferParam(shader, finishMesh, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, finishMesh, Ids.MeshVertices, meshVertices);
+            cmd.DispatchCompute(shader, finishMesh, arguments, VertexArgumentsAt);
+        }
+
+        void BindElements(CommandBuffer cmd, int kernel, SurfaceParticles elements)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, elements.Particles);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, elements.Counters);
+        }
+
+        void BindBricks(CommandBuffer cmd, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshTop, meshTop);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshField, field);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.BrickPlaces, brickPlaces);
+        }
+
+        void BindCells(CommandBuffer cmd, int kernel)
+        {
+            BindBricks(cmd, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellMasks, cellMasks);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CountsBefore, countsBefore);
+        }
+
+        static class Ids
+        {
+            public static readonly int MeshCell = Shader.PropertyToID("_MeshCell");
+            public static readonly int MeshBricks = Shader.PropertyToID("_MeshBricks");
+            public static readonly int BrickCapacity = Shader.PropertyToID("_BrickCapacity");
+            public static readonly int VertexCapacity = Shader.PropertyToID("_VertexCapacity");
+            public static readonly int QuadCapacity = Shader.PropertyToID("_QuadCapacity");
+            public static readonly int ShownWalls = Shader.PropertyToID("_ShownWalls");
+            public static readonly int MeshDrops = Shader.PropertyToID("_MeshDrops");
+            public static readonly int DropCapacity = Shader.PropertyToID("_DropCapacity");
+            public static readonly int HasCells = Shader.PropertyToID("_HasCells");
+            public static readonly int SmoothStep = Shader.PropertyToID("_SmoothStep");
+            public static readonly int Surface = Shader.PropertyToID("_Surface");
+            public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Marks = Shader.PropertyToID("_Marks");
+            public static readonly int MarksBefore = Shader.PropertyToID("_MarksBefore");
+            public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
+            public static readonly int BrickPlaces = Shader.PropertyToID("_BrickPlaces");
+            public static readonly int NodeSums = Shader.PropertyToID("_NodeSums");
+            public static readonly int MeshField = Shader.PropertyToID("_MeshField");
+            public static readonly int CellMasks = Shader.PropertyToID("_CellMasks");
+            public static readonly int BrickCounts = Shader.PropertyToID("_BrickCounts");
+            public static readonly int CountsBefore = Shader.PropertyToID("_CountsBefore");
+            public static readonly int Vertices = Shader.PropertyToID("_Vertices");
+            public static readonly int SmoothVertices = Shader.PropertyToID("_SmoothVertices");
+            public static readonly int Links = Shader.PropertyToID("_Links");
+            public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
+            public static readonly int MeshIndices = Shader.PropertyToID("_MeshIndices");
+            public static readonly int MeshArguments = Shader.PropertyToID("_MeshArguments");
+            public static readonly int MeshCounters = Shader.PropertyToID("_MeshCounters");
+        }
+    }
+}
