@@ -34,7 +34,10 @@ namespace Rill
         /// <summary>The one whose asset holds the shader.</summary>
         private protected abstract StageSet Stage { get; }
 
-        StageSet IUsesStages.UsedStages => Stage;
+        /// <summary>What it needs besides, by its settings.</summary>
+        private protected virtual StageSet FurtherStages => StageSet.None;
+
+        StageSet IUsesStages.UsedStages => Stage | FurtherStages;
 
         StageReferences IUsesStages.StageReferences => shaders;
 
@@ -188,7 +191,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(Stage);
+            shaders.Follow(Stage | FurtherStages);
         }
 
         void LateUpdate()

@@ -106,7 +106,8 @@ namespace Rill
                 case StageSet.ParticleEdits: return "Fill, RemoveInside and Recenter";
                 case StageSet.Transfer: return "connections, and what is kept outside the box";
                 case StageSet.Recording: return "recording and playback";
-                case StageSet.Surface: return "the water's surface";
+                case StageSet.Surface:
+                case StageSet.SurfaceMesh: return "the water's surface";
                 default: return group.ToString();
             }
         }

@@ -17,11 +17,17 @@ namespace Rill
         /// <summary>Whether this frame ends with the surface of its state: <see cref="PbfSolver.Surface"/>. False again after the frame.</summary>
         [field: NonSerialized] internal bool NeedsSurface { get; set; }
 
+        /// <summary>Distance of the nodes of the mesh that what draws the surface needs, d; 0 where it needs none.</summary>
+        [field: NonSerialized] internal float MeshCell { get; set; }
+
         /// <summary>Records the surface where it is asked for and not that of the current state.</summary>
         /// <returns>Whether anything was recorded.</returns>
         bool RecordSurface()
         {
-            if (!NeedsSurface || pbf.SurfaceIsCurrent || pbf == tooLarge)
+            if (!NeedsSurface || pbf == tooLarge)
+                return false;
+            pbf.MeshCell = MeshCell;
+            if (pbf.SurfaceIsCurrent)
                 return false;
             if ((wanted & DeviceFeature.Surface) == 0)      // no step has asked yet
             {
@@ -29,7 +35,7 @@ namespace Rill
                 if (gate.Decide(wanted))
                     LogRefusals();
             }
-            if (IsRefused(DeviceFeature.Surface) || !HasStages(StageSet.Surface))
+            if (IsRefused(DeviceFeature.Surface) || !HasStages(StageSet.Surface) || MeshCell > 0f && !HasStages(StageSet.SurfaceMesh))
                 return false;
             try
             {
@@ -38,11 +44,33 @@ namespace Rill
             }
             catch (ArgumentException problem)
             {
-                tooLarge = pbf;
-                Debug.LogError($"Rill: FluidSimulation '{name}' goes on without the water's surface: {problem.Message} Lower the " +
-                    $"capacity, or draw it with a ParticleRenderer.", this);
+                GoOnWithoutSurface(problem);
                 return false;
             }
+        }
+
+        /// <summary>Before the surface of a frame is recorded: gives its mesh more room where an earlier one had too little. The mesh is gone
+        /// then, so it is found anew in this frame, also in one without steps.</summary>
+        void FollowMeshSize()
+        {
+            if (!NeedsSurface)
+                return;
+            try
+            {
+                pbf.FollowMeshSize();
+            }
+            catch (ArgumentException problem)
+            {
+                pbf.ReleaseSurface();
+                GoOnWithoutSurface(problem);
+            }
+        }
+
+        void GoOnWithoutSurface(ArgumentException problem)
+        {
+            tooLarge = pbf;
+            Debug.LogError($"Rill: FluidSimulation '{name}' goes on without the water's surface: {problem.Message} Lower the " +
+                $"capacity, or draw it with a ParticleRenderer.", this);
         }
 
         /// <summary>Ends a frame: the surface of one without steps, for what was added, restarted or is drawn for the first time.</summary>
@@ -51,6 +79,7 @@ namespace Rill
             if (pbf == null)
                 return;
             framesWithoutSurface = NeedsSurface ? 0 : Math.Min(framesWithoutSurface + 1, FramesToKeepSurface);
+            pbf.MeshCell = NeedsSurface ? MeshCell : pbf.MeshCell;
             if (NeedsSurface && !pbf.SurfaceIsCurrent)
             {
                 commands.Clear();

@@ -339,6 +339,7 @@ namespace Rill
             if (pbf == null)
                 return;
             AskForSurface?.Invoke();
+            FollowMeshSize();
             if (playback != null)
                 ShowRecording(frameTime);
             else

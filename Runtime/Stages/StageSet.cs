@@ -34,9 +34,11 @@ namespace Rill
         Recording = 1 << 19,
         /// <summary>What hands particles over between fluids, and keeps them outside of a box that moves.</summary>
         Transfer = 1 << 20,
+        /// <summary>The water's surface as a mesh.</summary>
+        SurfaceMesh = 1 << 21,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         OfFluids = All & ~MeshBaking,
-        All = (1 << 21) - 1,
+        All = (1 << 22) - 1,
     }
 
     static class StageSets
@@ -53,6 +55,9 @@ namespace Rill
                 case StageSet.Surface:
                     return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceParticles"
                     : index == 3 ? "SurfaceThickness" : index == 4 ? "SurfaceShadow" : index == 5 ? "SurfaceMotion" : null;
+                case StageSet.SurfaceMesh:
+                    return index == 0 ? "Water" : index == 1 ? "WaterDepth" : index == 2 ? "WaterInside" : index == 3 ? "WaterDrops"
+                    : index == 4 ? "WaterShadow" : index == 5 ? "SurfaceMesh" : null;
                 case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : index == 2 ? "SurfaceFoam" : null;
                 default: return index == 0 ? Only(group) : null;
             }

@@ -4,6 +4,7 @@
 //   the buffers of DrawnSurface.hlsl
 #include "ShadowBias.hlsl"
 #include "Billboard.hlsl"
+#include "ShadowPattern.hlsl"
 #include "DrawnSurface.hlsl"
 
 static const float kShadowDepth = 4.0;      // path through drops, sheets and spray from which they throw a whole shadow, d
@@ -42,15 +43,6 @@ ShadowVaryings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
     result.world = PointOnQuad(e.center, QuadCorner(vertex), SilhouetteRadius(e.center, sqrt(squared)));
     result.clip = WorldToClip(result.world);
     return result;
-}
-
-// A 4 by 4 pattern of thresholds (Bayer 1973), between 0 and 1.
-float Threshold(uint2 pixel)
-{
-    static const uint4 kRows[4] = { uint4(0, 8, 2, 10), uint4(12, 4, 14, 6), uint4(3, 11, 1, 9), uint4(15, 7, 13, 5) };
-    uint4 row = kRows[pixel.y & 3];
-    uint x = pixel.x & 3;
-    return ((x == 0 ? row.x : x == 1 ? row.y : x == 2 ? row.z : row.w) + 0.5) / 16.0;
 }
 
 float4 ShadowFragment(ShadowVaryings input, out float depth : SV_Depth) : SV_Target

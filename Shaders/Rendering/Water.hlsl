@@ -260,10 +260,20 @@ float3 Reflected(float3 world, float3 direction, float roughness)
     return color;
 }
 
+static const float kOnWall = 0.01;          // d: as near to a wall of the domain is the face of the water that lies in it
+
+// A face that lies in a wall is as flat as it is, up to the line where the surface meets it, whose vertices have the normal of the surface.
+float3 FlatOnWalls(float3 world, float3 normal)
+{
+    float3 p = mul(_WorldToDomain, float4(world, 1.0)).xyz, beyond = _DrawnDomainSize.xyz - p;
+    float3 wall = p < kOnWall ? -1.0 : beyond < kOnWall ? 1.0 : 0.0;
+    return any(wall != 0.0) ? normalize(mul((float3x3)_DomainToWorld, wall)) : normal;
+}
+
 float4 WaterFragment(WaterVaryings input) : SV_Target
 {
     RestoreView(input);
-    float3 normal = normalize(input.normal);
+    float3 normal = FlatOnWalls(input.world, normalize(input.normal));
     float alpha = FilteredAlpha(normal, _SurfaceOptics.z), roughness = sqrt(alpha);
     fieldShift = input.shift;
     float3 world = input.world, toEye = ToEye(world);

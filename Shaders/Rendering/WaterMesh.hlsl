@@ -1,5 +1,5 @@
-// The mesh of the water's surface at the time of the frame: vertices go on along their displacement. Include after View.hlsl and
-// SurfaceView.hlsl.
+// The mesh of the water's surface at the time of the frame: vertices go on along their displacement. Include after View.hlsl and, but
+// for a shadow map, SurfaceView.hlsl.
 //
 //   _MeshVertices  in  28 bytes each: position (3 floats, d, domain's frame); unit normal out of the water (4 x snorm16); displacement in the
 //                      last substep, d, and 1 where it lies on a wall of the domain, else 0 (4 halves)
@@ -43,6 +43,7 @@ float3 MeshShift(MeshVertex v, float3 size)
     return clamp(moved, min(v.position, 0.0), max(v.position, size)) - v.position;
 }
 
+#ifndef RILL_SHADOW_VIEW
 struct WaterVaryings
 {
     precise float4 clip : SV_Position;      // the same to the bit in the pass of depth
@@ -68,5 +69,7 @@ WaterVaryings WaterVertex(uint vertex : SV_VertexID, uint instance : SV_Instance
     result.clip = WorldToClip(result.world);
     return result;
 }
+
+#endif
 
 #endif

@@ -28,7 +28,11 @@ namespace Rill
             "the last. Empty: all phases look as above.")]
         [SerializeField] SurfaceLook[] phaseLooks = Array.Empty<SurfaceLook>();
 
-        [Tooltip("What the surface costs on the screen. Low is for mobile devices and untethered headsets.")]
+        [Tooltip("How the surface is found. Screen Space: for each camera, one layer of water. Mesh: once a frame for all cameras, a closed " +
+            "mesh that light passes through from side to side.")]
+        [SerializeField] SurfaceMethod method = SurfaceMethod.ScreenSpace;
+
+        [Tooltip("What the surface costs on the screen, or how fine its mesh is. Low is for mobile devices and untethered headsets.")]
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
 
         [Tooltip("Smoothing on the screen, particle spacings, 0 to 4. More closes gaps between particles and blurs detail.")]
@@ -87,7 +91,10 @@ namespace Rill
         /// </summary>
         public SurfaceLook[] PhaseLooks { get => phaseLooks; set { phaseLooks = value ?? Array.Empty<SurfaceLook>(); Changed(); } }
 
-        /// <summary>What the surface costs on the screen.</summary>
+        /// <summary>How the surface is found.</summary>
+        public SurfaceMethod Method { get => method; set { method = value; Changed(); } }
+
+        /// <summary>What the surface costs on the screen; of a mesh, how fine it is.</summary>
         public SurfaceQuality Quality { get => quality; set => quality = value; }
 
         /// <summary>Smoothing on the screen, particle spacings, 0 to 4.</summary>
@@ -115,7 +122,7 @@ namespace Rill
 
         /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own may know nothing of
         /// foam.</summary>
-        internal bool DrawsFoam => isActiveAndEnabled && ShadesAll;
+        internal bool DrawsFoam => isActiveAndEnabled && ShadesAll && method == SurfaceMethod.ScreenSpace;
 
         // Whether the shader shades foam and phases too: the package's own, and one that is made of Surface.hlsl with its keywords.
         bool ShadesAll
@@ -140,6 +147,7 @@ namespace Rill
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
 
         private protected override StageSet Stage => StageSet.Surface;
+        private protected override StageSet FurtherStages => method == SurfaceMethod.Mesh ? StageSet.SurfaceMesh : StageSet.None;
         private protected override string ShaderFile => "Surface";
 
         /// <summary>Before anything else of the surface for this camera and frame.</summary>
@@ -287,15 +295,18 @@ namespace Rill
             BuiltInSurfaces.ReleaseUnused();
         }
 
+        bool CastsShadow => CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
+
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
+            Simulation.MeshCell = method == SurfaceMethod.Mesh ? CellOf(quality) : 0f;
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {
                 Simulation.NeedsSurface = true;
                 return;
             }
-            bool casts = CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
+            bool casts = CastsShadow;
             Light light = KnownLight;
             // Of a light that is not known, the shadow may fall anywhere.
             if (casts && light == null || watch.IsSeen(gameObject.layer, SurfaceFrame.BoxOf(Simulation), casts
@@ -306,12 +317,14 @@ namespace Rill
         private protected override void Draw()
         {
             PbfSolver solver = Simulation.Solver;
-            mesh = nextMesh;
+            mesh = solver.Mesh != null ? MeshOf(solver, solver.Mesh) : nextMesh;
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
                 meshDraw.SetKeywords(refraction, reflection != null);
                 hasFrame = true;
+                if (CastsShadow)
+                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity);
                 return;
             }
             hasFrame = solver.Surface != null;
@@ -323,13 +336,31 @@ namespace Rill
                 frame.foam = foam.Frame;
             if (phaseLooks.Length > 0 && ShadesAll)
                 frame.phases = new PhaseFrame(solver.Tags);
-            if (CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f)
+            if (CastsShadow)
                 shadow.Draw(Parameters(shadow.Properties), frame, shadowOpacity);
             FollowMaterial();
             SetKeyword(RefractionKeyword, refraction, copy);
             SetKeyword(ReflectionKeyword, reflection != null, copy);
             SetKeyword(FoamKeyword, frame.foam.particles != null, copy);
         }
+
+        MeshFrame MeshOf(PbfSolver solver, SurfaceMesh found)
+        {
+            Vector3 box = Simulation.DomainSize;
+            float spacing = Simulation.ParticleSpacing;
+            return new MeshFrame
+            {
+                vertices = found.Vertices, indices = found.Indices, arguments = found.Arguments, top = found.Top, field = found.Field,
+                elements = solver.Surface.Particles, drops = found.Drops, exposure = 0.5f * solver.LastSubsteps,
+                cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
+                domainToWorld = Simulation.DomainToWorld, domainSize = box / spacing, spacing = spacing, lag = Simulation.FrameLag,
+                bounds = new Bounds(Simulation.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)),
+                    Vector3.one * (box.magnitude + 4f * spacing)),
+            };
+        }
+
+        // Distance of the mesh's nodes, d.
+        static float CellOf(SurfaceQuality quality) => quality == SurfaceQuality.Low ? 1f : quality == SurfaceQuality.Medium ? 0.75f : 0.5f;
 
         // A material of the user's own is drawn by a copy, brought up to date in each frame: it gets the keywords that the settings ask for, and
         // the user's asset stays as it is.

@@ -25,7 +25,7 @@ namespace Rill
         const int InsideVertices = 6;       // of the rectangle over the picture
         const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
 
-        Material colors = MaterialOf("Water"), depth = MaterialOf("WaterDepth"), inside = MaterialOf("WaterInside");
+        Material colors = MaterialOf("Water"), depth = MaterialOf("WaterDepth"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops");
         readonly CameraParts<View> views = new CameraParts<View>();
         readonly List<View> replaced = new List<View>();
 
@@ -84,6 +84,12 @@ namespace Rill
             Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, mesh.indices, mesh.arguments, 1, command);
             parameters.material = colors;
             Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, mesh.indices, mesh.arguments, 1, command);
+            if (mesh.drops != null)
+            {
+                parameters.material = drops;
+                Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, mesh.arguments, 1,
+                    StereoInstancing.IsActive ? SurfaceMesh.StereoDropCommand : SurfaceMesh.MonoDropCommand);
+            }
             parameters.material = inside;
             Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, InsideVertices);
         }
@@ -116,6 +122,7 @@ namespace Rill
             stage.Draw("WaterDepth", views.Count);
             stage.Draw("Water", views.Count);
             stage.Draw("WaterInside", views.Count);
+            stage.Draw("WaterDrops", views.Count);
         }
 
         public void Dispose()
@@ -127,6 +134,7 @@ namespace Rill
             EngineObject.Destroy(ref colors);
             EngineObject.Destroy(ref depth);
             EngineObject.Destroy(ref inside);
+            EngineObject.Destroy(ref drops);
         }
 
         static Material MaterialOf(string stage) => new Material(StageShader.Load(stage).Shader) { hideFlags = HideFlags.HideAndDontSave };
@@ -139,11 +147,13 @@ namespace Rill
             {
                 colors.EnableKeyword(name);
                 inside.EnableKeyword(name);
+                drops.EnableKeyword(name);
             }
             else
             {
                 colors.DisableKeyword(name);
                 inside.DisableKeyword(name);
+                drops.DisableKeyword(name);
             }
         }
 

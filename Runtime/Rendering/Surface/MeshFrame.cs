@@ -15,6 +15,12 @@ namespace Rill
         /// <summary>A word for each brick of the domain, and the nodes of those bricks that the surface is near.</summary>
         public GraphicsBuffer top, field;
 
+        /// <summary>The elements of SurfaceElement.hlsl, and the indices of those that are drops; null where there are none.</summary>
+        public GraphicsBuffer elements, drops;
+
+        /// <summary>Length of the exposure in substeps: what flies is drawn out by so many displacements.</summary>
+        public float exposure;
+
         /// <summary>Distance between nodes, d.</summary>
         public float cell;
 
@@ -42,6 +48,12 @@ namespace Rill
             block.SetBuffer(Ids.MeshVertices, vertices);
             block.SetBuffer(Ids.MeshTop, top);
             block.SetBuffer(Ids.MeshField, field);
+            if (drops != null)
+            {
+                block.SetBuffer(Ids.SurfaceElements, elements);
+                block.SetBuffer(Ids.MeshDrops, drops);
+                block.SetVector(Ids.FrameExposure, new Vector4(exposure, 0f, 0f, 0f));
+            }
             block.SetFloat(Ids.MeshCell, cell);
             block.SetVector(Ids.MeshBricks, (Vector3)bricks);
             block.SetMatrix(Ids.DomainToWorld, domainToWorld);
@@ -55,6 +67,9 @@ namespace Rill
             public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
             public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");
+            public static readonly int SurfaceElements = Shader.PropertyToID("_SurfaceElements");
+            public static readonly int MeshDrops = Shader.PropertyToID("_MeshDrops");
+            public static readonly int FrameExposure = Shader.PropertyToID("_FrameExposure");
             public static readonly int MeshCell = Shader.PropertyToID("_MeshCell");
             public static readonly int MeshBricks = Shader.PropertyToID("_MeshBricks");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");

@@ -4,10 +4,10 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>The shadow of a fluid's surface: its ellipsoids, drawn into shadow maps alone.</summary>
+    /// <summary>The shadow of a fluid's surface, its ellipsoids or its mesh, drawn into shadow maps alone.</summary>
     sealed class SurfaceShadow : IDisposable
     {
-        Material material = new Material(StageShader.Load("SurfaceShadow").Shader) { hideFlags = HideFlags.HideAndDontSave };
+        Material material, ofMesh;
 
         public MaterialPropertyBlock Properties { get; } = new MaterialPropertyBlock();
 
@@ -16,15 +16,35 @@ namespace Rill
         public void Draw(RenderParams parameters, in SurfaceFrame fluid, float opacity)
         {
             fluid.SetOn(Properties);
-            Properties.SetFloat(Ids.ShadowOpacity, opacity);
-            parameters.material = material;
-            // The depth of the scene must not hold it.
-            parameters.shadowCastingMode = ShadowCastingMode.ShadowsOnly;
-            parameters.motionVectorMode = MotionVectorGenerationMode.Camera;
+            Prepare(ref parameters, ref material, "SurfaceShadow", opacity);
             Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, fluid.surfaceArguments, 1, StereoInstancing.MonoCommand);
         }
 
-        public void Dispose() => EngineObject.Destroy(ref material);
+        /// <param name="parameters">Made with <see cref="Properties"/>.</param>
+        /// <param name="opacity">How much of the light is gone, 0 to 1.</param>
+        public void Draw(RenderParams parameters, in MeshFrame mesh, float opacity)
+        {
+            mesh.SetOn(Properties);
+            Prepare(ref parameters, ref ofMesh, "WaterShadow", opacity);
+            Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, mesh.indices, mesh.arguments, 1, MeshDraw.MonoCommand);
+        }
+
+        public void Dispose()
+        {
+            EngineObject.Destroy(ref material);
+            EngineObject.Destroy(ref ofMesh);
+        }
+
+        void Prepare(ref RenderParams parameters, ref Material drawn, string stage, float opacity)
+        {
+            if (drawn == null)
+                drawn = new Material(StageShader.Load(stage).Shader) { hideFlags = HideFlags.HideAndDontSave };
+            Properties.SetFloat(Ids.ShadowOpacity, opacity);
+            parameters.material = drawn;
+            // The depth of the scene must not hold it.
+            parameters.shadowCastingMode = ShadowCastingMode.ShadowsOnly;
+            parameters.motionVectorMode = MotionVectorGenerationMode.Camera;
+        }
 
         static class Ids
         {

@@ -1,0 +1,131 @@
+// What of the water is thinner than its mesh can hold, as droplets: each particle that flies by itself is a dozen of them, of its volume
+// together, drawn out along the way that they go while the picture is exposed. The SubShader around it says for which pipeline, see View.hlsl.
+//
+//   _SurfaceElements  in  see SurfaceElement.hlsl
+//   _MeshDrops        in  uint, indices of those that are drops
+#include "Water.hlsl"
+#include "Billboard.hlsl"
+#include "Ellipsoid.hlsl"
+#include "SurfaceParticle.hlsl"
+#include "SurfaceElement.hlsl"
+#include "../Gpu/Hash.hlsl"
+#include "../Generated/SurfaceMesh.hlsl"
+
+StructuredBuffer<SurfaceParticle> _SurfaceElements;
+StructuredBuffer<uint> _MeshDrops;
+float4 _FrameExposure;          // x: substeps while which the picture is exposed
+
+static const float kSmallestDroplet = 0.2;      // radius of the last of a particle's droplets over the first
+static const float kFirstRadius = 0.4401;       // of the first, d: with those radii all together have a volume of d^3
+static const float kSpread = 0.75;              // of a particle's droplets around it, d
+static const float kMinPixels = 0.6;            // radius of a droplet on the picture: a smaller one is fainter instead
+static const float kShapedPixels = 5.0;         // and from which on what it shows upside down is seen: of a smaller one that is noise
+static const float kFaintest = 0.2;             // coverage of the smallest
+
+struct DropVaryings
+{
+    float4 clip : SV_Position;
+    float3 world : TEXCOORD0;                   // on the quad
+    nointerpolation float4 center : TEXCOORD1;  // w coverage
+    nointerpolation float4 a : TEXCOORD2;       // semi-axes; w: the smallest on the picture, pixels
+    nointerpolation float3 b : TEXCOORD3;
+    nointerpolation float3 c : TEXCOORD4;
+    RILL_VIEW_OUTPUT
+};
+
+float3 HashedInBall(uint id, uint k)
+{
+    float z = 2.0 * UnitFloat(Hash(id, k, 1u)) - 1.0, angle = 6.2831853 * UnitFloat(Hash(id, k, 2u));
+    float ring = sqrt(max(1.0 - z * z, 0.0)), radius = pow(UnitFloat(Hash(id, k, 3u)), 1.0 / 3.0);
+    return radius * float3(ring * cos(angle), ring * sin(angle), z);
+}
+
+// Radii fall by a power law, from the first to the last.
+float DropletRadius(uint k)
+{
+    return kFirstRadius * pow(kSmallestDroplet, k / (kDroplets - 1.0));
+}
+
+DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    DropVaryings result = (DropVaryings)0;
+    bool drawn = SelectView(instance);
+    PassViewOn(result);
+    result.clip = kNowhere;
+    if (!drawn || all(_PictureBounds == 0.0))
+        return result;
+
+    uint k = vertex / 6 % kDroplets;
+    SurfaceParticle drop = _SurfaceElements[_MeshDrops[vertex / (6 * kDroplets)]];
+    uint id = drop.a.w;
+    float3 chord = float3(UnpackHalves(drop.b.y), UnpackHalves(drop.b.z).x);
+    float radius = DropletRadius(k);
+    float3 position = asfloat(drop.a.xyz) + chord * _FrameLag.x + kSpread * HashedInBall(id, k);
+    position = clamp(position, radius, _DrawnDomainSize.xyz - radius);
+
+    // As long as it flies during the exposure, and thinner by that: its volume stays.
+    float flown = length(chord) * _FrameExposure.x;
+    float along = radius + 0.5 * flown, across = radius * sqrt(radius / along);
+    float3 axis = flown > 1e-4 ? normalize(chord) : float3(0.0, 1.0, 0.0);
+    float3 x, y;
+    TangentsOf(axis, x, y);
+    float3x3 toWorld = (float3x3)_DomainToWorld;
+    float3 center = mul(_DomainToWorld, float4(position, 1.0)).xyz;
+    float4 clip = SurfaceClip(center, eyeIndex);
+    float pixel = PictureScale(eyeIndex).y * (IsOrthographic() ? 1.0 : DepthAlongView(clip, eyeIndex)) * 2.0 / SceneSize().y;
+    float thinnest = kMinPixels * pixel / Spacing(), drawnAcross = max(across, thinnest), drawnAlong = max(along, thinnest);
+    result.center = float4(center, across * along / (drawnAcross * drawnAlong));
+    result.a = float4(mul(toWorld, axis) * drawnAlong, drawnAcross * Spacing() / pixel);
+    result.b = mul(toWorld, x) * drawnAcross;
+    result.c = mul(toWorld, y) * drawnAcross;
+    result.world = PointOnQuad(center, QuadCorner(vertex), SilhouetteRadius(center, drawnAlong * Spacing()));
+    result.clip = WorldToClip(result.world);
+    return result;
+}
+
+float3 NormalOf(Ellipsoid e, float3 world)
+{
+    float3 inBall = ToBall(e, world - e.center);
+    float3 normal = e.a * (inBall.x / dot(e.a, e.a)) + e.b * (inBall.y / dot(e.b, e.b)) + e.c * (inBall.z / dot(e.c, e.c));
+    return normal * rsqrt(max(dot(normal, normal), 1e-20));
+}
+
+// A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small.
+float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
+{
+    RestoreView(input);
+    Ellipsoid e;
+    e.center = input.center.xyz;
+    e.a = input.a.xyz;
+    e.b = input.b;
+    e.c = input.c;
+    float3 ray = -ToEye(input.world);
+    float2 hit;
+    if (!HitBall(ToBall(e, input.world - e.center), ToBall(e, ray), hit))
+        discard;
+    float3 world = input.world + ray * hit.x, normal = NormalOf(e, world);
+    float4 clip = WorldToClip(world);
+    depth = DeviceDepth(clip);
+    float coverage = saturate(input.center.w), shaped = smoothstep(1.0, kShapedPixels, input.a.w);
+    float4 onPicture = SurfaceClip(world, eyeIndex);
+    float z = DepthAlongView(onPicture, eyeIndex);
+
+    MainLight light = LightOfWater();
+    float index = _SurfaceOptics.x, reflectance = Reflectance(lerp(1.0, -dot(normal, ray), shaped), 1.0 / index);
+    float3 color = Mirrored(world, reflect(ray, normal), _SurfaceOptics.z) * reflectance
+        + light.color * Highlight(normal, -ray, light.direction, 0.05);
+    float3 bent = refract(ray, normal, 1.0 / index);
+    HitBall(ToBall(e, world - e.center), ToBall(e, bent), hit);
+    float3 leaves = world + bent * hit.y, outward = NormalOf(e, leaves);
+    float3 beyond = refract(bent, -outward, index);
+    if (dot(beyond, beyond) < 0.5)
+        beyond = reflect(bent, -outward);
+    float3 seen = Mirrored(leaves, beyond, 0.0);
+#ifdef RILL_REFRACTION
+    seen = SeenInAir(TraceScene(leaves, beyond * kFarAway, kAirSteps, 1.0), leaves, beyond);
+#endif
+    // What is behind a small droplet goes on being seen; its glints stay.
+    float body = coverage * lerp(kFaintest, 1.0, shaped);
+    color = color * coverage + seen * ((1.0 - reflectance) * body);
+    return float4(ApplyFog(color, body, z), body);
+}
