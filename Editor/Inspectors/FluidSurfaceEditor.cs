@@ -25,6 +25,7 @@ namespace Rill.Editor
                 new InspectorField("material")),
             new InspectorSection("Quality", true,
                 new InspectorField("method"),
+                new InspectorField("hiddenWalls", when: When.Is("method", SurfaceMethod.Mesh)),
                 new InspectorField("quality"),
                 new InspectorField("smoothing", "particle spacings", When.Is("method", SurfaceMethod.ScreenSpace))),
             new InspectorSection("Light", true,

@@ -46,13 +46,12 @@ namespace Rill
                 body.AddTorque(torque);
         }
 
+        // linearVelocity from Unity 6 on, which keeps this name too.
         static void SetVelocity(Rigidbody body, Vector3 velocity)
         {
-#if UNITY_6000_0_OR_NEWER
-            body.linearVelocity = velocity;
-#else
+#pragma warning disable 618
             body.velocity = velocity;
-#endif
+#pragma warning restore 618
         }
     }
 }

@@ -34,7 +34,7 @@ namespace Rill
         /// <summary>The one whose asset holds the shader.</summary>
         private protected abstract StageSet Stage { get; }
 
-        /// <summary>What it needs besides, by its settings.</summary>
+        /// <summary>Gets further stages that its settings ask for.</summary>
         private protected virtual StageSet FurtherStages => StageSet.None;
 
         StageSet IUsesStages.UsedStages => Stage | FurtherStages;

@@ -20,13 +20,16 @@ namespace Rill
         /// <summary>Distance of the nodes of the mesh that what draws the surface needs, d; 0 where it needs none.</summary>
         [field: NonSerialized] internal float MeshCell { get; set; }
 
+        /// <summary>Walls at which that mesh has faces: bit 2 a + s for that at the low (s 0) or high end of axis a.</summary>
+        [field: NonSerialized] internal int MeshWalls { get; set; } = (int)BoxWalls.All;
+
         /// <summary>Records the surface where it is asked for and not that of the current state.</summary>
         /// <returns>Whether anything was recorded.</returns>
         bool RecordSurface()
         {
             if (!NeedsSurface || pbf == tooLarge)
                 return false;
-            pbf.MeshCell = MeshCell;
+            SetMesh();
             if (pbf.SurfaceIsCurrent)
                 return false;
             if ((wanted & DeviceFeature.Surface) == 0)      // no step has asked yet
@@ -66,6 +69,12 @@ namespace Rill
             }
         }
 
+        void SetMesh()
+        {
+            pbf.MeshCell = MeshCell;
+            pbf.MeshWalls = MeshWalls;
+        }
+
         void GoOnWithoutSurface(ArgumentException problem)
         {
             tooLarge = pbf;
@@ -79,7 +88,8 @@ namespace Rill
             if (pbf == null)
                 return;
             framesWithoutSurface = NeedsSurface ? 0 : Math.Min(framesWithoutSurface + 1, FramesToKeepSurface);
-            pbf.MeshCell = NeedsSurface ? MeshCell : pbf.MeshCell;
+            if (NeedsSurface)
+                SetMesh();
             if (NeedsSurface && !pbf.SurfaceIsCurrent)
             {
                 commands.Clear();

@@ -9,6 +9,7 @@ namespace Rill
         SurfaceParticles surface;
         SurfaceMesh mesh;
         float meshCell;
+        int meshWalls = 63;
         int substepsSinceSurface;
         bool hasNew;        // particles that the last step did not move
 
@@ -24,6 +25,18 @@ namespace Rill
                 if (value != meshCell)
                     InvalidateSurface();
                 meshCell = value;
+            }
+        }
+
+        /// <summary>Walls at which the mesh has faces: bit 2 a + s for that at the low (s 0) or high end of axis a.</summary>
+        public int MeshWalls
+        {
+            get => meshWalls;
+            set
+            {
+                if (value != meshWalls && mesh != null)
+                    SurfaceIsCurrent = false;
+                meshWalls = value;
             }
         }
 
@@ -70,7 +83,7 @@ namespace Rill
         {
             if (lastSubsteps == 0)
                 UploadConstants(step.Commands, step.Input);
-            mesh.Record(step, surface, hasSteps);
+            mesh.Record(step, surface, hasSteps, meshWalls);
         }
 
         // What comes next has nothing to do with what was drawn before.

@@ -28,8 +28,8 @@ struct DropVaryings
     float3 world : TEXCOORD0;                   // on the quad
     nointerpolation float4 center : TEXCOORD1;  // w coverage
     nointerpolation float4 a : TEXCOORD2;       // semi-axes; w: the smallest on the picture, pixels
-    nointerpolation float3 b : TEXCOORD3;
-    nointerpolation float3 c : TEXCOORD4;
+    nointerpolation float4 b : TEXCOORD3;       // whole registers: vkd3d, which runs FXC's bytecode, takes no others beside an eye's index
+    nointerpolation float4 c : TEXCOORD4;
     RILL_VIEW_OUTPUT
 };
 
@@ -76,8 +76,8 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     float thinnest = kMinPixels * pixel / Spacing(), drawnAcross = max(across, thinnest), drawnAlong = max(along, thinnest);
     result.center = float4(center, across * along / (drawnAcross * drawnAlong));
     result.a = float4(mul(toWorld, axis) * drawnAlong, drawnAcross * Spacing() / pixel);
-    result.b = mul(toWorld, x) * drawnAcross;
-    result.c = mul(toWorld, y) * drawnAcross;
+    result.b = float4(mul(toWorld, x) * drawnAcross, 0.0);
+    result.c = float4(mul(toWorld, y) * drawnAcross, 0.0);
     result.world = PointOnQuad(center, QuadCorner(vertex), SilhouetteRadius(center, drawnAlong * Spacing()));
     result.clip = WorldToClip(result.world);
     return result;
@@ -97,8 +97,8 @@ float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
     Ellipsoid e;
     e.center = input.center.xyz;
     e.a = input.a.xyz;
-    e.b = input.b;
-    e.c = input.c;
+    e.b = input.b.xyz;
+    e.c = input.c.xyz;
     float3 ray = -ToEye(input.world);
     float2 hit;
     if (!HitBall(ToBall(e, input.world - e.center), ToBall(e, ray), hit))

@@ -32,6 +32,9 @@ namespace Rill
             "mesh that light passes through from side to side.")]
         [SerializeField] SurfaceMethod method = SurfaceMethod.ScreenSpace;
 
+        [Tooltip("Walls of the box at which the mesh has no face: those that stand in other water, or behind a solid.")]
+        [SerializeField] BoxWalls hiddenWalls = BoxWalls.None;
+
         [Tooltip("What the surface costs on the screen, or how fine its mesh is. Low is for mobile devices and untethered headsets.")]
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
 
@@ -94,7 +97,10 @@ namespace Rill
         /// <summary>How the surface is found.</summary>
         public SurfaceMethod Method { get => method; set { method = value; Changed(); } }
 
-        /// <summary>What the surface costs on the screen; of a mesh, how fine it is.</summary>
+        /// <summary>Walls of the box at which the mesh has no face. With Screen Space they have no effect.</summary>
+        public BoxWalls HiddenWalls { get => hiddenWalls; set => hiddenWalls = value & BoxWalls.All; }
+
+        /// <summary>Gets or sets the cost of the surface on the screen, or how fine its mesh is.</summary>
         public SurfaceQuality Quality { get => quality; set => quality = value; }
 
         /// <summary>Smoothing on the screen, particle spacings, 0 to 4.</summary>
@@ -140,7 +146,7 @@ namespace Rill
             }
         }
 
-        /// <summary>What is drawn instead of the surface on the screen; null for that.</summary>
+        /// <summary>Gets or sets a mesh that is drawn instead of the surface on the screen; null for that.</summary>
         internal MeshFrame? Mesh { get => nextMesh; set => nextMesh = value; }
 
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
@@ -301,6 +307,7 @@ namespace Rill
         void Ask()
         {
             Simulation.MeshCell = method == SurfaceMethod.Mesh ? CellOf(quality) : 0f;
+            Simulation.MeshWalls = (int)(BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {
                 Simulation.NeedsSurface = true;

@@ -21,8 +21,7 @@ namespace Rill
         /// <summary>bytes of a vertex: float3 position, snorm16x4 normal, half4 displacement</summary>
         [GenerateHlsl("SurfaceMesh")] public const int VertexBytes = 28;
 
-        /// <summary>Bytes of _MeshArguments: a GraphicsBuffer.IndirectDrawIndexedArgs for one eye, one for two, then groups of
-        /// kernels.</summary>
+        /// <summary>byte in _MeshArguments; draws first, then groups of kernels</summary>
         [GenerateHlsl("SurfaceMesh")]
         const uint MonoDrawAt = 0, StereoDrawAt = 20, MarkArgumentsAt = 40, AddArgumentsAt = 52,
             BrickArgumentsAt = 64, VertexArgumentsAt = 76, DropDrawAt = 96;
@@ -134,9 +133,6 @@ namespace Rill
         /// <summary>uint, by <see cref="Counter"/>.</summary>
         public GraphicsBuffer Counters => counters;
 
-        /// <summary>Walls that have quads: bit 2 a + s for that at the low (s 0) or high end of axis a.</summary>
-        public int ShownWalls { get; set; } = 63;
-
         /// <summary>Makes room for meshes of up to this size; what was there is lost.</summary>
         /// <exception cref="ArgumentOutOfRangeException">It is more than the device can bind.</exception>
         public void Reserve(int bricks, int newVertices, int newQuads)
@@ -216,7 +212,8 @@ namespace Rill
 
         /// <summary>Records the mesh of the elements, after they are recorded.</summary>
         /// <param name="hasSteps">As the elements had it: if not, none is of the mesh, and the particles are in no cells.</param>
-        public void Record(in StepContext step, SurfaceParticles elements, bool hasSteps)
+        /// <param name="shownWalls">Walls that have quads: bit 2 a + s for that at the low (s 0) or high end of axis a.</param>
+        public void Record(in StepContext step, SurfaceParticles elements, bool hasSteps, int shownWalls)
         {
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
@@ -226,7 +223,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.BrickCapacity, BrickCapacity);
             cmd.SetComputeIntParam(shader, Ids.VertexCapacity, VertexCapacity);
             cmd.SetComputeIntParam(shader, Ids.QuadCapacity, QuadCapacity);
-            cmd.SetComputeIntParam(shader, Ids.ShownWalls, ShownWalls);
+            cmd.SetComputeIntParam(shader, Ids.ShownWalls, shownWalls);
             cmd.SetComputeIntParam(shader, Ids.HasCells, hasSteps ? 1 : 0);
             RecordBricks(step, elements);
             RecordField(step, elements);

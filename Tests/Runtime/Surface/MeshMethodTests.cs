@@ -71,6 +71,36 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Hidden_walls_have_no_faces_also_while_the_fluid_is_paused()
+        {
+            Make(new Vector3(0.6f, 0.5f, 0.6f), 0.2f, 800);
+            yield return scene.Settle(3);
+            scene.Fluid.Paused = true;
+            yield return Frames(2);
+            double3 Area()
+            {
+                DrawnMesh mesh = new DrawnMesh(scene.Fluid.Solver.Mesh);
+                double3 low = 0.0;      // of faces in the planes x, y and z = 0, d
+                for (int i = 0; i < mesh.indices.Length; i += 3)
+                {
+                    double3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]], c = mesh.positions[mesh.indices[i + 2]];
+                    double area = 0.5 * math.length(math.cross(b - a, c - a));
+                    double3 most = math.max(math.max(a, b), c);
+                    low += area * new double3(most.x < 1e-3 ? 1.0 : 0.0, most.y < 1e-3 ? 1.0 : 0.0, most.z < 1e-3 ? 1.0 : 0.0);
+                }
+                return low;
+            }
+            double3 all = Area();
+            Assert.That(math.cmin(all), Is.GreaterThan(30.0));
+            scene.Surface.HiddenWalls = BoxWalls.Left | BoxWalls.Bottom;
+            yield return Frames(2);
+            double3 some = Area();
+            Assert.That(some.x, Is.Zero);
+            Assert.That(some.y, Is.Zero);
+            Assert.That(some.z, Is.EqualTo(all.z).Within(0.1));
+        }
+
+        [UnityTest]
         public IEnumerator Off_it_gives_back_the_mesh()
         {
             Make(new Vector3(0.6f, 0.5f, 0.6f), 0.2f, 800);

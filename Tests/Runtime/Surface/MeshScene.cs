@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Text;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using static System.FormattableString;
 using Object = UnityEngine.Object;
 
 namespace Rill.Tests
@@ -145,11 +147,14 @@ namespace Rill.Tests
             if (string.IsNullOrEmpty(folder))
                 return;
             int width = (int)math.round(math.sqrt(pixels.Length));
-            var picture = new Texture2D(width, width, TextureFormat.RGBA32, false);
-            picture.SetPixels(Array.ConvertAll(pixels, p => new Color((float)Srgb(p.x), (float)Srgb(p.y), (float)Srgb(p.z), 1f)));
-            picture.Apply();
-            File.WriteAllBytes(Path.Combine(folder, name + ".png"), picture.EncodeToPNG());
-            Object.DestroyImmediate(picture);
+            var bytes = new List<byte>(Encoding.ASCII.GetBytes(Invariant($"P6 {width} {width} 255\n")));       // a PPM has its rows from the top
+            for (int i = 0; i < pixels.Length; i++)
+            {
+                float3 pixel = pixels[(width - 1 - i / width) * width + i % width];
+                for (int channel = 0; channel < 3; channel++)
+                    bytes.Add((byte)Math.Round(255.0 * Srgb(pixel[channel])));
+            }
+            File.WriteAllBytes(Path.Combine(folder, name + ".ppm"), bytes.ToArray());
         }
 
         public void Dispose()

@@ -12,7 +12,7 @@ namespace Host.Check.Api
     {
         const string Mathematics = "com.unity.mathematics";
 
-        // The package writes the new name from the version on that has it, by a define that the host does not set.
+        // A name that Unity 6 keeps beside a new one, which older versions lack.
         static readonly HashSet<string> Renamed = new HashSet<string>
         {
             "UnityEngine.Rigidbody.set_velocity(UnityEngine.Vector3)",      // linearVelocity: BodyPlacement.SetVelocity

@@ -226,7 +226,7 @@ namespace Rill.Tests
             {
                 fluid.AddBlock(0f, new float3(9f, 8f, 7f) * Spacing).Step();
                 DrawnMesh.Of(fluid, Medium);
-                fluid.Solver.Mesh.ShownWalls = 1 << wall;
+                fluid.Solver.MeshWalls = 1 << wall;
                 DrawnMesh mesh = DrawnMesh.Of(fluid, Medium);
                 double3 box = fluid.Solver.Layout.DomainSize;
                 int axis = wall / 2;
@@ -291,11 +291,14 @@ namespace Rill.Tests
                 fluid.AddBlock(0f, new float3(12f, 8f, 10f) * Spacing).Step(60);
                 DrawnMesh mesh = DrawnMesh.Of(fluid, Medium);
                 double3 box = fluid.Solver.Layout.DomainSize;
-                int flat = 0;
+                int flat = 0, rim = 0;
                 for (int i = 0; i < mesh.positions.Length; i++)
                 {
                     double3 p = mesh.positions[i], beyond = math.min(p, box - p);
                     Assert.That(math.cmin(beyond), Is.GreaterThan(-1e-4), "in the box");
+                    bool isRim = !mesh.areFlat[i] && math.cmin(beyond) < 1e-3 && p.y > 4.0;
+                    rim += isRim ? 1 : 0;
+                    Assert.That(isRim && mesh.normals[i].y < 0.9, Is.False, $"the surface's normal at the rim: {mesh.normals[i]} at {p}");
                     if (!mesh.areFlat[i])
                         continue;
                     flat++;
@@ -305,13 +308,14 @@ namespace Rill.Tests
                         Assert.That(math.distance(mesh.normals[i], onWalls), Is.LessThan(1e-3), $"at {p}");
                 }
                 Assert.That(flat, Is.GreaterThan(300));
+                Assert.That(rim, Is.GreaterThan(30));
                 Assert.That(mesh.Volume / fluid.Added, Is.EqualTo(1.0).Within(0.02));
                 Assert.That(mesh.OpenEdges, Is.Zero);
                 double whole = mesh.Area, top = box.x * box.z;
-                fluid.Solver.Mesh.ShownWalls = 0;
+                fluid.Solver.MeshWalls = 0;
                 DrawnMesh open = DrawnMesh.Of(fluid, Medium);
                 Assert.That(open.Area, Is.EqualTo(top).Within(0.05 * top), $"without walls; {whole} with them");
-                fluid.Solver.Mesh.ShownWalls = 1 << 2;
+                fluid.Solver.MeshWalls = 1 << 2;
                 Assert.That(DrawnMesh.Of(fluid, Medium).Area - open.Area, Is.EqualTo(top).Within(0.01 * top), "the floor alone");
             }
         }
