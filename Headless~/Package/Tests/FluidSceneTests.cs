@@ -86,7 +86,7 @@ namespace Host.Tests
             Assert.That(off.Select(stage => stage.Name),
                 Is.EquivalentTo(new[] { "Particle access", "Drains", "Transfer", "Resting regions", "Force fields", "Coarse correction", "Colliders",
                 "Particle tags", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam",
-                "Emitters", "Queries", "Query batches", "Recording", "Statistics", "Surface particles", "Budget", "Rendering" }));
+                "Emitters", "Queries", "Query batches", "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
         }

@@ -116,10 +116,11 @@ namespace Host.Tests
             Assert.That(Math.Max(left, right), Is.GreaterThan(8 * Few));
         }
 
-        /// <summary>The surface's own shader with another line in Surface.hlsl.</summary>
+        /// <summary>The surface's own shader with another line in Surface.hlsl, or in SceneColor.hlsl.</summary>
         private protected void ShadeWithFault(string line, string instead)
         {
-            string source = File.ReadAllText(Path.Combine(shaders, "Surface.hlsl"));
+            string source = File.ReadAllText(Path.Combine(shaders, "Surface.hlsl"))
+                .Replace("#include \"SceneColor.hlsl\"", File.ReadAllText(Path.Combine(shaders, "SceneColor.hlsl")));
             Assert.That(source, Does.Contain(line));
             // Not for the camera with one eye, which is right.
             string faulty = "#ifdef RILL_STEREO\n" + source.Replace(line, instead) + "\n#else\n" + source + "\n#endif";

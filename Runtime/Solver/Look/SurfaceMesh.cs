@@ -219,7 +219,8 @@ namespace Rill
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
             cmd.SetComputeFloatParam(shader, Ids.MeshCell, Cell);
-            cmd.SetComputeVectorParam(shader, Ids.MeshBricks, new Vector4(Bricks.x, Bricks.y, Bricks.z, top));
+            cmd.SetComputeVectorParam(shader, Ids.MeshBricks, new Vector4(Bricks.x, Bricks.y, Bricks.z));
+            cmd.SetComputeIntParam(shader, Ids.TopCount, top);
             cmd.SetComputeIntParam(shader, Ids.BrickCapacity, BrickCapacity);
             cmd.SetComputeIntParam(shader, Ids.VertexCapacity, VertexCapacity);
             cmd.SetComputeIntParam(shader, Ids.QuadCapacity, QuadCapacity);
@@ -427,6 +428,7 @@ namespace Rill
         {
             public static readonly int MeshCell = Shader.PropertyToID("_MeshCell");
             public static readonly int MeshBricks = Shader.PropertyToID("_MeshBricks");
+            public static readonly int TopCount = Shader.PropertyToID("_TopCount");
             public static readonly int BrickCapacity = Shader.PropertyToID("_BrickCapacity");
             public static readonly int VertexCapacity = Shader.PropertyToID("_VertexCapacity");
             public static readonly int QuadCapacity = Shader.PropertyToID("_QuadCapacity");

@@ -148,7 +148,8 @@ namespace Rill
             GpuBuffer.Release(ref cellHistogram);
             GpuBuffer.Release(ref cellRanks);
             GpuBuffer.Release(ref cellStartsAtRest);
-            CellStarts?.Release();
+            GraphicsBuffer starts = CellStarts;
+            GpuBuffer.Release(ref starts);      // a snapshot that is pending keeps it
             CellStarts = null;
             Order?.Release();
             Order = null;
