@@ -49,6 +49,7 @@ namespace Rill.Editor
             ("Rill.Foam", "Foam"),
             ("Rill.Emit", "Emitters"),
             ("Rill.Surface", "Surface"),
+            ("Rill.Mesh", "Surface mesh"),
             ("Rill.Surface.Depth", "Surface: depth"),
             ("Rill.Surface.Filter", "Surface: filter"),
             ("Rill.Surface.Normals", "Surface: normals"),
