@@ -139,13 +139,18 @@ namespace Rill
         /// <param name="instead">Of the material that is drawn with; null: its own.</param>
         private protected void SetKeyword(string name, bool isOn, Material instead = null)
         {
-            Material drawn = instead != null ? instead : shaderMaterial;
-            if (isOn == drawn.IsKeywordEnabled(name))
+            SetKeyword(instead != null ? instead : shaderMaterial, name, isOn);
+        }
+
+        /// <summary>Turns a keyword of a material on or off.</summary>
+        internal static void SetKeyword(Material material, string name, bool isOn)
+        {
+            if (isOn == material.IsKeywordEnabled(name))
                 return;
             if (isOn)
-                drawn.EnableKeyword(name);
+                material.EnableKeyword(name);
             else
-                drawn.DisableKeyword(name);
+                material.DisableKeyword(name);
         }
 
         /// <summary>A color as shaders without declared properties need it: in the project's own color space.</summary>

@@ -27,4 +27,13 @@ bool HitBall(float3 origin, float3 direction, out float2 hit)
     return missing > 0.0;
 }
 
+// Unit normal, out of the ellipsoid, at a point of its surface.
+float3 EllipsoidNormal(Ellipsoid e, float3 world)
+{
+    float3 inBall = ToBall(e, world - e.center);
+    float3 normal = e.a * (inBall.x / max(dot(e.a, e.a), 1e-20)) + e.b * (inBall.y / max(dot(e.b, e.b), 1e-20))
+        + e.c * (inBall.z / max(dot(e.c, e.c), 1e-20));
+    return normal * rsqrt(max(dot(normal, normal), 1e-20));
+}
+
 #endif

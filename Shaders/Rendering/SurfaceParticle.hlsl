@@ -23,14 +23,20 @@ float2 UnpackHalves(uint packed)
     return float2(f16tof32(packed & 0xFFFFu), f16tof32(packed >> 16));
 }
 
+// -1 to 1, 16 bits each.
+uint PackSnorm(float2 v)
+{
+    uint2 bits = uint2(int2(round(clamp(v, -1.0, 1.0) * 32767.0))) & 0xFFFFu;
+    return bits.x | bits.y << 16;
+}
+
 // A unit vector on an octahedron (Meyer et al. 2010), 16 bits each.
 uint PackNormal(float3 normal)
 {
     float3 n = normal / max(abs(normal.x) + abs(normal.y) + abs(normal.z), 1e-10);
     float2 folded = (1.0 - abs(n.yx)) * float2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
     float2 unfolded = n.z < 0.0 ? folded : n.xy;
-    uint2 bits = uint2(int2(round(clamp(unfolded, -1.0, 1.0) * 32767.0))) & 0xFFFFu;
-    return bits.x | bits.y << 16;
+    return PackSnorm(unfolded);
 }
 
 float3 UnpackNormal(uint packed)

@@ -61,9 +61,6 @@ float4 ShadowFragment(ShadowVaryings input, out float depth : SV_Depth) : SV_Tar
     if (Threshold(uint2(input.clip.xy)) > _ShadowOpacity * fraction)
         discard;
     float3 world = input.world + ray * hit.x;
-    float3 inBall = ToBall(e, world - e.center);
-    float3 normal = e.a * (inBall.x / max(dot(e.a, e.a), 1e-20)) + e.b * (inBall.y / max(dot(e.b, e.b), 1e-20))
-        + e.c * (inBall.z / max(dot(e.c, e.c), 1e-20));
-    depth = DeviceDepth(ShadowClip(world, normal * rsqrt(max(dot(normal, normal), 1e-20))));
+    depth = DeviceDepth(ShadowClip(world, EllipsoidNormal(e, world)));
     return depth;
 }

@@ -83,13 +83,6 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     return result;
 }
 
-float3 NormalOf(Ellipsoid e, float3 world)
-{
-    float3 inBall = ToBall(e, world - e.center);
-    float3 normal = e.a * (inBall.x / dot(e.a, e.a)) + e.b * (inBall.y / dot(e.b, e.b)) + e.c * (inBall.z / dot(e.c, e.c));
-    return normal * rsqrt(max(dot(normal, normal), 1e-20));
-}
-
 // A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small.
 float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
 {
@@ -103,7 +96,7 @@ float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
     float2 hit;
     if (!HitBall(ToBall(e, input.world - e.center), ToBall(e, ray), hit))
         discard;
-    float3 world = input.world + ray * hit.x, normal = NormalOf(e, world);
+    float3 world = input.world + ray * hit.x, normal = EllipsoidNormal(e, world);
     float4 clip = WorldToClip(world);
     depth = DeviceDepth(clip);
     float coverage = saturate(input.center.w), shaped = smoothstep(1.0, kShapedPixels, input.a.w);
@@ -116,7 +109,7 @@ float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
         + light.color * Highlight(normal, -ray, light.direction, 0.05);
     float3 bent = refract(ray, normal, 1.0 / index);
     HitBall(ToBall(e, world - e.center), ToBall(e, bent), hit);
-    float3 leaves = world + bent * hit.y, outward = NormalOf(e, leaves);
+    float3 leaves = world + bent * hit.y, outward = EllipsoidNormal(e, leaves);
     float3 beyond = refract(bent, -outward, index);
     if (dot(beyond, beyond) < 0.5)
         beyond = reflect(bent, -outward);

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -30,8 +29,7 @@ namespace Rill
         SurfaceFoam foam;       // these two are made when first needed
         SurfaceMotion motion;
         readonly Kernel filterRows, filterRowsAgain, filterColumns, findNormals;
-        readonly CameraParts<SurfaceView> views = new CameraParts<SurfaceView>();
-        readonly List<SurfaceView> replaced = new List<SurfaceView>();
+        readonly CameraViews<SurfaceView> views = new CameraViews<SurfaceView>(camera => new SurfaceView(camera));
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
 
         /// <summary>Why no surface can be drawn on this device; null where one can, and where there are no compute shaders, which the fluid says
@@ -53,20 +51,13 @@ namespace Rill
         }
 
         /// <summary>The textures of a camera; made when it first asks. Those of cameras that draw no more are given back.</summary>
-        public SurfaceView ViewOf(Camera camera)
-        {
-            SurfaceView found = views.Find(camera);
-            if (found == null)
-                views.Add(found = new SurfaceView(camera));
-            found.LastFrame = Time.frameCount;
-            return found;
-        }
+        public SurfaceView ViewOf(Camera camera) => views.ViewOf(camera);
 
         /// <summary>What a draw of this camera may still show in this frame is no longer shown, until it is recorded again.</summary>
-        public void TurnOff(Camera camera) => views.Find(camera)?.TurnOff();
+        public void TurnOff(Camera camera) => views.TurnOff(camera);
 
         /// <summary>Whether <see cref="Prepare"/> has found that the camera sees the fluid in the picture that it draws now.</summary>
-        public bool IsPreparedFor(Camera camera) => views.Find(camera) is SurfaceView view && view.IsPrepared;
+        public bool IsPreparedFor(Camera camera) => views.IsPreparedFor(camera);
 
         /// <summary>Makes the camera's textures and what its shading draw reads of them, before anything is recorded: a render pipeline
         /// wants that draw before it culls.</summary>
@@ -75,7 +66,7 @@ namespace Rill
         public bool Prepare(in FluidViews camera, in SurfaceFrame fluid)
         {
             TurnOff(camera.camera);
-            DisposeReplaced();
+            views.DisposeReplaced();
             BoxOnPicture box = BoxOnPicture.Of(camera, fluid);
             if (!box.IsSeen)
                 return false;
@@ -85,7 +76,7 @@ namespace Rill
             view.ThicknessDivisor = SurfaceThickness.DivisorFor(view.Scale * fluid.spacing * pixels / box.MiddleDepth, view.ThicknessDivisor);
             if (view.IsSubmitted && !(view.IsSubmittedFor(camera.width, camera.height) && view.Holds(camera, box.Bounds, fluid)))
             {
-                SurfaceView next = Replace(view);
+                SurfaceView next = views.Replace(view);
                 (next.Scale, next.ThicknessDivisor) = (view.Scale, view.ThicknessDivisor);
                 view = next;
             }
@@ -97,25 +88,6 @@ namespace Rill
             if (camera.needsMotion)
                 (motion ??= new SurfaceMotion()).Set(view, fluid);
             return true;
-        }
-
-        // The draw that waits goes on holding its textures, and shows nothing.
-        SurfaceView Replace(SurfaceView view)
-        {
-            views.Remove(view);
-            replaced.Add(view);
-            return ViewOf(view.Camera);
-        }
-
-        void DisposeReplaced()
-        {
-            for (int i = replaced.Count - 1; i >= 0; i--)
-            {
-                if (replaced[i].IsSubmitted)
-                    continue;
-                replaced[i].Dispose();
-                replaced.RemoveAt(i);
-            }
         }
 
         /// <summary>Records everything that has changed since the camera's last picture; nothing where this one was not prepared.</summary>
@@ -168,10 +140,7 @@ namespace Rill
 
         public void Dispose()
         {
-            views.Clear();
-            foreach (SurfaceView view in replaced)
-                view.Dispose();
-            replaced.Clear();
+            views.Dispose();
             motion?.Dispose();
             motion = null;
             EngineObject.Destroy(ref raster);
@@ -207,8 +176,7 @@ namespace Rill
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
         public void ReleaseUnused()
         {
-            views.RemoveGone();
-            DisposeReplaced();
+            views.ReleaseUnused();
         }
 
         void RecordDepth(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)

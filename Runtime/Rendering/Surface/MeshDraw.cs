@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -26,8 +25,7 @@ namespace Rill
         const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
 
         Material colors = MaterialOf("Water"), depth = MaterialOf("WaterDepth"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops");
-        readonly CameraParts<View> views = new CameraParts<View>();
-        readonly List<View> replaced = new List<View>();
+        readonly CameraViews<View> views = new CameraViews<View>(camera => new View(camera));
 
         /// <summary>Whether what is behind is seen bent, and whether a cube map of the user's own is mirrored.</summary>
         public void SetKeywords(bool refraction, bool ownReflection)
@@ -41,32 +39,27 @@ namespace Rill
         public bool Prepare(in FluidViews camera, in MeshFrame mesh)
         {
             TurnOff(camera.camera);
-            DisposeReplaced();
+            views.DisposeReplaced();
             var box = new SurfaceFrame { domainToWorld = mesh.domainToWorld, domainSize = mesh.domainSize, spacing = mesh.spacing };
             if (!BoxOnPicture.Of(camera, box).IsSeen)
                 return false;
-            View view = ViewOf(camera.camera);
+            View view = views.ViewOf(camera.camera);
             if (view.IsSubmitted && !view.IsSubmittedFor(camera.width, camera.height))
-            {
-                // The draw that waits holds a copy of the scene of another size, and shows nothing.
-                views.Remove(view);
-                replaced.Add(view);
-                view = ViewOf(camera.camera);
-            }
+                view = views.Replace(view);     // it holds a copy of the scene of another size
             view.IsPrepared = true;
             return true;
         }
 
         /// <summary>What a draw of this camera may still show in this frame is no longer shown, until it is recorded again.</summary>
-        public void TurnOff(Camera camera) => views.Find(camera)?.TurnOff();
+        public void TurnOff(Camera camera) => views.TurnOff(camera);
 
         /// <summary>Whether <see cref="Prepare"/> has found that the camera sees the fluid in the picture that it draws now.</summary>
-        public bool IsPreparedFor(Camera camera) => views.Find(camera) is View view && view.IsPrepared;
+        public bool IsPreparedFor(Camera camera) => views.IsPreparedFor(camera);
 
         /// <summary>The properties that the camera's draws have in this frame; null where they wait in Unity's queue already.</summary>
         public MaterialPropertyBlock BeginSubmit(in FluidViews camera, in MeshFrame mesh)
         {
-            View view = ViewOf(camera.camera);
+            View view = views.ViewOf(camera.camera);
             if (view.IsSubmitted)
                 return null;
             view.MarkSubmitted(camera.width, camera.height);
@@ -109,11 +102,7 @@ namespace Rill
         }
 
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
-        public void ReleaseUnused()
-        {
-            views.RemoveGone();
-            DisposeReplaced();
-        }
+        public void ReleaseUnused() => views.ReleaseUnused();
 
         public void Describe(StageDescription stage)
         {
@@ -127,10 +116,7 @@ namespace Rill
 
         public void Dispose()
         {
-            views.Clear();
-            foreach (View view in replaced)
-                view.Dispose();
-            replaced.Clear();
+            views.Dispose();
             EngineObject.Destroy(ref colors);
             EngineObject.Destroy(ref depth);
             EngineObject.Destroy(ref inside);
@@ -143,95 +129,17 @@ namespace Rill
         {
             if (isOn == colors.IsKeywordEnabled(name))
                 return;
-            if (isOn)
-            {
-                colors.EnableKeyword(name);
-                inside.EnableKeyword(name);
-                drops.EnableKeyword(name);
-            }
-            else
-            {
-                colors.DisableKeyword(name);
-                inside.DisableKeyword(name);
-                drops.DisableKeyword(name);
-            }
-        }
-
-        View ViewOf(Camera camera)
-        {
-            View found = views.Find(camera);
-            if (found == null)
-                views.Add(found = new View(camera));
-            found.LastFrame = Time.frameCount;
-            return found;
-        }
-
-        void DisposeReplaced()
-        {
-            for (int i = replaced.Count - 1; i >= 0; i--)
-            {
-                if (replaced[i].IsSubmitted)
-                    continue;
-                replaced[i].Dispose();
-                replaced.RemoveAt(i);
-            }
+            FluidRenderer.SetKeyword(colors, name, isOn);
+            FluidRenderer.SetKeyword(inside, name, isOn);
+            FluidRenderer.SetKeyword(drops, name, isOn);
         }
 
         /// <summary>What one camera has of its own.</summary>
-        sealed class View : ICameraPart
+        sealed class View : CameraView
         {
-            const int FramesKept = 3;       // for which a camera may stay away
-
             public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();
 
-            readonly SurfaceConstants[] upload = new SurfaceConstants[1];
-            GraphicsBuffer constants = GpuBuffer.Constants<SurfaceConstants>("Rill.Water.Constants");
-            Vector2Int submittedSize;
-            int submittedFrame = -1;
-            bool isWritten;
-
-            public View(Camera camera)
-            {
-                Camera = camera;
-                constants.SetData(upload);
-                Properties.SetConstantBuffer(SurfaceIds.Constants, constants, 0, constants.stride);
-            }
-
-            public Camera Camera { get; }
-            public bool IsGone => Camera == null || Time.frameCount - LastFrame > FramesKept;
-            public int LastFrame { get; set; }
-            public bool IsPrepared { get; set; }
-
-            /// <summary>Whether its draws wait in Unity's queue, which is emptied when the next frame begins.</summary>
-            public bool IsSubmitted => submittedFrame == Time.frameCount;
-
-            public bool IsSubmittedFor(int width, int height) => submittedSize == new Vector2Int(width, height);
-
-            public void MarkSubmitted(int width, int height)
-            {
-                submittedFrame = Time.frameCount;
-                submittedSize = new Vector2Int(width, height);
-            }
-
-            /// <summary>At once: draws that wait in this frame show nothing until <see cref="Write"/> is executed.</summary>
-            public void TurnOff()
-            {
-                IsPrepared = false;
-                if (!isWritten || !IsSubmitted)
-                    return;
-                isWritten = false;
-                upload[0] = default;
-                constants.SetData(upload);
-            }
-
-            public void Write(CommandBuffer cmd, in SurfaceConstants values)
-            {
-                isWritten = true;
-                upload[0] = values;
-                cmd.SetBufferData(constants, upload);
-            }
-
-            public void Dispose() => GpuBuffer.Release(ref constants);
+            public View(Camera camera) : base(camera, "Rill.Water.Constants") => SetConstants(Properties);
         }
     }
 }

@@ -6,16 +6,11 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>What one camera needs of one fluid's surface: its textures, with a slice for each eye, and what they show.</summary>
-    sealed class SurfaceView : ICameraPart
+    sealed class SurfaceView : CameraView
     {
-        const int FramesKept = 3;       // for which a camera may stay away
         const int FoamDivisor = 2;
 
-        readonly SurfaceConstants[] upload = new SurfaceConstants[1];
-        GraphicsBuffer constants = GpuBuffer.Constants<SurfaceConstants>("Rill.Surface.Constants");
-        Vector2Int submittedSize;
-        int submittedFrame = -1, motionFrame = -1;
-        bool isWritten;
+        int motionFrame = -1;
 
         /// <summary>Of the draw that shades, which lives on until the next frame.</summary>
         public readonly MaterialPropertyBlock Shading = new MaterialPropertyBlock();
@@ -53,43 +48,13 @@ namespace Rill
 
         ScreenSize size, thicknessSize;
 
-        public SurfaceView(Camera camera)
-        {
-            Camera = camera;
-            constants.SetData(upload);
-        }
-
-        public Camera Camera { get; }
-
-        /// <summary>Also where the camera has not drawn for some frames.</summary>
-        public bool IsGone => Camera == null || Time.frameCount - LastFrame > FramesKept;
-
-        /// <summary>Frame in which the camera last asked for it.</summary>
-        public int LastFrame { get; set; }
-
-        /// <summary>Whether the picture that the camera draws now was prepared.</summary>
-        public bool IsPrepared { get; set; }
-
-        /// <summary>Whether its draw waits in Unity's queue, which is emptied when the next frame begins: however often the camera draws until
-        /// then, it comes each time.</summary>
-        public bool IsSubmitted => submittedFrame == Time.frameCount;
-
-        /// <summary>Whether textures and copies of the scene have to be of another size than those that the draw in the queue holds.</summary>
-        public bool IsSubmittedFor(int width, int height) => submittedSize == new Vector2Int(width, height);
+        public SurfaceView(Camera camera) : base(camera, "Rill.Surface.Constants") { }
 
         /// <summary>Whether a frame was recorded whose motion vectors are needed and not drawn yet.</summary>
         public bool HasMotion { get; set; }
 
         /// <summary>What <see cref="Smoothed"/> and <see cref="Normals"/> show; null where they show nothing yet.</summary>
         public SurfaceState? Shown { get; set; }
-
-        /// <summary>The draw is submitted now.</summary>
-        /// <param name="width">Of the picture, pixels.</param>
-        public void MarkSubmitted(int width, int height)
-        {
-            submittedFrame = Time.frameCount;
-            submittedSize = new Vector2Int(width, height);
-        }
 
         /// <summary>Whether the draw of motion vectors is to be submitted: once a frame too.</summary>
         public bool TrySubmitMotion()
@@ -98,30 +63,6 @@ namespace Rill
             motionFrame = Time.frameCount;
             return isFirst;
         }
-
-        /// <summary>At once: a draw that waits in this frame shows nothing until <see cref="Write"/> is executed.</summary>
-        public void TurnOff()
-        {
-            IsPrepared = false;
-            if (!isWritten || !IsSubmitted)
-                return;
-            isWritten = false;
-            upload[0] = default;
-            constants.SetData(upload);
-        }
-
-        /// <summary>Records what the draws and passes of the camera read from here on.</summary>
-        public void Write(CommandBuffer cmd, in SurfaceConstants values)
-        {
-            isWritten = true;
-            upload[0] = values;
-            cmd.SetBufferData(constants, upload);
-        }
-
-        public void SetConstants(MaterialPropertyBlock block) => block.SetConstantBuffer(SurfaceIds.Constants, constants, 0, constants.stride);
-
-        public void SetConstants(CommandBuffer cmd, ComputeShader shader)
-            => cmd.SetComputeConstantBufferParam(shader, SurfaceIds.Constants, constants, 0, constants.stride);
 
         /// <summary>Whose thickness is told apart: 1 or 4.</summary>
         public int Phases => Thickness.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? PhaseFrame.MaxPhases : 1;
@@ -217,9 +158,9 @@ namespace Rill
 
         static int Scaled(int pixels, float scale) => Math.Max((int)(pixels * scale), 1);
 
-        public void Dispose()
+        public override void Dispose()
         {
-            GpuBuffer.Release(ref constants);
+            base.Dispose();
             ReleaseTextures();
         }
 
