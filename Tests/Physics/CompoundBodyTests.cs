@@ -24,12 +24,12 @@ namespace Rill.Tests
 
         public enum Split { Whole, SideBySide, OneOverTheOther }
 
-        [SetUp]
-        public void OneStepAFrame()
+        [UnitySetUp]
+        public IEnumerator OneStepAFrame()
         {
-            Time.captureDeltaTime = FloatingScene.Frame;
             fixedDeltaTime = Time.fixedDeltaTime;
             Time.fixedDeltaTime = FloatingScene.Frame;      // of the physics too
+            yield return PhysicsClock.Begin(FloatingScene.Frame);
         }
 
         [UnityTearDown]

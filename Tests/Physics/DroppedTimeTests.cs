@@ -17,9 +17,10 @@ namespace Rill.Tests
         FloatingScene scene;
         float rest;     // height of the body, m
 
-        [SetUp]
-        public void Listen()
+        [UnitySetUp]
+        public IEnumerator Listen()
         {
+            yield return PhysicsClock.Begin(FloatingScene.Frame);
             said.Clear();
             Application.logMessageReceived += Hear;
         }
@@ -82,7 +83,6 @@ namespace Rill.Tests
 
         IEnumerator ComeToRest(DeepWater deepWater, float ratio)
         {
-            Time.captureDeltaTime = FloatingScene.Frame;
             scene = new FloatingScene(ColliderShape.Box, Box, ratio, 0.6f + (0.5f - ratio) * Box.y, deepWater: deepWater, side: 22);
             yield return scene.Play(2.5f);
             rest = scene.Heights.Skip(scene.Heights.Count - 30).Average();

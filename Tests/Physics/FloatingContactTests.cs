@@ -14,8 +14,8 @@ namespace Rill.Tests
 
         readonly List<GameObject> made = new List<GameObject>();
 
-        [SetUp]
-        public void OneStepAFrame() => Time.captureDeltaTime = Time.fixedDeltaTime;
+        [UnitySetUp]
+        public IEnumerator OneStepAFrame() => PhysicsClock.Begin(Time.fixedDeltaTime);
 
         [UnityTearDown]
         public IEnumerator LeaveNothing()

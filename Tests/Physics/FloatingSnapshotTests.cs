@@ -25,11 +25,12 @@ namespace Rill.Tests
         FluidSimulation fluid;
         float fixedStep;
 
-        [SetUp]
-        public void AStepAFrame()
+        [UnitySetUp]
+        public IEnumerator AStepAFrame()
         {
             fixedStep = Time.fixedDeltaTime;
-            Time.captureDeltaTime = Time.fixedDeltaTime = Frame;
+            Time.fixedDeltaTime = Frame;
+            yield return PhysicsClock.Begin(Frame);
         }
 
         [UnityTearDown]

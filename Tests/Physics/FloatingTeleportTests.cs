@@ -11,8 +11,8 @@ namespace Rill.Tests
     {
         FloatingScene scene;
 
-        [SetUp]
-        public void OneStepAFrame() => Time.captureDeltaTime = FloatingScene.Frame;
+        [UnitySetUp]
+        public IEnumerator OneStepAFrame() => PhysicsClock.Begin(FloatingScene.Frame);
 
         [UnityTearDown]
         public IEnumerator LeaveNothing()

@@ -25,8 +25,8 @@ namespace Rill.Tests
         float lifted, meanLevel, floatedOff;        // m: of the body, of the water, and that when the body first was there
         Func<Vector3, Vector3> keepOut;     // where solids let the body be; the physics here has none
 
-        [SetUp]
-        public void OneStepAFrame() => Time.captureDeltaTime = FloatingScene.Frame;
+        [UnitySetUp]
+        public IEnumerator OneStepAFrame() => PhysicsClock.Begin(FloatingScene.Frame);
 
         [UnityTearDown]
         public IEnumerator LeaveNothing()

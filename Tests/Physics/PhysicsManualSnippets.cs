@@ -49,7 +49,7 @@ namespace Rill.Tests
             water.AddComponent<FluidVolume>().Size = new Vector3(2f, 0.5f, 1f);
             lake.SetActive(true);
             GameObject boat = FloatingBody();
-            Time.captureDeltaTime = 1f / 60f;
+            yield return PhysicsClock.Begin(1f / 60f);
             try
             {
                 for (int i = 0; i < 90; i++)

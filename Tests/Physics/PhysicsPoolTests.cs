@@ -17,8 +17,8 @@ namespace Rill.Tests
 
         readonly List<GameObject> made = new List<GameObject>();
 
-        [SetUp]
-        public void OneStepAFrame() => Time.captureDeltaTime = 1f / 60f;
+        [UnitySetUp]
+        public IEnumerator OneStepAFrame() => PhysicsClock.Begin(1f / 60f);
 
         [UnityTearDown]
         public IEnumerator LeaveNothing()

@@ -16,11 +16,11 @@ namespace Rill.Tests
         FloatingScene scene;
         float fixedStep;
 
-        [SetUp]
-        public void OneFrameEach60th()
+        [UnitySetUp]
+        public IEnumerator OneFrameEach60th()
         {
             fixedStep = Time.fixedDeltaTime;
-            Time.captureDeltaTime = FloatingScene.Frame;
+            yield return PhysicsClock.Begin(FloatingScene.Frame);
         }
 
         [UnityTearDown]
