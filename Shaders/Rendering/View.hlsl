@@ -3,8 +3,8 @@
 //   RILL_BUILT_IN
 //   RILL_UNIVERSAL
 //   RILL_HIGH_DEFINITION    14 or 17, the pipeline's major version, which decides how its constant buffers begin
-// and a pass that draws for a light RILL_SHADOW_VIEW. The names are the pipelines' own; their constant buffers that are bound
-// whole (HDRP's, and those of the two eyes) are declared as far as they are read, in the pipelines' order.
+// and a pass that draws for a light RILL_SHADOW_VIEW, one that asks for the size of the picture RILL_PICTURE_SIZE. The names are the
+// pipelines' own; their constant buffers that are bound whole (HDRP's, and those of the two eyes) are declared as far as they are read, in the pipelines' order.
 #ifndef RILL_VIEW_INCLUDED
 #define RILL_VIEW_INCLUDED
 
@@ -50,6 +50,9 @@ cbuffer ShaderVariablesGlobal : register(b0)
     float4x4 _PrevInvViewProjMatrix;
     float4 _WorldSpaceCameraPos_Internal;
     float4 _PrevCamPosRWS_Internal;
+#ifdef RILL_PICTURE_SIZE
+    float4 _ScreenSize;
+#endif
 };
 
 #ifdef RILL_STEREO
@@ -201,6 +204,24 @@ bool IsOrthographic()
 {
     return all(RILL_WORLD_TO_CLIP[3].xyz == 0.0);
 }
+
+#ifdef RILL_PICTURE_SIZE
+#if defined(RILL_HIGH_DEFINITION)
+#define RILL_PICTURE _ScreenSize
+#elif defined(RILL_UNIVERSAL)
+float4 _ScaledScreenParams;
+#define RILL_PICTURE _ScaledScreenParams
+#else
+float4 _ScreenParams;
+#define RILL_PICTURE _ScreenParams
+#endif
+
+// How many pixels high a meter is at a point in front of the eye.
+float PixelsPerMeter(float3 world)
+{
+    return 0.5 * RILL_PICTURE.y * length(RILL_WORLD_TO_CLIP[1].xyz) / max(WorldToClip(world).w, 1e-6);
+}
+#endif
 
 // As SV_Depth takes it.
 float DeviceDepth(float4 clip)

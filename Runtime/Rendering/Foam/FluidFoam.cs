@@ -17,6 +17,7 @@ namespace Rill
     {
         const float AutomaticRadius = 0.01f;        // of the scene's depth
         const float MaxRadius = 10f;
+        const float Exposure = 0.5f;        // of a step: as a shutter that is open half of the time
 
         [SerializeField] FoamSettings settings = FoamSettings.Default;
 
@@ -87,7 +88,8 @@ namespace Rill
                 return new FoamFrame
                 {
                     particles = foam.Particles, counters = foam.Counters, arguments = foam.Arguments,
-                    look = new Vector4(largest, 0.5f * Simulation.ParticleSpacing, opacity, 0f), color = ShaderColor(color),
+                    look = new Vector4(largest, 0.5f * Simulation.ParticleSpacing, opacity, Exposure * Simulation.FixedStep),
+                    color = ShaderColor(color),
                 };
             }
         }

@@ -14,7 +14,8 @@ namespace Rill
         /// <summary>Of a draw of the particles and a dispatch over them, see <see cref="GpuBuffer.Arguments"/>.</summary>
         public GraphicsBuffer arguments;
 
-        /// <summary>x radius of the largest, m; y how much nearer to the eye a draw without surface puts them, m; z opacity.</summary>
+        /// <summary>x radius of the largest, m; y how much nearer to the eye a draw without surface puts them, m; z opacity;
+        /// w time of exposure, s.</summary>
         public Vector4 look;
 
         /// <summary>As shaders need it.</summary>

@@ -41,6 +41,8 @@ namespace UnityEngine.Rendering.HighDefinition
                 Write(i, main[i]);
             values[4 * Matrices] = camera.main.position;
             values[4 * Matrices + 1] = camera.main.previousPosition;
+            values[4 * Matrices + 2] = new Vector4(camera.actualWidth, camera.actualHeight, 1f / camera.actualWidth,
+                1f / camera.actualHeight);      // _ScreenSize
             buffer.SetData(values);
             Shader.SetGlobalConstantBuffer(globals, buffer, 0, Bytes);
 
