@@ -35,9 +35,7 @@ namespace Rill
             touches = waits = awaits = false;
             center = body.worldCenterOfMass;
             mass = body.mass;
-            Vector3 inertia = body.inertiaTensor;
-            response.Begin(mass, center, body.GetPointVelocity(center), body.angularVelocity, step.Time,
-                Mathf.Min(inertia.x, Mathf.Min(inertia.y, inertia.z)));
+            response.Begin(mass, center, body.GetPointVelocity(center), body.angularVelocity, step.Time, body.inertiaTensor);
             response.Tune(virtualMass, damping);
         }
 

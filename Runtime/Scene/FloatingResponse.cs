@@ -54,7 +54,7 @@ namespace Rill
         Reading[] readings = new Reading[1];    // of the fluid that is being added
         int count;
         Vector3 push, moment;                   // of that fluid, N; about the center of mass, N m
-        float mass, inertia, step, virtualFraction, damping;        // kg, kg m², s
+        float mass, inertia, step, virtualFraction, damping;        // kg, the smallest moment in kg m², s
         Vector3 centerOfMass, velocity, angularVelocity;      // m, m/s, rad/s
         Vector3 force, torque;                  // N; about the center of mass, N m
         float reach;                            // from the center of mass to the farthest point of a part, m
@@ -116,9 +116,9 @@ namespace Rill
         /// <param name="center">Of mass, world space, m.</param>
         /// <param name="bodyVelocity">Of the center of mass.</param>
         /// <param name="stepTime">Of this step and the last, s.</param>
-        /// <param name="bodyInertia">The smallest moment of inertia, kg m²; 0 for a body that does not turn.</param>
+        /// <param name="moments">Of inertia about the principal axes, kg m²; about one with 0 the body does not turn.</param>
         public void Begin(float bodyMass, Vector3 center, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime,
-            float bodyInertia = 0f)
+            Vector3 moments = default)
         {
             IsKnown = false;
             count = 0;
@@ -127,7 +127,7 @@ namespace Rill
             stiffness = drag = sideDrag = turnStiffness = turnDrag = 0f;
             waterVelocity = waterUp = Vector3.zero;
             mass = bodyMass;
-            inertia = bodyInertia;
+            inertia = MinAboveZero(moments);
             centerOfMass = center;
             step = stepTime;
             velocity = bodyVelocity;
@@ -421,6 +421,15 @@ namespace Rill
             Push(middle, up * (-strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up)));
             moment -= angularVelocity * (strength * TurnDamping / 12f
                 * math.sqrt(stiffness * squareWidth * carrying * (squareWidth + height * height)));
+        }
+
+        // 0 where all are.
+        static float MinAboveZero(Vector3 values)
+        {
+            float min = float.PositiveInfinity;
+            for (int i = 0; i < 3; i++)
+                min = values[i] > 0f ? math.min(min, values[i]) : min;
+            return min < float.PositiveInfinity ? min : 0f;
         }
 
         void Push(Vector3 at, Vector3 by)

@@ -70,12 +70,16 @@ namespace Rill
         static SnapshotBody ReadBody(BinaryReader reader)
         {
             var body = new SnapshotBody { path = reader.ReadString(), record = ReadFloats<BodyRecord>(reader) };
-            Require(body.path.Length <= MaxPath && body.record.heldFrames >= 0);
+            Require(body.path.Length <= MaxPath && body.record.heldFrames >= 0 && body.record.flags <= BodyRecord.All
+                && body.record.awaitedTime >= 0f && body.record.response.levelIsKnown <= 1);
             if (!reader.ReadBoolean())
                 return body;
             body.water = new SnapshotWater { unneeded = Finite(reader.ReadSingle()) };
             foreach (float3 point in ReadValues<float3>(reader, MaxPoints))
+            {
+                Require(math.all(math.isfinite(point)));
                 body.water.points.Add(point);
+            }
             int answers = Count(reader, MaxAnswers);
             for (int i = 0; i < answers; i++)
                 body.water.answers.Add(ReadAnswer(reader));
@@ -92,8 +96,13 @@ namespace Rill
                 points = ReadValues<float4>(reader, MaxPoints),
                 words = ReadValues<uint>(reader, MaxWords),
             };
-            Require(answer.frame.step >= 0 && math.isfinite(answer.frame.time) && answer.frame.spacing > 0f && math.isfinite(answer.frame.spacing)
+            QueryFrame frame = answer.frame;
+            Require(frame.step >= 0 && math.isfinite(frame.time) && frame.spacing > 0f && math.isfinite(frame.spacing)
+                && math.all(math.isfinite(((quaternion)frame.rotation).value)) && math.isfinite(frame.density)
+                && math.all(math.isfinite((float3)frame.up)) && math.all(math.isfinite((float3)frame.shift))
                 && answer.words.Length >= answer.points.Length * Queries.ProbeWords);
+            foreach (float4 point in answer.points)
+                Require(math.all(math.isfinite(point)));
             return answer;
         }
 

@@ -57,6 +57,7 @@ namespace Rill
         public ResponseRecord response;
 
         public const uint Sleeps = 1, Awaits = 2, HasActed = 4;
+        public const uint All = 2 * HasActed - 1;
 
         public bool Has(uint flag) => (flags & flag) != 0;
     }

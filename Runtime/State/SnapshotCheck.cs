@@ -112,6 +112,7 @@ namespace Rill
             if (contents.Has(SnapshotSection.DrainStates))
                 Length(contents, SnapshotSection.DrainStates, sizeof(uint) * StepSources.MaxDrains * Drains.Words);
             Several<FieldRegion>(contents, SnapshotSection.Fields, StepSources.MaxFields);
+            Require(AreFinite(contents.Bytes(SnapshotSection.Fields)), "a force field is not finite");
         }
 
         static void CheckScene(SnapshotContents contents, float spacing)
@@ -126,6 +127,7 @@ namespace Rill
                         "a time is negative or not finite");
                 Require(time.box.IsFinite && IsFinite(time.lastPosition) && IsFinite(time.lastVelocity) && time.lastDuration >= 0f
                     && IsFinite(time.lastDuration), "the pose of the box is not finite");
+                Require(time.collidersJump <= 1, "a flag of the time is unknown");
             }
             foreach (EmitterRecord emitter in Several<EmitterRecord>(contents, SnapshotSection.Emitters, StepSources.MaxEmitters))
             {
@@ -133,6 +135,7 @@ namespace Rill
                 double whole = emitter.clock.volume / ((double)spacing * spacing * spacing);
                 Require(IsTime(emitter.clock.volume) && IsTime(emitter.clock.time) && emitter.clock.due >= 0
                     && emitter.clock.due <= whole + 1.0, "what an emitter let in is negative, not finite or more than was due");
+                Require(emitter.isOn <= 1 && emitter.saysLast <= 1, "a flag of an emitter is unknown");
             }
             foreach (DrainRecord drain in Several<DrainRecord>(contents, SnapshotSection.Drains, StepSources.MaxDrains))
             {
@@ -140,8 +143,11 @@ namespace Rill
                 Require(IsTime(drain.budget), "what a drain may take is negative or not finite");
             }
             foreach (ColliderRecord collider in Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most))
+            {
                 Require(IsFinite(collider.size) && collider.now.IsFinite && collider.end.IsFinite && collider.seen.IsFinite,
                     "the pose of a collider is not finite");
+                Require(Enum.IsDefined(typeof(ColliderShape), collider.shape) && collider.follows <= 1, "the shape of a collider is unknown");
+            }
             CheckCalls(contents);
             CheckForces(contents);
             if (contents.Has(SnapshotSection.Bodies))
@@ -161,8 +167,11 @@ namespace Rill
         static void CheckForces(SnapshotContents contents)
         {
             int colliders = Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most).Length;
-            int forces = Several<ForceRecord>(contents, SnapshotSection.Forces, ColliderSet.Most).Length;
-            Require(forces == 0 || forces == colliders, "there are forces of other colliders");
+            ReadOnlySpan<ForceRecord> forces = Several<ForceRecord>(contents, SnapshotSection.Forces, ColliderSet.Most);
+            Require(forces.Length == 0 || forces.Length == colliders, "there are forces of other colliders");
+            foreach (ForceRecord force in forces)
+                Require(force.flags <= ForceRecord.All && force.step >= 0 && force.duration >= 0f && force.quiet >= 0f,
+                    "a force on a collider cannot be");
             Require(AreFinite(contents.Bytes(SnapshotSection.Forces)) && AreFinite(contents.Bytes(SnapshotSection.TakenColliders)),
                 "a force on a collider is not finite");
             Several<TakenRecord>(contents, SnapshotSection.TakenColliders, ColliderSet.Most);
@@ -175,7 +184,8 @@ namespace Rill
                 Length(contents, SnapshotSection.ReactionsTaken, bytes);
             Require(reactions.time >= 0f && IsFinite(reactions.time) && reactions.takenTime >= 0f && IsFinite(reactions.takenTime)
                 && reactions.hasWettedAreas <= 1 && reactions.frames >= ReactionsRecord.NothingPending && math.isfinite(reactions.takenImpulse)
-                && math.all(math.isfinite((float3)reactions.shiftSince)), "the sums of forces on colliders cannot be");
+                && math.all(math.isfinite((float3)reactions.shiftSince)) && math.all(math.isfinite(((quaternion)reactions.takenRotation).value))
+                && reactions.takenStep >= 0, "the sums of forces on colliders cannot be");
         }
 
         // Flags and counts look like small floats.
@@ -189,7 +199,8 @@ namespace Rill
 
         static void CheckPart(in PartRecord part, int most)
         {
-            Require(part.number < most && part.now.IsFinite && part.last.IsFinite, "the number or the pose of an emitter or a drain cannot be");
+            Require(part.number < most && part.follows <= 1 && part.now.IsFinite && part.last.IsFinite,
+                "the number or the pose of an emitter or a drain cannot be");
         }
 
         static T Single<T>(SnapshotContents contents, SnapshotSection section) where T : struct

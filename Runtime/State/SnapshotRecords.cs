@@ -199,6 +199,7 @@ namespace Rill
         public const uint Awaits = 4;
         /// <summary>Of a <see cref="ContactWatch"/>.</summary>
         public const uint Touches = 8, Hits = 16, WasWet = 32;
+        public const uint All = 2 * WasWet - 1;
 
         public bool Has(uint flag) => (flags & flag) != 0;
 

@@ -88,6 +88,35 @@ namespace Rill.Tests
             Object.DestroyImmediate(body.gameObject);
         }
 
+        // By 1 / (0.05 s + the step), and of its weight nothing is left.
+        [UnityTest]
+        public IEnumerator A_body_that_waits_for_its_fluid_stops_to_turn_as_it_stops_to_move()
+        {
+            scene = new FloatingScene(ColliderShape.Sphere, Ball * Vector3.one, 0.5f, 1f, 2, 6);
+            yield return null;
+            Assert.That(scene.Fluid.IsRunning);
+            UnityEngine.Physics.simulationMode = SimulationMode.Script;
+            Time.fixedDeltaTime = 0.1f;
+            Rigidbody body = Body();
+            body.useGravity = true;
+            Vector3 velocity = new Vector3(0.5f, -2f, 1f), spin = new Vector3(-1f, 2f, 0.5f);
+            body.AddForce(velocity, ForceMode.VelocityChange);
+            body.angularVelocity = spin;
+            UnityEngine.Physics.Simulate(1e-4f);
+            var floating = new FloatingBody();
+            PhysicsStep step = PhysicsStep.OfFixedUpdate(body.gameObject);
+            for (int i = 0; i < 2; i++)
+            {
+                floating.Begin(body, step, 0f, 0f);
+                floating.Await(scene.Fluid);
+            }
+            Assert.That(floating.TryApply(body, 100f));
+            UnityEngine.Physics.Simulate(0.1f);
+            Assert.That(Vector3.Distance(body.GetPointVelocity(body.worldCenterOfMass), velocity / 3f), Is.LessThan(0.01f), "m/s");
+            Assert.That(Vector3.Distance(body.angularVelocity, spin / 3f), Is.LessThan(0.01f), "rad/s");
+            Object.DestroyImmediate(body.gameObject);
+        }
+
         static Rigidbody Body()
         {
             var body = GameObject.CreatePrimitive(PrimitiveType.Cube).AddComponent<Rigidbody>();

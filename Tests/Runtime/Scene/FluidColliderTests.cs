@@ -1,6 +1,7 @@
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -110,11 +111,12 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_teleport_is_no_motion()
+        public void A_teleport_is_no_motion([Values] bool turns)
         {
             FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position);
             simulation.Advance(simulation.FixedStep);
-            collider.transform.position += new Vector3(0.1f, 0f, 0f);
+            collider.transform.position += new Vector3(turns ? 0f : 0.1f, 0f, 0f);
+            collider.transform.Rotate(0f, turns ? 30f : 0f, 0f);
             collider.Teleport();
             simulation.Advance(simulation.FixedStep);
             Assert.That(simulation.Input.colliders.Items[0].Moves, Is.False);
@@ -197,6 +199,46 @@ namespace Rill.Tests
             Assert.That(collider.TryGetForce(out Vector3 force, out _), Is.True);
             Assert.That(force.y, Is.GreaterThan(3f * Mathf.Abs(force.x)));
             Assert.That(force.y, Is.GreaterThan(3f * Mathf.Abs(force.z)));
+        }
+
+        // A lump that hits a plate beside its middle: the plate, the box of the fluid and the world have each their own axes.
+        [Test]
+        public void The_torque_on_a_collider_is_its_force_times_the_arm_in_world_space()
+        {
+            simulation.Gravity = Vector3.zero;
+            simulation.Clear();
+            water.transform.rotation = Quaternion.Euler(20f, 30f, 50f);
+            FluidCollider plate = Make(ColliderShape.Box, water.transform.position - 0.2f * water.transform.up);
+            plate.transform.rotation = water.transform.rotation * Quaternion.Euler(0f, 25f, 0f);
+            plate.Size = new Vector3(0.7f, 0.1f, 0.5f);
+            plate.Friction = 0f;
+            plate.MeasuresForce = true;
+            Transform at = plate.transform;
+            Vector3 hit = new Vector3(0.2f, 0.05f, -0.1f);
+            using (var positions = new NativeArray<float3>(27, Allocator.Temp))
+            using (var velocities = new NativeArray<float3>(27, Allocator.Temp))
+            {
+                for (int i = 0; i < 27; i++)
+                {
+                    var place = new Vector3(i % 3 - 1, i / 9 + 2, i / 3 % 3 - 1);
+                    NativeArray<float3> places = positions, speeds = velocities;
+                    places[i] = at.position + at.rotation * (hit + 0.05f * place);
+                    speeds[i] = at.rotation * new Vector3(0f, -3f, 0f);
+                }
+                simulation.AddParticles(positions, velocities);
+            }
+            Vector3 force = Vector3.zero, torque = Vector3.zero;
+            for (int i = 0; i < 8; i++)
+            {
+                simulation.Advance(simulation.FixedStep);
+                AsyncGPUReadback.WaitAllRequests();
+                if (plate.TryGetForce(out Vector3 found, out Vector3 turning) && found.magnitude > force.magnitude)
+                    (force, torque) = (found, turning);
+            }
+            Assert.That(Vector3.Angle(force, -at.up), Is.LessThan(5f), "pushed down");
+            Vector3 expected = Vector3.Cross(at.rotation * hit, force);
+            Assert.That(expected.magnitude, Is.GreaterThan(1f), "N m");
+            Assert.That(Vector3.Distance(torque, expected), Is.LessThan(0.1f * expected.magnitude), $"{torque}, not {expected} N m");
         }
 
         [TestCase("Sphere", ColliderShape.Sphere)]

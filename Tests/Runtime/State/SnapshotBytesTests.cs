@@ -188,6 +188,31 @@ namespace Rill.Tests
             }
         }
 
+        /// <summary>A record with each of its numbers in turn not finite, or a whole one below 0 or with all bits set.</summary>
+        internal static IEnumerable<(string field, object changed)> Damaged(object record)
+        {
+            foreach (FieldInfo field in record.GetType().GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
+            {
+                object copy = RuntimeHelpers.GetObjectValue(record);
+                object[] values = field.FieldType == typeof(float) ? new object[] { float.NaN, float.PositiveInfinity, float.NegativeInfinity }
+                    : field.FieldType == typeof(double) ? new object[] { double.NaN, double.PositiveInfinity, double.NegativeInfinity }
+                    : field.FieldType == typeof(int) ? new object[] { -2 }
+                    : field.FieldType == typeof(long) ? new object[] { -1L }
+                    : field.FieldType == typeof(uint) ? new object[] { uint.MaxValue } : Array.Empty<object>();
+                foreach (object value in values)
+                {
+                    field.SetValue(copy, value);
+                    yield return ("." + field.Name, copy);
+                }
+                if (values.Length == 0 && field.FieldType.IsValueType && !field.FieldType.IsPrimitive && !field.FieldType.IsEnum)
+                    foreach ((string inner, object changed) in Damaged(field.GetValue(record)))
+                    {
+                        field.SetValue(copy, changed);
+                        yield return ("." + field.Name + inner, copy);
+                    }
+            }
+        }
+
         static IEnumerable<(string field, object changed)> WithEach(object record, float value)
         {
             foreach (FieldInfo field in record.GetType().GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
@@ -381,7 +406,7 @@ namespace Rill.Tests
         }
 
         // Null where they are taken.
-        static string Refusal(byte[] given)
+        internal static string Refusal(byte[] given)
         {
             try
             {

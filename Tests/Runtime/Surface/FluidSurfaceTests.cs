@@ -151,6 +151,18 @@ namespace Rill.Tests
                 TestContext.Out.WriteLine($"roughness {roughness}: mip {8f * seen.r / seen.g:0.000}, {seen.g:0.0000} mirrored");
                 Assert.That(8f * seen.r / seen.g, Is.EqualTo(level).Within(roughness == 0f ? 1f : 0.1f));
             }
+            // Normals that differ within a pixel are as a roughness.
+            SurfaceLook smooth = surface.Look;
+            smooth.roughness = 0f;
+            surface.Look = smooth;
+            yield return Frames(2);
+            Color still = scene.Mean();
+            fluid.Paused = false;
+            fluid.Fill(FluidShape.Sphere(new Vector3(0f, Depth - 0.5f + 0.1f, 0f), 0.08f), 3f * Vector3.down);
+            yield return Frames(4);
+            Color rippled = scene.Mean();
+            TestContext.Out.WriteLine($"mip {8f * still.r / still.g:0.000} of still water, {8f * rippled.r / rippled.g:0.000} of rippled");
+            Assert.That(8f * rippled.r / rippled.g, Is.GreaterThan(8f * still.r / still.g + 0.3f));
             surface.Reflection = null;
             Object.DestroyImmediate(cube);
         }

@@ -168,6 +168,31 @@ namespace Rill.Tests
             Assert.That(centers[1].y - centers[0].y, Is.EqualTo(0f).Within(0.2f));
         }
 
+        // Waves of 0.2 m, five pixels long, whose slopes are up to 0.1; the sun is mirrored where they are 0.03. A mirror shows it in a few
+        // pixels, each as bright as on flat water.
+        [UnityTest]
+        public IEnumerator A_highlight_widens_over_ripples_that_are_as_fine_as_pixels()
+        {
+            const float wave = 2f * math.PI / 0.2f, slope = 0.1f, mirrors = 0.03f;
+            scene = new MeshScene(64, new Vector3(3f, 0.4f, 3f), 0.05f, 0f);
+            LookDown(1.2f);
+            scene.Surface.Sun.intensity = 1f;
+            scene.Surface.Sun.transform.rotation = Quaternion.Euler(90f - 2f * math.degrees(math.atan(mirrors)), 90f, 0f);
+            scene.Surface.Look = Absorbing();
+            scene.Put(p => 0.1f + slope / wave * math.sin(wave * (p.x + 0.3f * p.z)) - p.y);
+            yield return Frames();
+            float brightest = 0f, mean = 0f;
+            float3[] pixels = scene.Pixels();
+            foreach (float3 pixel in pixels)
+            {
+                brightest = math.max(brightest, pixel.x);
+                mean += pixel.x / pixels.Length;
+            }
+            TestContext.Out.WriteLine($"mean {mean:0.0000}, brightest {brightest:0.0000}");
+            Assert.That(mean, Is.GreaterThan(1e-3f), "the sun is mirrored");
+            Assert.That(brightest, Is.LessThan(6f * mean));
+        }
+
         static SurfaceLook Absorbing()
         {
             SurfaceLook look = WaterScene.Absorbing(Left, 0.5f);

@@ -41,6 +41,38 @@ namespace Rill.Tests
             }
         }
 
+        // A ball of water in the far end of a long shape that is turned about no axis of the box: turned another way it finds none.
+        [Test]
+        public void Water_in_one_end_of_a_turned_shape_is_found_there([Values(DetectorShape.Box, DetectorShape.Capsule,
+            DetectorShape.Mesh)] DetectorShape shape)
+        {
+            SignedDistanceField field = null;
+            if (shape == DetectorShape.Mesh)
+            {
+                MeshSdfSettings settings = MeshSdfSettings.Default;
+                settings.resolution = 32;
+                field = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Box(new Vector3(0.9f, 0.3f, 0.3f), Vector3.zero), settings));
+            }
+            using (var scene = new SourceScene(new Vector3(1.6f, 1.2f, 1.2f), Spacing, 1000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                Quaternion turn = Quaternion.Euler(20f, 35f, 50f);
+                Vector3 end = turn * (shape == DetectorShape.Capsule ? new Vector3(0f, 0.28f, 0f) : new Vector3(0.32f, 0f, 0f));
+                int count = scene.AddWhere(place => Vector3.Distance(place, end) < 0.09f);
+                FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d =>
+                {
+                    (d.Shape, d.Size, d.Radius, d.Height, d.Field) = (shape, new Vector3(0.9f, 0.3f, 0.3f), 0.15f, 0.9f, field);
+                    d.transform.rotation = turn;
+                });
+                scene.Step();
+                Assert.That(count, Is.GreaterThan(10));
+                Assert.That(detector.Flushed().volume, Is.EqualTo(count * scene.ParticleVolume).Within(0.02f * count * scene.ParticleVolume));
+            }
+            if (field != null)
+                UnityEngine.Object.DestroyImmediate(field.Texture);
+            UnityEngine.Object.DestroyImmediate(field);
+        }
+
         // A mesh that is not around its object's place, in a box that is moved and turned: in water it finds its own volume, and beside it none.
         [Test]
         public void A_listener_that_throws_is_logged_and_all_others_hear_all_the_same()

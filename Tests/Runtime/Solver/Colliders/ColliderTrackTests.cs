@@ -23,7 +23,10 @@ namespace Rill.Tests
                 double mean = 0.0;
                 for (int i = 1; i <= 2; i++)
                 {
-                    track.Follow(Pose(2 * window + i), Duration, Substep);
+                    RigidPose next = Pose(2 * window + i);
+                    if (i == 1)
+                        next.rotation = new quaternion(-next.rotation.value);       // the same orientation
+                    track.Follow(next, Duration, Substep);
                     double after = left * math.exp(-(double)Duration / Memory);
                     mean += 0.5 * (left - after) * Memory / Duration;
                     left = after;
@@ -95,6 +98,82 @@ namespace Rill.Tests
             Assert.That(step.Reach(0.1f), Is.EqualTo(2f + disc.Radius + 0.1f * (math.length(step.velocity)
                 + disc.Radius * math.length(step.spin))).Within(1e-3f), "d, with a spacing to spare");
         }
+
+        // Of a quarter of a turn in the step.
+        [Test]
+        public void The_substeps_of_an_emitter_turn_and_move_on_evenly([Values(2, 3)] int count)
+        {
+            EmitterStep step = Turning(90f);
+            for (int i = 0; i < count; i++)
+            {
+                EmitterStep part = step.Part(i, count, 1f / 60f);
+                AssertAt(part.start, step, i / (float)count);
+                AssertAt(part.end, step, (i + 1) / (float)count);
+            }
+        }
+
+        static void AssertAt(in RigidPose pose, in EmitterStep step, float fraction)
+        {
+            AssertNear(pose.position, math.lerp(step.start.position, step.end.position, fraction), 1e-5f);
+            Assert.That(Quaternion.Angle(pose.rotation, Quaternion.Slerp(step.start.rotation, step.end.rotation, fraction)), Is.LessThan(0.1f));
+        }
+
+        // Quaternions of opposite signs are one orientation; between them lies a whole turn.
+        [Test]
+        public void An_emitter_turns_by_the_shorter_side_from_where_it_was([Values] bool opposite)
+        {
+            EmitterStep step = Turning(90f);
+            if (opposite)
+                step.start.rotation = new quaternion(-step.start.rotation.value);
+            EmitterConstants constants = EmitterConstants.For(step, 1f / 60f, false, 1, Layout());
+            Assert.That(math.dot(constants.rotation, constants.lastRotation), Is.EqualTo(math.cos(math.PI / 4f)).Within(1e-4f));
+            Assert.That(math.abs(math.dot(constants.lastRotation, step.start.rotation.value)), Is.EqualTo(1f).Within(1e-5f));
+            AssertNear(constants.lastOrigin, step.start.position, 1e-6f);
+            step.Inherit(1f, 0.1f, 1000f);
+            AssertNear(step.spin, math.PI / 2f / 0.1f * Axis, 1e-2f);
+        }
+
+        // A disc of a radius of 4 spacings that turns by a quarter lies along y at first, and along z at the end.
+        [Test]
+        public void What_lies_before_an_outlet_is_looked_for_where_it_was_and_where_it_is()
+        {
+            EmitterStep step = Turning(90f);
+            step.start.rotation = quaternion.identity;
+            step.end.rotation = quaternion.AxisAngle(math.right(), math.PI / 2f);
+            step.end.position = step.start.position;
+            SolverLayout layout = Layout();
+            step.CellsBefore(layout, 0.5f, out int3 from, out int3 counts);
+            float3 low = (float3)from * layout.CellSize, high = (float3)(from + counts) * layout.CellSize;
+            foreach (float3 rim in new[] { new float3(3.9f, 0f, 0f), new float3(0f, 3.9f, 0f), new float3(0f, 0f, 3.9f) })
+                Assert.That(math.all(step.start.position + rim <= high) && math.all(step.start.position - rim >= low), $"{rim}");
+        }
+
+        [Test]
+        public void What_only_turns_moves_as_what_only_goes_along_does()
+        {
+            ColliderMotion motion = ColliderTests.Still(ColliderShape.Box, new float3(1f), new float3(5f), quaternion.identity);
+            Assert.That(motion.Moves, Is.False);
+            foreach (RigidPose pose in new[] { new RigidPose(new float3(5f, 5f, 5.1f), quaternion.identity),
+                new RigidPose(new float3(5f), quaternion.AxisAngle(Axis, 0.1f)) })
+            {
+                motion.end = pose;
+                Assert.That(motion.Moves);
+                Assert.That(motion.end.Equals(motion.start), Is.False);
+            }
+        }
+
+        static readonly float3 Axis = math.normalize(new float3(1f, 2f, -1f));
+
+        static SolverLayout Layout() => new SolverLayout(2f, 0.05f, 1000, 96, 1f);
+
+        static EmitterStep Turning(float degrees) => new EmitterStep
+        {
+            positions = EmitterPositions.Of(EmitterShape.Disc, EmitterMode.Jet, 0f, 4f, null, 1f, 1f, out _),
+            start = new RigidPose(new float3(20f), quaternion.Euler(0.3f, 0.2f, 0.1f)),
+            end = new RigidPose(new float3(21f, 20f, 20f),
+                math.mul(quaternion.AxisAngle(Axis, math.radians(degrees)), quaternion.Euler(0.3f, 0.2f, 0.1f))),
+            speed = 10f,
+        };
 
         static RigidPose Pose(int step) => new RigidPose(new float3(1f, 2f, 3f) + step * Duration * Velocity,
             math.mul(quaternion.AxisAngle(math.normalize(Spin), step * Duration * math.length(Spin)), quaternion.Euler(0.3f, 0.2f, 0.1f)));
