@@ -92,6 +92,7 @@ namespace Rill
                 case "FEW":
                 case "FIELDS":
                 case "FIND":
+                case "FIND_CONTACTS":
                 case "FIND_FIELD":
                 case "FINISH_MESH":
                 case "FIRST":
@@ -105,6 +106,7 @@ namespace Rill
                 case "MAKE_QUADS":
                 case "MAKE_VERTICES":
                 case "MARK_BRICKS":
+                case "MARK_CONTACTS":
                 case "MESH":
                 case "MOVE":
                 case "NARROW":

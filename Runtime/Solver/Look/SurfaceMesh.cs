@@ -43,8 +43,10 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Mesh");
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceMesh");
-        readonly Kernel begin, listDrops, storeDrops, markBricks, placeBricks, storeBricks, clearSums, addElements, findField, countCells,
+        readonly Kernel begin, listDrops, storeDrops, markBricks, markContacts, storeBricks, clearSums, addElements, countCells,
             storeCounts, makeVertices, makeQuads, smoothMesh, finishMesh;
+        readonly KernelVariants placeBricks, findField;     // with colliders
+        bool withColliders;
         readonly int top;
         readonly uint[] sizes = new uint[Enum.GetValues(typeof(Counter)).Length];
         Readback readback;
@@ -70,11 +72,12 @@ namespace Rill
             listDrops = new Kernel(shader, "ListDrops");
             storeDrops = new Kernel(shader, "StoreDrops");
             markBricks = new Kernel(shader, "MarkBricks");
-            placeBricks = new Kernel(shader, "PlaceBricks");
+            markContacts = new Kernel(shader, "MarkContacts");
+            placeBricks = new KernelVariants(shader, "PlaceBricks", "PlaceBricksWithColliders");
             storeBricks = new Kernel(shader, "StoreBricks");
             clearSums = new Kernel(shader, "ClearSums");
             addElements = new Kernel(shader, "AddElements");
-            findField = new Kernel(shader, "FindField");
+            findField = new KernelVariants(shader, "FindField", "FindFieldWithColliders" + KernelNeed.Wide);
             countCells = new Kernel(shader, "CountCells");
             storeCounts = new Kernel(shader, "StoreCounts");
             makeVertices = new Kernel(shader, "MakeVertices");
@@ -226,6 +229,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.QuadCapacity, QuadCapacity);
             cmd.SetComputeIntParam(shader, Ids.ShownWalls, shownWalls);
             cmd.SetComputeIntParam(shader, Ids.HasCells, hasSteps ? 1 : 0);
+            withColliders = elements.Contacts != null;
             RecordBricks(step, elements);
             RecordField(step, elements);
             RecordCells(cmd);
@@ -273,12 +277,14 @@ namespace Rill
             description.Kernel(stage.listDrops, 0);
             description.Kernel(stage.storeDrops, 0);
             description.Kernel(stage.markBricks, 0);
+            if (stage.withColliders)
+                description.Kernel(stage.markContacts, 0);
             stage.sumMarks.Describe(description, 0);
-            description.Kernel(stage.placeBricks, 0);
+            description.Kernel(stage.placeBricks.For(stage.withColliders), 0);
             description.Kernel(stage.storeBricks, 0);
             description.Kernel(stage.clearSums, 0);
             description.Kernel(stage.addElements, 0);
-            description.Kernel(stage.findField, 0);
+            description.Kernel(stage.findField.For(stage.withColliders), 0);
             description.Kernel(stage.countCells, 0);
             stage.sumCounts.Describe(description, 0);
             description.Kernel(stage.storeCounts, 0);
@@ -326,13 +332,17 @@ namespace Rill
             BindElements(cmd, markBricks, elements);
             cmd.SetComputeBufferParam(shader, markBricks, Ids.Marks, marks);
             cmd.DispatchCompute(shader, markBricks, arguments, MarkArgumentsAt);
+            if (withColliders)
+                RecordContacts(step, elements);
             sumMarks.Record(cmd, marks, marksBefore, top + 1);
 
-            cmd.SetComputeBufferParam(shader, placeBricks, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, placeBricks, Ids.MarksBefore, marksBefore);
-            cmd.SetComputeBufferParam(shader, placeBricks, Ids.MeshTop, meshTop);
-            cmd.SetComputeBufferParam(shader, placeBricks, Ids.BrickPlaces, brickPlaces);
-            ThreadGroups.Dispatch(cmd, shader, placeBricks, ((long)top + ParticleBuffers.Group - 1) / ParticleBuffers.Group);
+            int place = placeBricks.For(withColliders);
+            BindColliders(step, place);
+            cmd.SetComputeBufferParam(shader, place, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, place, Ids.MarksBefore, marksBefore);
+            cmd.SetComputeBufferParam(shader, place, Ids.MeshTop, meshTop);
+            cmd.SetComputeBufferParam(shader, place, Ids.BrickPlaces, brickPlaces);
+            ThreadGroups.Dispatch(cmd, shader, place, ((long)top + ParticleBuffers.Group - 1) / ParticleBuffers.Group);
 
             cmd.SetComputeBufferParam(shader, storeBricks, Ids.MarksBefore, marksBefore);
             cmd.SetComputeBufferParam(shader, storeBricks, Ids.MeshArguments, arguments);
@@ -352,10 +362,31 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, addElements, Ids.NodeSums, nodeSums);
             cmd.DispatchCompute(shader, addElements, arguments, AddArgumentsAt);
 
-            BindBricks(cmd, findField);
-            cmd.SetComputeBufferParam(shader, findField, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, findField, Ids.NodeSums, nodeSums);
-            cmd.DispatchCompute(shader, findField, arguments, BrickArgumentsAt);
+            int find = findField.For(withColliders);
+            BindColliders(step, find);
+            BindBricks(cmd, find);
+            cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, find, Ids.NodeSums, nodeSums);
+            cmd.DispatchCompute(shader, find, arguments, BrickArgumentsAt);
+        }
+
+        // Bricks where particles lie on colliders, and there may be no surface.
+        void RecordContacts(in StepContext step, SurfaceParticles elements)
+        {
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, markContacts, Ids.Positions, step.Particles.Positions);
+            cmd.SetComputeBufferParam(shader, markContacts, Ids.Counters, step.Particles.Counters);
+            cmd.SetComputeBufferParam(shader, markContacts, Ids.Contacts, elements.Contacts);
+            cmd.SetComputeBufferParam(shader, markContacts, Ids.Marks, marks);
+            cmd.DispatchCompute(shader, markContacts, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void BindColliders(in StepContext step, int kernel)
+        {
+            if (!withColliders)
+                return;
+            step.Colliders.BindShapes(step.Commands, shader, kernel);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
         }
 
         void RecordCells(CommandBuffer cmd)
@@ -443,6 +474,8 @@ namespace Rill
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Marks = Shader.PropertyToID("_Marks");
             public static readonly int MarksBefore = Shader.PropertyToID("_MarksBefore");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Contacts = Shader.PropertyToID("_Contacts");
             public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
             public static readonly int BrickPlaces = Shader.PropertyToID("_BrickPlaces");
             public static readonly int NodeSums = Shader.PropertyToID("_NodeSums");

@@ -32,23 +32,27 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
-        readonly KernelVariants estimate;     // that leave out what lies deep
-        readonly Kernel addNew, storeDrawn, smooth, shape, shapeElements, makeElements, hideGhosts;
+        readonly KernelVariants estimate;     // that leave out what lies deep; with colliders
+        readonly KernelVariants shapeElements;      // with colliders
+        readonly Kernel addNew, storeDrawn, smooth, shape, makeElements, hideGhosts, findContacts;
         readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
+        readonly bool mirrorsColliders = DeviceLimits.Current.Holds("SurfaceParticles", "EstimateDeepWithColliders" + KernelNeed.Wide);
         readonly LocalKeyword twoLists, sleep;
-        GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore;
+        GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore, contacts;
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this capacity is more than the device can bind.</exception>
         public SurfaceParticles(SolverLayout layout)
         {
             addNew = new Kernel(shader, "AddNew");
-            estimate = new KernelVariants(shader, "Estimate", "Estimate" + KernelNeed.Wide);
+            estimate = new KernelVariants(shader, "Estimate", "Estimate" + KernelNeed.Wide, "EstimateWithColliders" + KernelNeed.Wide,
+                "EstimateDeepWithColliders" + KernelNeed.Wide);
             storeDrawn = new Kernel(shader, "StoreDrawn");
             smooth = new Kernel(shader, "Smooth");
             shape = new Kernel(shader, "Shape");
-            shapeElements = new Kernel(shader, "ShapeElements");
+            shapeElements = new KernelVariants(shader, "ShapeElements", "ShapeElementsWithColliders" + KernelNeed.Wide);
             makeElements = new Kernel(shader, "MakeElements");
             hideGhosts = new Kernel(shader, "HideGhosts");
+            findContacts = new Kernel(shader, "FindContacts");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             try
@@ -87,6 +91,9 @@ namespace Rill
         /// <summary>uint, by <see cref="Counter"/>.</summary>
         public GraphicsBuffer Counters => counters;
 
+        /// <summary>uint2 for each particle, see Contact.hlsl; null where no collider mirrors the surface recorded last.</summary>
+        public GraphicsBuffer Contacts => contacts;
+
         /// <summary>Records the surface of the current state, after the last step that is recorded before it.</summary>
         /// <param name="hasSteps">Whether there was one since the fluid was cleared or restored: if not, all particles are drawn as what is
         /// new.</param>
@@ -105,16 +112,19 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
             if (hasNew || !hasSteps)
                 RecordNew(step, !hasSteps);
+            FollowContacts(step, hasSteps && asElements && mirrorsColliders && step.Colliders != null);
             if (hasSteps)
             {
                 step.BindConstants(shader);
+                if (contacts != null)
+                    RecordContacts(step);
                 RecordEstimate(step);
             }
             RecordDrawn(cmd);
             if (hasSteps)
             {
                 RecordSmoothing(step);
-                RecordShape(step, version, substepsSince, asElements ? shapeElements : shape);
+                RecordShape(step, version, substepsSince, asElements ? shapeElements.For(contacts != null) : shape);
             }
             else if (asElements)
             {
@@ -131,6 +141,7 @@ namespace Rill
             GpuBuffer.Release(ref planes);
             GpuBuffer.Release(ref smoothPlanes);
             GpuBuffer.Release(ref planesBefore);
+            GpuBuffer.Release(ref contacts);
             GpuBuffer.Release(ref counters);
             GpuBuffer.Release(ref arguments);
         }
@@ -147,21 +158,45 @@ namespace Rill
             if (stage == null)
                 return description;
             string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
+            bool withColliders = stage.contacts != null;
             description.Kernel(stage.addNew, 0);
-            description.Kernel(stage.estimate.For(stage.LeavesOutDeep(step)), 0, variant);
+            if (withColliders)
+                description.Kernel(stage.findContacts, 0, variant);
+            description.Kernel(stage.estimate.For(stage.LeavesOutDeep(step), withColliders), 0, variant);
             description.Kernel(stage.storeDrawn, 0);
             description.Kernel(stage.smooth, 0, variant);
-            description.Kernel(asElements ? stage.shapeElements : stage.shape, 0, variant);
+            description.Kernel(asElements ? stage.shapeElements.For(withColliders) : stage.shape, 0, variant);
             description.Buffer("Rill.Surface", stage.surface);
             description.Buffer("Rill.Surface.Planes", stage.planes);
             description.Buffer("Rill.Surface.SmoothPlanes", stage.smoothPlanes);
             description.Buffer("Rill.Surface.PlanesBefore", stage.planesBefore);
+            if (withColliders)
+                description.Buffer("Rill.Surface.Contacts", stage.contacts);
             description.Buffer("Rill.Surface.Counters", stage.counters);
             description.Buffer("Rill.Surface.Arguments", stage.arguments);
             return description;
         }
 
         bool LeavesOutDeep(in StepContext step) => isWide && step.Coarse != null;
+
+        // Only the mesh of a fluid with colliders has a buffer for them.
+        void FollowContacts(in StepContext step, bool areNeeded)
+        {
+            if (!areNeeded)
+                GpuBuffer.Release(ref contacts);
+            else
+                contacts ??= GpuBuffer.Structured<uint2>("Rill.Surface.Contacts", step.Layout.Capacity);
+        }
+
+        void RecordContacts(in StepContext step)
+        {
+            CommandBuffer cmd = step.Commands;
+            step.Colliders.BindShapes(cmd, shader, findContacts);
+            cmd.SetComputeBufferParam(shader, findContacts, Ids.Positions, step.Particles.Positions);
+            cmd.SetComputeBufferParam(shader, findContacts, Ids.Counters, step.Particles.Counters);
+            cmd.SetComputeBufferParam(shader, findContacts, Ids.Contacts, contacts);
+            cmd.DispatchCompute(shader, findContacts, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+        }
 
         void RecordNew(in StepContext step, bool all)
         {
@@ -180,7 +215,7 @@ namespace Rill
         void RecordEstimate(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            int kernel = estimate.For(LeavesOutDeep(step));
+            int kernel = estimate.For(LeavesOutDeep(step), contacts != null);
             if (LeavesOutDeep(step))
             {
                 step.BindCoarseConstants(shader);
@@ -252,6 +287,8 @@ namespace Rill
                 step.Resting.Bind(cmd, shader, kernel);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             }
+            if (contacts != null && kernel != smooth)
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Contacts, contacts);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, counters);
@@ -271,6 +308,7 @@ namespace Rill
             public static readonly int SurfaceArguments = Shader.PropertyToID("_SurfaceArguments");
             public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
             public static readonly int PlanesBefore = Shader.PropertyToID("_PlanesBefore");
+            public static readonly int Contacts = Shader.PropertyToID("_Contacts");
             public static readonly int SurfaceVersion = Shader.PropertyToID("_SurfaceVersion");
             public static readonly int SinceSurface = Shader.PropertyToID("_SinceSurface");
             public static readonly int SurfaceCapacity = Shader.PropertyToID("_SurfaceCapacity");

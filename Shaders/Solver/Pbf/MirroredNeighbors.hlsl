@@ -1,12 +1,14 @@
-// Visits the neighbors of a particle and their images in the walls of the domain. Before it is included there must be
+// Visits the neighbors of a particle and their images in the walls of the domain, and WITH_COLLIDERS in the plane at which the nearest
+// collider is touched. Before it is included there must be
 //   Sums, Neighbor                                           what is added up, and what of
 //   void AddNeighbor(inout Sums, Plane own, Neighbor)
 //   uint2 PlaneOf(uint j)                                    read along with a neighbor
-// and kLanes, the threads that share the neighbors of a particle: each visits its part of them.
+// and kLanes, the threads that share the neighbors of a particle: each visits its part of them; WITH_COLLIDERS _Contacts, see Contact.hlsl.
 #ifndef RILL_MIRRORED_NEIGHBORS_INCLUDED
 #define RILL_MIRRORED_NEIGHBORS_INCLUDED
 
 static const float kMirrorReach = 1.5;      // a wall further away mirrors nothing that is a neighbor, d
+static const float kFacing = 0.7;           // cosine from which a collider stands before a wall, whose images lie in it
 
 // Whose neighbors are visited.
 struct Particle
@@ -15,7 +17,23 @@ struct Particle
     float3 position;    // d
     Plane own;
     uint lane;          // of the thread
+#ifdef WITH_COLLIDERS
+    float4 contact;     // with the nearest collider: xyz its normal, w the distance
+#endif
 };
+
+Particle ParticleOf(uint index, float3 position, Plane own, uint lane)
+{
+    Particle particle;
+    particle.index = index;
+    particle.position = position;
+    particle.own = own;
+    particle.lane = lane;
+#ifdef WITH_COLLIDERS
+    particle.contact = UnpackContact(_Contacts[index]);
+#endif
+    return particle;
+}
 
 // What is visited: the water itself, or one image of it.
 struct Mirror
@@ -23,6 +41,7 @@ struct Mirror
     bool isImage;
     bool3 flips;        // axes along which it is mirrored
     float3 walls;       // along them, an image lies at this minus the position; d
+    bool isInCollider;  // mirrored by the collider too
 };
 
 uint Bits(bool3 axes)
@@ -42,6 +61,17 @@ void Add(inout Sums sums, Particle particle, Mirror mirror, uint4 other, uint2 p
     Neighbor neighbor;
     neighbor.difference = (mirror.flips ? mirror.walls - position : position) - particle.position;
     neighbor.side = mirror.flips ? -1.0 : 1.0;
+    neighbor.hasPlane = 1.0;
+#ifdef WITH_COLLIDERS
+    if (mirror.isInCollider)
+    {
+        // Behind the plane lies water that stands beside the collider, not before it.
+        float height = dot(neighbor.difference, particle.contact.xyz) + particle.contact.w;
+        neighbor.difference -= 2.0 * height * particle.contact.xyz;
+        neighbor.hasPlane = 0.0;
+        enters = height > 0.0 ? enters : 0.0;
+    }
+#endif
     neighbor.displacement = other.w;
     neighbor.plane = plane;
     neighbor.enters = enters;
@@ -108,13 +138,16 @@ void Visit(inout Sums sums, Particle particle, Mirror mirror)
     VisitList(sums, particle, mirror);
 }
 
-// An image for each combination of the axes with a wall near. Few particles have one.
+static const uint kCollider = 8;        // beside the bits of the axes
+
+// An image for each combination of the axes with a wall near, and the collider. Few particles have one.
 void VisitNeighbors(inout Sums sums, Particle particle)
 {
     Mirror mirror;
     mirror.isImage = false;
     mirror.flips = false;
     mirror.walls = 0.0;
+    mirror.isInCollider = false;
     Visit(sums, particle, mirror);
 
     float3 above = _DomainSize - particle.position;
@@ -123,10 +156,19 @@ void VisitNeighbors(inout Sums sums, Particle particle)
     bool3 isHigh = above < particle.position;
     uint near = Bits(low || high);
     uint both = Bits(low && high);
+#ifdef WITH_COLLIDERS
+    if (particle.contact.w < kMirrorReach)
+    {
+        // A wall behind the collider mirrors nothing.
+        near &= ~Bits(abs(particle.contact.xyz) > kFacing && min(particle.position, above) >= particle.contact.w);
+        near |= kCollider;
+    }
+#endif
     mirror.isImage = true;
     for (uint axes = near; axes != 0; axes = (axes - 1) & near)     // its subsets
     {
         mirror.flips = Axes(axes);
+        mirror.isInCollider = (axes & kCollider) != 0;
         for (uint far = 0; far <= both; far++)      // once, but in a slice of water between two walls
         {
             if ((far & ~(axes & both)) != 0)

@@ -110,6 +110,26 @@ namespace Rill.Tests
             }
         }
 
+        /// <summary>Where a ray from within the water leaves it, d; <paramref name="most"/> where it does not before.</summary>
+        public double Exit(double3 from, double3 along, double most)
+        {
+            double first = most;
+            for (int i = 0; i < indices.Length; i += 3)
+            {
+                double3 a = positions[indices[i]] - from, b = positions[indices[i + 1]] - from, c = positions[indices[i + 2]] - from;
+                double3 normal = math.cross(b - a, c - a);
+                double slope = math.dot(normal, along);
+                double t = math.dot(normal, a) / slope;
+                if (!(slope > 0.0) || t < 0.0 || t >= first)
+                    continue;
+                double3 p = along * t;
+                if (math.dot(normal, math.cross(b - a, p - a)) >= 0.0 && math.dot(normal, math.cross(c - b, p - b)) >= 0.0
+                    && math.dot(normal, math.cross(a - c, p - c)) >= 0.0)
+                    first = t;
+            }
+            return first;
+        }
+
         static ulong EdgeOf(uint a, uint b) => (ulong)Math.Min(a, b) << 32 | Math.Max(a, b);
 
         Dictionary<ulong, int> Edges()
