@@ -138,8 +138,8 @@ namespace Rill.Tests
 
         // What is thinner than a third of a cell is not held.
         [Test]
-        public void Water_at_a_thin_plate_is_not_seen_on_its_other_side([Values(0.5f, Medium, 1f)] float cell, [Values(0.3f, 0.6f, 1f)] float thickness,
-            [Values(0f, 0.25f)] float tilt)
+        public void Water_at_a_thin_plate_is_not_seen_on_its_other_side([Values(0.5f, Medium, 1f)] float cell,
+            [Values(0.3f, 0.6f, 1f)] float thickness, [Values(0f, 0.25f)] float tilt)
         {
             if (thickness < 0.4f * cell)
                 Assert.Pass("Low does not hold what is so much thinner than a cell");
@@ -267,7 +267,8 @@ namespace Rill.Tests
         {
             double level = Level(mesh, shape);      // far below, water may not get into what is narrow
             double[] distances = mesh.positions.Select(p => Reference.Shapes.Distance(shape, p)).ToArray();
-            double3[] top = mesh.positions.Where((p, i) => mesh.normals[i].y > 0.8 && distances[i] > 1.0 && distances[i] < 3.0 && p.y > level - 1.5).ToArray();
+            double3[] top = mesh.positions.Where((p, i) => mesh.normals[i].y > 0.8 && distances[i] > 1.0 && distances[i] < 3.0
+                && p.y > level - 1.5).ToArray();
             var line = new List<double>();
             for (int i = 0; i < mesh.indices.Length; i++)
             {
