@@ -41,7 +41,7 @@ namespace Rill.Editor
             foreach (FluidRenderer renderer in fluid.GetComponents<FluidRenderer>())
                 if (!(renderer is DomainRenderer) && !(renderer is FluidFoam))
                     return true;
-            return false;
+            return fluid.GetComponent<FluidSurfaceMesh>() != null;
         }
 
         static bool HasSource(FluidSimulation fluid)

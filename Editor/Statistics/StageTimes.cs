@@ -50,6 +50,7 @@ namespace Rill.Editor
             ("Rill.Emit", "Emitters"),
             ("Rill.Surface", "Surface"),
             ("Rill.Mesh", "Surface mesh"),
+            ("Rill.RenderedMesh", "Surface mesh: for the renderer"),
             ("Rill.Surface.Depth", "Surface: depth"),
             ("Rill.Surface.Filter", "Surface: filter"),
             ("Rill.Surface.Normals", "Surface: normals"),

@@ -41,7 +41,7 @@ namespace Rill
         }
 
         /// <summary>Whether the stages of a group are loaded; where not, that is logged once, by name.</summary>
-        bool HasStages(StageSet group)
+        internal bool HasStages(StageSet group)
         {
             if (stagesSeen != StageShader.Changes)
             {
@@ -106,8 +106,9 @@ namespace Rill
                 case StageSet.ParticleEdits: return "Fill, RemoveInside and Recenter";
                 case StageSet.Transfer: return "connections, and what is kept outside the box";
                 case StageSet.Recording: return "recording and playback";
-                case StageSet.Surface:
-                case StageSet.SurfaceMesh: return "the water's surface";
+                case StageSet.SurfaceParticles:
+                case StageSet.SurfaceMesh:
+                case StageSet.Water: return "the water's surface";
                 default: return group.ToString();
             }
         }

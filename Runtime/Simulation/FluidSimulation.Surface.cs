@@ -17,11 +17,23 @@ namespace Rill
         /// <summary>Whether this frame ends with the surface of its state: <see cref="PbfSolver.Surface"/>. False again after the frame.</summary>
         [field: NonSerialized] internal bool NeedsSurface { get; set; }
 
-        /// <summary>Distance of the nodes of the mesh that what draws the surface needs, d; 0 where it needs none.</summary>
-        [field: NonSerialized] internal float MeshCell { get; set; }
+        [NonSerialized] float meshCell;         // asked for in this frame, d; 0: no mesh
+        [NonSerialized] BoxWalls meshWalls;     // at which that mesh has faces
 
-        /// <summary>Walls at which that mesh has faces: bit 2 a + s for that at the low (s 0) or high end of axis a.</summary>
-        [field: NonSerialized] internal int MeshWalls { get; set; } = (int)BoxWalls.All;
+        /// <summary>Of what asks for the surface: it needs it as a mesh. The finest that is asked for serves all, with the walls of all.</summary>
+        /// <param name="cell">Distance of its nodes, d.</param>
+        /// <param name="walls">At which it has faces.</param>
+        internal void NeedMesh(float cell, BoxWalls walls)
+        {
+            meshWalls = meshCell > 0f ? meshWalls | walls : walls;
+            meshCell = meshCell > 0f ? Math.Min(meshCell, cell) : cell;
+        }
+
+        void AskWhatDrawsTheSurface()
+        {
+            meshCell = 0f;
+            AskForSurface?.Invoke();
+        }
 
         /// <summary>Records the surface where it is asked for and not that of the current state.</summary>
         /// <returns>Whether anything was recorded.</returns>
@@ -38,7 +50,7 @@ namespace Rill
                 if (gate.Decide(wanted))
                     LogRefusals();
             }
-            if (IsRefused(DeviceFeature.Surface) || !HasStages(StageSet.Surface) || MeshCell > 0f && !HasStages(StageSet.SurfaceMesh))
+            if (IsRefused(DeviceFeature.Surface) || !HasStages(StageSet.SurfaceParticles) || meshCell > 0f && !HasStages(StageSet.SurfaceMesh))
                 return false;
             try
             {
@@ -71,8 +83,9 @@ namespace Rill
 
         void SetMesh()
         {
-            pbf.MeshCell = MeshCell;
-            pbf.MeshWalls = MeshWalls;
+            pbf.MeshCell = meshCell;
+            if (meshCell > 0f)
+                pbf.MeshWalls = (int)meshWalls;
         }
 
         void GoOnWithoutSurface(ArgumentException problem)

@@ -217,7 +217,10 @@ namespace Rill
             FluidRenderer[] renderers = GetComponents<FluidRenderer>();
             foreach (FluidRenderer renderer in renderers)
                 stages.Add(renderer.Describe());
-            if (renderers.Length == 0)
+            bool hasMesh = TryGetComponent(out FluidSurfaceMesh surfaceMesh);
+            if (hasMesh)
+                stages.Add(surfaceMesh.Describe());
+            if (renderers.Length == 0 && !hasMesh)
                 stages.Add(new StageDescription("Rendering", false, $"'{name}' has no renderer component"));
             return stages;
         }
@@ -338,7 +341,7 @@ namespace Rill
             FinishResampling();
             if (pbf == null)
                 return;
-            AskForSurface?.Invoke();
+            AskWhatDrawsTheSurface();
             FollowMeshSize();
             if (playback != null)
                 ShowRecording(frameTime);

@@ -34,11 +34,17 @@ namespace Rill
         Recording = 1 << 19,
         /// <summary>What hands particles over between fluids, and keeps them outside of a box that moves.</summary>
         Transfer = 1 << 20,
-        /// <summary>The water's surface as a mesh.</summary>
+        /// <summary>What finds the water's surface as a mesh.</summary>
         SurfaceMesh = 1 << 21,
+        /// <summary>What finds the pieces of the water's surface, on the screen and as a mesh.</summary>
+        SurfaceParticles = 1 << 22,
+        /// <summary>What draws that mesh as water.</summary>
+        Water = 1 << 23,
+        /// <summary>What hands it to renderers.</summary>
+        RenderedMesh = 1 << 24,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         OfFluids = All & ~MeshBaking,
-        All = (1 << 22) - 1,
+        All = (1 << 25) - 1,
     }
 
     static class StageSets
@@ -53,11 +59,11 @@ namespace Rill
                 // A collider can reach into deep water at any time, and brings only the stage that does not depend on the depth.
                 case StageSet.DeepWater: return index == 0 ? "CoarseGrid" : index == 1 ? "CoarseSolver" : index == 2 ? "CoarseColliders" : null;
                 case StageSet.Surface:
-                    return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceParticles"
-                    : index == 3 ? "SurfaceThickness" : index == 4 ? "SurfaceShadow" : index == 5 ? "SurfaceMotion" : null;
-                case StageSet.SurfaceMesh:
+                    return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceThickness"
+                    : index == 3 ? "SurfaceShadow" : index == 4 ? "SurfaceMotion" : null;
+                case StageSet.Water:
                     return index == 0 ? "Water" : index == 1 ? "WaterDepth" : index == 2 ? "WaterInside" : index == 3 ? "WaterDrops"
-                    : index == 4 ? "WaterShadow" : index == 5 ? "SurfaceMesh" : null;
+                    : index == 4 ? "WaterShadow" : null;
                 case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : index == 2 ? "SurfaceFoam" : null;
                 default: return index == 0 ? Only(group) : null;
             }
@@ -107,6 +113,9 @@ namespace Rill
                 case StageSet.Queries: return "Queries";
                 case StageSet.Recording: return "Recording";
                 case StageSet.Transfer: return "ParticleTransfer";
+                case StageSet.SurfaceParticles: return "SurfaceParticles";
+                case StageSet.SurfaceMesh: return "SurfaceMesh";
+                case StageSet.RenderedMesh: return "RenderedMesh";
                 default: return null;
             }
         }

@@ -52,6 +52,14 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
+        public void A_mesh_for_the_renderer_shows_it()
+        {
+            var fluid = scene.Add<FluidSimulation>();
+            fluid.gameObject.AddComponent<FluidSurfaceMesh>();
+            Assert.That(Offers(fluid), Is.EqualTo(new[] { "Add Fluid Volume" }));
+        }
+
+        [Test]
         public void An_emitter_fills_a_fluid_from_below_it_or_by_reference()
         {
             FluidSimulation below = scene.Add<FluidSimulation>("Below"), referred = scene.Add<FluidSimulation>("Referred"),

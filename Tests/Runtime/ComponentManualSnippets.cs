@@ -2,6 +2,7 @@ using System.Collections;
 using NUnit.Framework;
 using Rill.Testing;
 using UnityEngine;
+using UnityEngine.Rendering;
 using UnityEngine.TestTools;
 
 namespace Rill.Tests
@@ -130,6 +131,18 @@ namespace Rill.Tests
             return surface;
         }
 
+        static FluidSurfaceMesh SurfaceMesh(FluidSimulation fluid, Material glass)
+        {
+            #region Give the surface a material of your own (components.md)
+            var surface = fluid.gameObject.AddComponent<FluidSurfaceMesh>();    // brings a Mesh Filter and a Mesh Renderer along
+            surface.Quality = SurfaceQuality.High;
+            var renderer = fluid.GetComponent<MeshRenderer>();
+            renderer.sharedMaterial = glass;                                    // any material: lit, or made with Shader Graph
+            renderer.shadowCastingMode = ShadowCastingMode.On;                  // as of any object
+            #endregion
+            return surface;
+        }
+
         static FluidConnection Connection(FluidSimulation lake, FluidSimulation basin)
         {
             #region Make a connection (components.md)
@@ -175,6 +188,17 @@ namespace Rill.Tests
             Assert.That(detector.Latest.fill, Is.InRange(0.8f, 1f), "the detector");
             Assert.That((surface.Preset, fluid.GetComponent<ParticleRenderer>().enabled), Is.EqualTo((SurfacePreset.Honey, false)), "the surface");
             Assert.That(detector.ShapeVolume, Is.EqualTo(Mathf.PI * 0.0625f * (0.1f + 4f / 3f * 0.25f)).Within(1e-4f), "a capsule");
+        }
+
+        [UnityTest]
+        public IEnumerator A_surface_mesh_made_by_its_snippet_fills_the_filter_of_the_renderer()
+        {
+            FluidSimulation fluid = Fluid("Lake", new Vector3(2f, 2f, 1f), 0.1f, 6000, Vector3.zero, made => Volume(made.transform));
+            var glass = new Material(Shader.Find("Standard"));
+            FluidSurfaceMesh surface = SurfaceMesh(fluid, glass);
+            yield return Frames(3);
+            Assert.That(surface.Mesh != null && fluid.GetComponent<MeshFilter>().sharedMesh == surface.Mesh);
+            Object.Destroy(glass);
         }
 
         [UnityTest]

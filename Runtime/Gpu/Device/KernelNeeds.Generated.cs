@@ -26,6 +26,8 @@ namespace Rill
             new KernelNeed("PrefixSum", "ScanTileSums", "", 256, 10368, 1, 1, 0),
             new KernelNeed("PrefixSum", "ScanTiles", "", 256, 10368, 3, 3, 0),
             new KernelNeed("PrefixSum", "ScanFewTiles", "FEW", 256, 10368, 3, 3, 0),
+            new KernelNeed("RenderedMesh", "CopyVertices", "COPY_VERTICES", 64, 0, 3, 1, 0),
+            new KernelNeed("RenderedMesh", "CopyIndices", "COPY_INDICES", 64, 0, 3, 1, 0),
             new KernelNeed("SurfaceFilter", "FilterRows", "ROWS RILL_RAW", 128, 768, 0, 1, 2),
             new KernelNeed("SurfaceFilter", "FilterRowsAgain", "ROWS", 128, 768, 0, 1, 2),
             new KernelNeed("SurfaceFilter", "FilterColumns", "COLUMNS", 128, 2560, 0, 1, 2),

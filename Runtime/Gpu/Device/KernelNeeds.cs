@@ -49,6 +49,7 @@ namespace Rill
                 case "Queries": return DeviceFeature.Queries;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
+                case "RenderedMesh": return DeviceFeature.Surface;
                 case "SurfaceFoam": return DeviceFeature.Foam | DeviceFeature.Surface;
                 case "SurfaceFilter":
                 case "SurfaceMesh":
@@ -83,6 +84,8 @@ namespace Rill
                 case "COLUMNS":
                 case "COMPACT":
                 case "CONFINE":
+                case "COPY_INDICES":
+                case "COPY_VERTICES":
                 case "CORRECT":
                 case "COUNT":
                 case "COUNT_CELLS":

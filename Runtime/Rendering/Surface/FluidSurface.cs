@@ -153,7 +153,8 @@ namespace Rill
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
 
         private protected override StageSet Stage => StageSet.Surface;
-        private protected override StageSet FurtherStages => method == SurfaceMethod.Mesh ? StageSet.SurfaceMesh : StageSet.None;
+        private protected override StageSet FurtherStages => StageSet.SurfaceParticles
+            | (method == SurfaceMethod.Mesh ? StageSet.SurfaceMesh | StageSet.Water : StageSet.None);
         private protected override string ShaderFile => "Surface";
 
         /// <summary>Before anything else of the surface for this camera and frame.</summary>
@@ -306,8 +307,8 @@ namespace Rill
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
-            Simulation.MeshCell = method == SurfaceMethod.Mesh ? CellOf(quality) : 0f;
-            Simulation.MeshWalls = (int)(BoxWalls.All & ~hiddenWalls);
+            if (method == SurfaceMethod.Mesh)
+                Simulation.NeedMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {
                 Simulation.NeedsSurface = true;
@@ -324,7 +325,7 @@ namespace Rill
         private protected override void Draw()
         {
             PbfSolver solver = Simulation.Solver;
-            mesh = solver.Mesh != null ? MeshOf(solver, solver.Mesh) : nextMesh;
+            mesh = solver.Mesh != null && Simulation.HasStages(StageSet.Water) ? MeshFrame.Of(Simulation, solver.Mesh) : nextMesh;
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
@@ -334,7 +335,7 @@ namespace Rill
                     shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity);
                 return;
             }
-            hasFrame = solver.Surface != null;
+            hasFrame = solver.Surface != null && solver.Mesh == null;
             if (!hasFrame)
                 return;
             frame = SurfaceFrame.Of(solver, Simulation.DomainToWorld, Simulation.FrameLag, smoothing, quality);
@@ -351,23 +352,8 @@ namespace Rill
             SetKeyword(FoamKeyword, frame.foam.particles != null, copy);
         }
 
-        MeshFrame MeshOf(PbfSolver solver, SurfaceMesh found)
-        {
-            Vector3 box = Simulation.DomainSize;
-            float spacing = Simulation.ParticleSpacing;
-            return new MeshFrame
-            {
-                vertices = found.Vertices, indices = found.Indices, arguments = found.Arguments, top = found.Top, field = found.Field,
-                elements = solver.Surface.Particles, drops = found.Drops, exposure = 0.5f * solver.LastSubsteps,
-                cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
-                domainToWorld = Simulation.DomainToWorld, domainSize = box / spacing, spacing = spacing, lag = Simulation.FrameLag,
-                bounds = new Bounds(Simulation.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)),
-                    Vector3.one * (box.magnitude + 4f * spacing)),
-            };
-        }
-
-        // Distance of the mesh's nodes, d.
-        static float CellOf(SurfaceQuality quality) => quality == SurfaceQuality.Low ? 1f : quality == SurfaceQuality.Medium ? 0.75f : 0.5f;
+        /// <summary>Distance of the mesh's nodes, d.</summary>
+        internal static float CellOf(SurfaceQuality quality) => quality == SurfaceQuality.Low ? 1f : quality == SurfaceQuality.Medium ? 0.75f : 0.5f;
 
         // A material of the user's own is drawn by a copy, brought up to date in each frame: it gets the keywords that the settings ask for, and
         // the user's asset stays as it is.

@@ -42,6 +42,22 @@ namespace Rill
         /// <summary>World, of all that is drawn.</summary>
         public Bounds bounds;
 
+        /// <summary>The mesh that a running fluid has found, at the time of this frame.</summary>
+        public static MeshFrame Of(FluidSimulation fluid, SurfaceMesh found)
+        {
+            PbfSolver solver = fluid.Solver;
+            Vector3 box = fluid.DomainSize;
+            float spacing = fluid.ParticleSpacing;
+            return new MeshFrame
+            {
+                vertices = found.Vertices, indices = found.Indices, arguments = found.Arguments, top = found.Top, field = found.Field,
+                elements = solver.Surface.Particles, drops = found.Drops, exposure = 0.5f * solver.LastSubsteps,
+                cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
+                domainToWorld = fluid.DomainToWorld, domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
+                bounds = new Bounds(fluid.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)), Vector3.one * (box.magnitude + 4f * spacing)),
+            };
+        }
+
         /// <summary>Sets what the water's shaders read.</summary>
         public readonly void SetOn(MaterialPropertyBlock block)
         {

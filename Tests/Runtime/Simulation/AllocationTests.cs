@@ -54,6 +54,23 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Sixty_frames_with_a_mesh_for_a_renderer_allocate_no_managed_memory()
+        {
+            FluidSimulation simulation = Dam();
+            foreach (FluidRenderer renderer in fluid.GetComponents<FluidRenderer>())
+                Object.Destroy(renderer);
+            var mesh = fluid.AddComponent<FluidSurfaceMesh>();
+            TestDelegate frame = () =>
+            {
+                simulation.Advance(Step);
+                mesh.DrawFrame();
+            };
+            yield return WarmedUp(frame);
+            yield return WithoutGarbage(frame, 60);
+            Assert.That(mesh.Mesh != null);
+        }
+
+        [UnityTest]
         public IEnumerator A_hundred_frames_with_emitters_drains_and_force_fields_allocate_no_managed_memory()
         {
             FluidSimulation simulation = Basin();

@@ -24,11 +24,25 @@ namespace UnityEngine.Headless
         public readonly uint Handle;
         public string Name = "";
         /// <summary>Whether anything ever wrote here: SetData, a copy, an unordered access view.</summary>
-        public bool Written;
+        public bool Written { get => part != null ? part.Written : written; private set => written = value; }
         /// <summary>Grows with every write, so that a check can tell whether it has seen this content.</summary>
         public int Version;
 
+        readonly MeshMemory.Part part;      // null: the memory is its own
         DeviceBuffer device;
+        bool written;
+
+        /// <summary>A handle to memory of a mesh, with which it goes.</summary>
+        public BufferStorage(MeshMemory.Part part)
+        {
+            Api = nameof(GraphicsBuffer);
+            this.part = part;
+            (Target, Count, Stride, device) = (part.Target, part.Count, part.Stride, part.Buffer);
+            Handle = ++lastHandle;
+            part.Add(this);
+            live.Add(this);
+            LiveObjects.Add(this, Api, ToString());
+        }
 
         public BufferStorage(string api, GraphicsBuffer.Target target, int count, int stride)
         {
@@ -70,13 +84,16 @@ namespace UnityEngine.Headless
             Name = name ?? "";
             if (device == null)
                 return;
-            device.Name = Name;
+            if (part == null)
+                device.Name = Name;
             LiveObjects.Add(this, Api, Name);
         }
 
         public void MarkWritten()
         {
             Written = true;
+            if (part != null)
+                part.Written = true;
             Version++;
         }
 
@@ -109,7 +126,10 @@ namespace UnityEngine.Headless
             if (ReadbackQueue.IsPending(this))
                 GpuError.Strictly($"{this} was released while a read-back of it was pending. Whether that still arrives Unity does not " +
                     $"say: release it when the request has come back.");
-            device.Dispose();
+            if (part != null)
+                part.Remove(this);
+            else
+                device.Dispose();
             device = null;
             Counter?.Dispose();
             Counter = null;

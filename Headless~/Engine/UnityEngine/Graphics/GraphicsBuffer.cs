@@ -45,6 +45,9 @@ namespace UnityEngine
             this.usageFlags = usageFlags;
         }
 
+        /// <summary>A handle to a buffer that a mesh owns.</summary>
+        internal GraphicsBuffer(MeshMemory.Part part) => Storage = new BufferStorage(part);
+
         ~GraphicsBuffer()
         {
             if (Storage != null && !Storage.IsReleased)

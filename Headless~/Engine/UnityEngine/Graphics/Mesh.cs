@@ -81,6 +81,7 @@ namespace UnityEngine
                             return;
                         }
             positions = (Vector3[])value.Clone();
+            verticesAreSet = true;
             Changed();
         }
 
@@ -125,6 +126,7 @@ namespace UnityEngine
                     $"Mesh.{what} is out of bounds. The supplied array needs to be the same size as the Mesh.vertices array.");
                 return Array.Empty<T>();
             }
+            verticesAreSet = true;
             Changed();
             return (T[])value.Clone();
         }
@@ -344,6 +346,7 @@ namespace UnityEngine
                 }
             submeshes[submesh] = new Submesh { Indices = (int[])indices.Clone(), Topology = topology, BaseVertex = baseVertex,
                 Bounds = calculateBounds ? BoundsOf(indices, baseVertex) : submeshes[submesh].Bounds };
+            indexRoom = 0;
             if (calculateBounds)
                 MergeBounds();
             Changed();
@@ -360,6 +363,8 @@ namespace UnityEngine
             Array.Clear(uvData, 0, 8);
             weightData = Array.Empty<BoneWeight>();
             bindData = Array.Empty<Matrix4x4>();
+            layout = keepVertexLayout ? layout : null;
+            indexRoom = 0;
             submeshes.Clear();
             subMeshCount = 1;
             bounds = default;
@@ -458,6 +463,8 @@ namespace UnityEngine
         {
             buffers?.Dispose();
             buffers = null;
+            memory?.Dispose();
+            memory = null;
         }
 
         /// <summary>Fills in indices and vertex streams of a draw; false when the submesh has none.</summary>
@@ -468,6 +475,8 @@ namespace UnityEngine
                 return false;
             if (At(submesh).Topology == MeshTopology.Quads)
                 throw new NotSupportedException($"Mesh '{name}' has a submesh of quads, which Direct3D 11 does not draw; use triangles.");
+            if (layout != null)
+                return BindLayout(submesh, vertex, ref draw);
             if (buffers == null || buffers.Owner != Player.Device)
             {
                 buffers = new MeshBuffers(name, Player.Device, positions, normalData, tangentData, colorData, uvData, AllIndices());
@@ -492,6 +501,7 @@ namespace UnityEngine
             Array.Copy(uvSize, copy.uvSize, 8);
             copy.submeshes.Clear();
             copy.submeshes.AddRange(submeshes);
+            copy.CopyLayout(this);
             return copy;
         }
     }

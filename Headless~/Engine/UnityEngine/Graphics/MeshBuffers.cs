@@ -64,7 +64,7 @@ namespace UnityEngine.Headless
             return found;
         }
 
-        static string Canonical(string semantic)
+        public static string Canonical(string semantic)
         {
             semantic = semantic.ToUpperInvariant();
             if (semantic.StartsWith("TEXCOORD", StringComparison.Ordinal))
