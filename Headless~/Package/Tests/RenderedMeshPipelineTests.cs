@@ -26,6 +26,9 @@ namespace Host.Tests
         [TearDown]
         public void EndScene()
         {
+            if (simulation != null)
+                Object.DestroyImmediate(simulation.gameObject);
+            Play(1);        // what was destroyed goes with the frame
             UnityEngine.SceneManagement.SceneManager.UnloadEverything();
             assets?.ReloadAll();
             assets = null;

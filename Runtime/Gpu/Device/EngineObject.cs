@@ -26,5 +26,14 @@ namespace Rill
             texture.Release();
             Destroy(ref texture);
         }
+
+        /// <summary>As <see cref="Destroy{T}"/>; its memory on the GPU is free at once.</summary>
+        public static void Release(ref Mesh mesh)
+        {
+            if (mesh == null)
+                return;
+            mesh.Clear(false);
+            Destroy(ref mesh);
+        }
     }
 }

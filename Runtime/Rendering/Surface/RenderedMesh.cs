@@ -79,7 +79,7 @@ namespace Rill
             vertices?.Release();
             indices?.Release();
             vertices = indices = null;
-            EngineObject.Destroy(ref mesh);
+            EngineObject.Release(ref mesh);
             vertexCapacity = quadCapacity = 0;
         }
 
