@@ -122,8 +122,8 @@ namespace Rill
             if (!IsWritable(vertices) || !IsWritable(indices))
             {
                 Release();
-                throw new InvalidOperationException($"this device ({SystemInfo.graphicsDeviceType}) lets no kernel write the vertices of a mesh " +
-                    "(GraphicsBuffer.Target.Raw). Draw the fluid with a Fluid Surface there.");
+                throw new InvalidOperationException(Invariant($"this device ({SystemInfo.graphicsDeviceType}) lets no kernel write the vertices ") +
+                    "of a mesh (GraphicsBuffer.Target.Raw). Draw the fluid with a Fluid Surface there.");
             }
             vertices.name = "Rill.RenderedMesh.Vertices";
             indices.name = "Rill.RenderedMesh.Indices";
