@@ -51,6 +51,7 @@ namespace Rill.Editor
             ("Rill.Surface", "Surface"),
             ("Rill.Mesh", "Surface mesh"),
             ("Rill.RenderedMesh", "Surface mesh: for the renderer"),
+            ("Rill.Caustics", "Caustics"),
             ("Rill.Surface.Depth", "Surface: depth"),
             ("Rill.Surface.Filter", "Surface: filter"),
             ("Rill.Surface.Normals", "Surface: normals"),

@@ -15,10 +15,7 @@ static const float kReflectionLevels = 6.0;     // mips over which a probe goes 
 #if defined(RILL_OWN_REFLECTION)
 TextureCube _ReflectionCube;
 SamplerState sampler_ReflectionCube;
-#elif defined(RILL_HIGH_DEFINITION)
-TextureCubeArray _SkyTexture;   // HDRP's sky, nits; the first is as a shiny surface reflects it
-SamplerState rill_trilinear_clamp_sampler;
-#else
+#elif !defined(RILL_HIGH_DEFINITION)
 // Those of the draw, which Unity chooses by where it is. Without a probe the first is the sky's.
 TextureCube unity_SpecCube0;
 TextureCube unity_SpecCube1;
@@ -31,6 +28,11 @@ float4 unity_SpecCube1_HDR;
 float4 unity_SpecCube1_BoxMin;          // w: in URP by how much more important the first is
 float4 unity_SpecCube1_BoxMax;
 float4 unity_SpecCube1_ProbePosition;
+#endif
+#if defined(RILL_HIGH_DEFINITION)
+TextureCubeArray _SkyTexture;   // HDRP's sky, nits; the first is as a shiny surface reflects it
+SamplerState rill_trilinear_clamp_sampler;
+#else
 // Light probes at the draw, or the ambient light.
 float4 unity_SHAr;
 float4 unity_SHAg;
@@ -181,10 +183,10 @@ float3 Mirrored(float3 world, float3 direction, float roughness)
 #endif
 }
 
-// What a white surface that faces there would show of the light around.
-float3 Ambient(float3 world, float3 normal)
+// What a white surface of the scene that faces there shows of the light around.
+float3 AmbientOfScene(float3 normal)
 {
-#if !defined(RILL_OWN_REFLECTION) && !defined(RILL_HIGH_DEFINITION)
+#if !defined(RILL_HIGH_DEFINITION)
     float4 first = float4(normal, 1.0), second = normal.xyzz * normal.yzzx;
     float3 light = float3(dot(unity_SHAr, first), dot(unity_SHAg, first), dot(unity_SHAb, first));
     light += float3(dot(unity_SHBr, second), dot(unity_SHBg, second), dot(unity_SHBb, second));
@@ -192,9 +194,19 @@ float3 Ambient(float3 world, float3 normal)
 #ifdef UNITY_COLORSPACE_GAMMA
     light = max(1.055 * pow(max(light, 1e-6), 1.0 / 2.4) - 0.055, 0.0);     // the harmonics are linear even there
 #endif
-    return _ReflectionStrength * light;
+    return light;
 #else
+    return RILL_EXPOSURE * _SkyTexture.SampleLevel(rill_trilinear_clamp_sampler, float4(normal, 0.0), kReflectionLevels).rgb;
+#endif
+}
+
+// The same of a part of the water, as it mirrors its surroundings.
+float3 Ambient(float3 world, float3 normal)
+{
+#if defined(RILL_OWN_REFLECTION)
     return Mirrored(world, normal, 1.0);
+#else
+    return _ReflectionStrength * AmbientOfScene(normal);
 #endif
 }
 

@@ -10,6 +10,7 @@
 #include "Fog.hlsl"
 #include "SceneColor.hlsl"
 #include "MeshField.hlsl"
+#include "Optics.hlsl"
 #include "WaterMesh.hlsl"
 #ifdef RILL_REFRACTION
 #include "SceneTrace.hlsl"
@@ -27,19 +28,6 @@ static const float kContact = 1.0;          // d: what stands as near behind a w
 static float3 fieldShift = 0.0;     // from the field's frame to that which is drawn, d
 
 // ---- optics
-
-// Reflectance of a dielectric, not polarized (Fresnel). cosine: on the side that light comes from; ratio: index there over that beyond.
-float Reflectance(float cosine, float ratio)
-{
-    cosine = saturate(cosine);
-    float squared = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
-    if (squared <= 0.0)
-        return 1.0;
-    float beyond = sqrt(squared);
-    float across = (ratio * cosine - beyond) / max(ratio * cosine + beyond, 1e-6);
-    float along = (cosine - ratio * beyond) / max(cosine + ratio * beyond, 1e-6);
-    return saturate(0.5 * (across * across + along * along));
-}
 
 // GGX (Walter et al. 2007) with the visibility of Hammon 2017, for a light of unit radiance times pi. alpha: squared roughness.
 float Highlight(float3 normal, float3 toEye, float3 toLight, float alpha)
@@ -92,6 +80,7 @@ float Spacing()
 }
 
 #ifdef RILL_REFRACTION
+#include "CausticLight.hlsl"
 
 float3 SceneColorAt(float2 picture)
 {
@@ -131,7 +120,7 @@ float3 SeenInWater(float3 p, float3 along, float3 lit)
         }
         isDone = true;
         if (seen.found && isWater)
-            color += left * SceneColorAt(seen.picture);
+            color += left * SceneColorAt(seen.picture) * SunThroughSurface(p + along * (traced * seen.reach / spacing), seen.picture);
         else if (seen.found || !found && !isWater)
             color += left * SeenInAir(seen, world, direction);
         else if (!found && !seen.open)

@@ -9,7 +9,10 @@
 
 static const float kShadowDepth = 4.0;      // path through water from which it throws a whole shadow, d
 
+static const float kBehind = 1.0;           // d beyond the far side of the water
+
 float _ShadowOpacity;           // 0 to 1
+float _ShadowIsBehind;          // 1 where it begins behind the water, 0 at its near side
 float4x4 _WorldToDomain;        // from world, m, to the domain's frame in d
 
 struct ShadowVaryings
@@ -35,15 +38,23 @@ ShadowVaryings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
     return result;
 }
 
-float4 ShadowFragment(ShadowVaryings input) : SV_Target
+// What stands in the water is lit by CausticLight.hlsl where the shadow begins behind the water.
+float4 ShadowFragment(ShadowVaryings input, out float depth : SV_Depth) : SV_Target
 {
     RestoreView(input);
     float3 p = mul(_WorldToDomain, float4(input.world, 1.0)).xyz - input.shift;
     float3 along = normalize(mul((float3x3)_WorldToDomain, -ToEye(input.world)));
     float3 wall;
     bool found;
-    float path = MarchMesh(p, along, 1.0, 0.0, min(BoxExit(p, along, wall), kShadowDepth), found);
+    float end = BoxExit(p, along, wall), path = MarchMesh(p, along, 1.0, 0.0, _ShadowIsBehind > 0.5 ? end : min(end, kShadowDepth), found);
     if (Threshold(uint2(input.clip.xy)) > _ShadowOpacity * saturate(path / kShadowDepth))
         discard;
-    return input.clip.z;
+    depth = input.clip.z;
+    if (_ShadowIsBehind > 0.5)
+    {
+        // As far behind the biased face.
+        float3 far = mul(_DomainToWorld, float4(p + along * (path + kBehind), 1.0)).xyz, near = mul(_DomainToWorld, float4(p, 1.0)).xyz;
+        depth += DeviceDepth(WorldToClip(far)) - DeviceDepth(WorldToClip(near));
+    }
+    return depth;
 }

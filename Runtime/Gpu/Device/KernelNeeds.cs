@@ -51,6 +51,7 @@ namespace Rill
                 case "Statistics": return DeviceFeature.Statistics;
                 case "RenderedMesh": return DeviceFeature.Surface;
                 case "SurfaceFoam": return DeviceFeature.Foam | DeviceFeature.Surface;
+                case "Caustics":
                 case "SurfaceFilter":
                 case "SurfaceMesh":
                 case "SurfaceThickness":

@@ -46,6 +46,10 @@ namespace Rill
             "behind it, which other transparent objects behind it need.")]
         [SerializeField] bool refraction = true;
 
+        [Tooltip("Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. Of a mesh that " +
+            "refracts, where the sun is known: set Sun, or the sun in Lighting > Environment.")]
+        [SerializeField] bool caustics = true;
+
         [Tooltip("Surroundings that it mirrors. None: the scene's sky or reflection probe.")]
         [SerializeField] Texture reflection;
 
@@ -68,6 +72,8 @@ namespace Rill
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
         MeshDraw meshDraw;      // made when first needed
+        Caustics sunlight;      // where they are on
+        [NonSerialized] bool isSunlightDue;     // in this frame, as soon as a camera sees the water
         readonly SurfaceWatch watch = new SurfaceWatch();
         SurfaceFrame frame;
         [NonSerialized] bool hasFrame;
@@ -108,6 +114,10 @@ namespace Rill
 
         /// <summary>Whether the scene behind is seen bent; off, the surface blends over it.</summary>
         public bool Refraction { get => refraction; set => refraction = value; }
+
+        /// <summary>Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. Of a mesh that
+        /// refracts, where the sun is known.</summary>
+        public bool Caustics { get => caustics; set => caustics = value; }
 
         /// <summary>Cube map of the surroundings that it mirrors; null for the scene's sky or reflection probe.</summary>
         public Texture Reflection { get => reflection; set => reflection = value; }
@@ -152,6 +162,9 @@ namespace Rill
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
 
+        /// <summary>The light that goes through the surface, in this frame; null where there are no caustics.</summary>
+        internal Caustics Sunlight => sunlight;
+
         private protected override StageSet Stage => StageSet.Surface;
         private protected override StageSet FurtherStages => StageSet.SurfaceParticles
             | (method == SurfaceMethod.Mesh ? StageSet.SurfaceMesh | StageSet.Water : StageSet.None);
@@ -175,6 +188,7 @@ namespace Rill
             if (!(mesh.HasValue ? meshDraw.Prepare(camera, mesh.Value) : recorder.Prepare(camera, frame)))
                 return false;
             watch.See();
+            FindSunlight();
             return true;
         }
 
@@ -254,6 +268,10 @@ namespace Rill
                 shadow.SetOn(properties);
             else
                 ShadowCopy.SetNone(properties);
+            if (sunlight != null)
+                sunlight.SetOn(properties);
+            else
+                Rill.Caustics.SetNone(properties);
             RenderParams parameters = Parameters(properties);
             parameters.camera = camera.camera;
             parameters.shadowCastingMode = ShadowCastingMode.Off;
@@ -290,6 +308,8 @@ namespace Rill
             recorder = null;
             meshDraw?.Dispose();
             meshDraw = null;
+            sunlight?.Dispose();
+            sunlight = null;
             if (active.Count == 0)
                 SurfaceScratch.Shared.Release();
         }
@@ -326,13 +346,14 @@ namespace Rill
         {
             PbfSolver solver = Simulation.Solver;
             mesh = solver.Mesh != null && Simulation.HasStages(StageSet.Water) ? MeshFrame.Of(Simulation, solver.Mesh) : nextMesh;
+            TurnSunlight();
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
                 meshDraw.SetKeywords(refraction, reflection != null);
                 hasFrame = true;
                 if (CastsShadow)
-                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity);
+                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, sunlight != null);
                 return;
             }
             hasFrame = solver.Surface != null && solver.Mesh == null;
@@ -350,6 +371,29 @@ namespace Rill
             SetKeyword(RefractionKeyword, refraction, copy);
             SetKeyword(ReflectionKeyword, reflection != null, copy);
             SetKeyword(FoamKeyword, frame.foam.particles != null, copy);
+        }
+
+        void TurnSunlight()
+        {
+            Light light = KnownLight;
+            bool isOn = mesh.HasValue && caustics && refraction && light != null && light.isActiveAndEnabled && light.intensity > 0f
+                && light.type == LightType.Directional && Rill.Caustics.DeviceProblem == null;
+            isSunlightDue = isOn;
+            if (isOn)
+                sunlight ??= new Caustics();
+            else
+            {
+                sunlight?.Dispose();
+                sunlight = null;
+            }
+        }
+
+        void FindSunlight()
+        {
+            if (!isSunlightDue)
+                return;
+            isSunlightDue = false;
+            sunlight.Update(mesh.Value, -KnownLight.transform.forward, Simulation.Gravity, look.refractionIndex, quality);
         }
 
         /// <summary>Distance of the mesh's nodes, d.</summary>
@@ -375,6 +419,7 @@ namespace Rill
             description.Draw("SurfaceShadow", 0);       // in shadow maps alone
             recorder?.Describe(description, frame.filterPasses);
             meshDraw?.Describe(description);
+            sunlight?.Describe(description);
             BuiltInSurfaces.Describe(description);
         }
 

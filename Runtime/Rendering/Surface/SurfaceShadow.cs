@@ -22,9 +22,11 @@ namespace Rill
 
         /// <param name="parameters">Made with <see cref="Properties"/>.</param>
         /// <param name="opacity">How much of the light is gone, 0 to 1.</param>
-        public void Draw(RenderParams parameters, in MeshFrame mesh, float opacity)
+        /// <param name="isBehind">Whether it falls on nothing that stands in the water.</param>
+        public void Draw(RenderParams parameters, in MeshFrame mesh, float opacity, bool isBehind)
         {
             mesh.SetOn(Properties);
+            Properties.SetFloat(Ids.ShadowIsBehind, isBehind ? 1f : 0f);
             Prepare(ref parameters, ref ofMesh, "WaterShadow", opacity);
             Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, mesh.indices, mesh.arguments, 1, MeshDraw.MonoCommand);
         }
@@ -48,6 +50,7 @@ namespace Rill
 
         static class Ids
         {
+            public static readonly int ShadowIsBehind = Shader.PropertyToID("_ShadowIsBehind");
             public static readonly int ShadowOpacity = Shader.PropertyToID("_ShadowOpacity");
         }
     }

@@ -1,0 +1,185 @@
+using System;
+using System.Collections;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+
+namespace Rill.Tests
+{
+    /// <summary>Sunlight on a floor under water of a known surface, seen by a camera in the water, against photons traced in double precision.</summary>
+    public class CausticsTests
+    {
+        const int Pixels = 128, Square = 2, Across = Pixels / Square;
+        const float Floor = -0.5f, Half = 0.5f;     // m: height, and half of the width that is seen
+        const double Index = 1.333;
+        static readonly double3 Left = new double3(0.2, 0.5, 0.8);      // of white after 0.5 m
+
+        MeshScene scene;
+        AmbientMode mode;
+        Color sky;
+
+        [SetUp]
+        public void Begin()
+        {
+            (mode, sky) = (RenderSettings.ambientMode, RenderSettings.ambientSkyColor);
+            (RenderSettings.ambientMode, RenderSettings.ambientSkyColor) = (AmbientMode.Flat, Color.black);
+        }
+
+        [TearDown]
+        public void End()
+        {
+            scene?.Dispose();
+            scene = null;
+            Time.captureDeltaTime = 0f;
+            (RenderSettings.ambientMode, RenderSettings.ambientSkyColor) = (mode, sky);
+        }
+
+        // Two trains of waves; the light comes to a focus above the floor, and below it for the longer one.
+        static double Waves(double2 at) => 0.1 + 0.012 * math.sin(2.0 * Math.PI / 0.32 * math.dot(at, new double2(0.8, 0.6)))
+            + 0.010 * math.sin(2.0 * Math.PI / 0.45 * math.dot(at, new double2(-0.5, 0.866)));
+
+        static double Calm(double2 at) => 0.1;
+
+        [UnityTest]
+        public IEnumerator Light_gathers_on_the_floor_as_photons_do([Values(0f, 40f)] float degrees)
+        {
+            Make(degrees, Waves);
+            yield return Frames();
+            float3[] with = scene.Pixels(Square);
+            scene.Surface.Caustics = false;
+            yield return Frames();
+            float3[] without = scene.Pixels(Square);
+            double3[] traced = Photons(Waves, Toward(degrees));
+            double3 mean = 0.0, expected = 0.0;
+            var drawn = new double[with.Length];
+            var right = new double[with.Length];
+            var flat = new double[with.Length];
+            for (int i = 0; i < with.Length; i++)
+            {
+                Assert.That(without[i].y, Is.GreaterThan(0.01f));
+                double3 factor = (double3)with[i] / (double3)without[i];
+                mean += factor / with.Length;
+                expected += traced[i] / with.Length;
+                drawn[i] = Math.Pow(Math.Min(0.5 * factor.y, 1.0), 1.0 / 2.2);
+                right[i] = Math.Pow(Math.Min(0.5 * traced[i].y, 1.0), 1.0 / 2.2);
+            }
+            for (int i = 0; i < with.Length; i++)
+                flat[i] = Math.Pow(0.5 * expected.y, 1.0 / 2.2);
+            Save("caustics", degrees, drawn);
+            Save("photons", degrees, right);
+            double likeness = Ssim.Mean(drawn, right, Across, Across), without0 = Ssim.Mean(flat, right, Across, Across);
+            TestContext.Out.WriteLine($"SSIM {likeness:0.000}, {without0:0.000} of an even floor; mean {mean} of {expected}");
+            Assert.That(likeness, Is.GreaterThan(0.8));
+            for (int channel = 0; channel < 3; channel++)
+                Assert.That(mean[channel], Is.EqualTo(expected[channel]).Within(0.03 * expected[channel]));
+        }
+
+        [UnityTest]
+        public IEnumerator Under_calm_water_the_floor_is_evenly_lit_by_what_comes_through([Values(0f, 40f)] float degrees)
+        {
+            Make(degrees, Calm);
+            yield return Frames();
+            float3[] with = scene.Pixels(Square);
+            scene.Surface.Caustics = false;
+            yield return Frames();
+            float3[] without = scene.Pixels(Square);
+            double beyond = Math.Cos(Math.Asin(Math.Sin(math.radians((double)degrees)) / Index));
+            double3 expected = (1.0 - Fresnel(Math.Cos(math.radians((double)degrees)))) * math.pow(Left, (0.1 - Floor) / beyond / 0.5);
+            double3 low = double.MaxValue, high = 0.0;
+            for (int i = 0; i < with.Length; i++)
+            {
+                double3 factor = (double3)with[i] / (double3)without[i];
+                low = math.min(low, factor);
+                high = math.max(high, factor);
+            }
+            TestContext.Out.WriteLine($"{low} to {high} of {expected}");
+            for (int channel = 0; channel < 3; channel++)
+            {
+                Assert.That(low[channel], Is.EqualTo(expected[channel]).Within(0.02 * expected[channel]));
+                Assert.That(high[channel], Is.EqualTo(low[channel]).Within(0.01 * low[channel]), "no pattern");
+            }
+        }
+
+        // Photons from straight above the surface, evenly over what may reach the part of the floor that is seen.
+        static double3[] Photons(Func<double2, double> height, double3 toLight)
+        {
+            const int rays = 1300;
+            const double span = 1.3;
+            var sums = new double3[Across * Across];
+            double3 calm = Bend(toLight, math.up());
+            double2 middle = calm.xz / calm.y * (0.1 - Floor);
+            double3 absorption = -math.log(Left) / 0.5;
+            for (int i = 0; i < rays * rays; i++)
+            {
+                // At a height of 0.1 m, then along the light to the surface.
+                double2 start = (new double2(i % rays + 0.5, i / rays + 0.5) / rays - 0.5) * span + middle;
+                double3 p = new double3(start.x, 0.1, start.y);
+                for (int k = 0; k < 12; k++)
+                    p += toLight / toLight.y * (height(p.xz) - p.y);
+                const double h = 1e-5;
+                double3 normal = math.normalize(new double3((height(p.xz - new double2(h, 0.0)) - height(p.xz + new double2(h, 0.0))) / (2.0 * h), 1.0,
+                    (height(p.xz - new double2(0.0, h)) - height(p.xz + new double2(0.0, h))) / (2.0 * h)));
+                double3 along = Bend(toLight, normal);
+                double reach = (p.y - Floor) / -along.y;
+                double3 landed = p + along * reach;
+                int2 bin = (int2)math.floor((landed.xz + Half) / (2.0 * Half) * Across);
+                if (math.any(bin < 0) || math.any(bin >= Across))
+                    continue;
+                sums[bin.y * Across + bin.x] += (1.0 - Fresnel(math.dot(normal, toLight))) * math.exp(-absorption * reach);
+            }
+            double each = span * span / ((double)rays * rays) / Math.Pow(2.0 * Half / Across, 2.0);
+            for (int i = 0; i < sums.Length; i++)
+                sums[i] *= each;
+            return sums;
+        }
+
+        static double3 Bend(double3 toLight, double3 normal)
+        {
+            double cosine = math.dot(toLight, normal), ratio = 1.0 / Index;
+            return -toLight * ratio + normal * (ratio * cosine - Math.Sqrt(1.0 - ratio * ratio * (1.0 - cosine * cosine)));
+        }
+
+        static double Fresnel(double cosine)
+        {
+            double beyond = Math.Sqrt(1.0 - (1.0 - cosine * cosine) / (Index * Index));
+            double across = (cosine - Index * beyond) / (cosine + Index * beyond), along = (Index * cosine - beyond) / (Index * cosine + beyond);
+            return 0.5 * (across * across + along * along);
+        }
+
+        static double3 Toward(float degrees)
+        {
+            double angle = math.radians((double)degrees);
+            return new double3(Math.Sin(angle) * 0.6, Math.Cos(angle), Math.Sin(angle) * 0.8);
+        }
+
+        void Make(float degrees, Func<double2, double> height)
+        {
+            scene = new MeshScene(Pixels, new Vector3(2f, 1f, 2f), 0.05f, 0f);
+            scene.Camera.orthographic = true;
+            scene.Camera.orthographicSize = Half;
+            scene.Camera.nearClipPlane = 0.02f;
+            scene.Camera.transform.SetPositionAndRotation(new Vector3(0f, -0.2f, 0f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
+            scene.Add(PrimitiveType.Cube, 0.5f, new Vector3(0f, Floor - 0.05f, 0f), Quaternion.identity, new Vector3(4f, 0.1f, 4f));
+            SurfaceLook look = WaterScene.Absorbing((float3)Left, 0.5f);
+            look.refractionIndex = (float)Index;
+            scene.Surface.Look = look;
+            Light sun = scene.Surface.Sun;
+            sun.intensity = 0.5f;
+            sun.transform.rotation = Quaternion.LookRotation(-(Vector3)(float3)Toward(degrees), Vector3.right);
+            scene.Put(p => (float)height(new double2(p.x, p.z)) - p.y);
+        }
+
+        static IEnumerator Frames()
+        {
+            Time.captureDeltaTime = 1f / 60f;
+            yield return null;
+            yield return null;
+            yield return null;
+        }
+
+        static void Save(string name, float degrees, double[] shown)
+            => MeshScene.Save($"{name}_{degrees:0}", Array.ConvertAll(shown, value => (float3)(float)Math.Pow(value, 2.2)));
+    }
+}
