@@ -11,12 +11,13 @@ namespace Rill.Tests
     /// <summary>Sunlight on a floor under water of a known surface, seen by a camera in the water, against photons traced in double precision.</summary>
     public class CausticsTests
     {
-        const int Pixels = 128, Square = 2, Across = Pixels / Square;
+        const int Square = 2, Across = 48, Few = 8;     // pixels whose mean is taken, along a side; so many of them across the picture
         const float Floor = -0.5f, Half = 0.5f;     // m: height, and half of the width that is seen
         const double Index = 1.333;
         static readonly double3 Left = new double3(0.2, 0.5, 0.8);      // of white after 0.5 m
 
         MeshScene scene;
+        GameObject floor;
         AmbientMode mode;
         Color sky;
 
@@ -45,7 +46,7 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator Light_gathers_on_the_floor_as_photons_do([Values(0f, 40f)] float degrees)
         {
-            Make(degrees, Waves);
+            Make(degrees, Waves, Across, 0.05f);
             yield return Frames();
             float3[] with = scene.Pixels(Square);
             scene.Surface.Caustics = false;
@@ -79,7 +80,7 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator Under_calm_water_the_floor_is_evenly_lit_by_what_comes_through([Values(0f, 40f)] float degrees)
         {
-            Make(degrees, Calm);
+            Make(degrees, Calm, Few, 0.1f);
             yield return Frames();
             float3[] with = scene.Pixels(Square);
             scene.Surface.Caustics = false;
@@ -102,10 +103,81 @@ namespace Rill.Tests
             }
         }
 
+        // Opaque water, as far as its shadow goes, in the shadow of a board on one side.
+        [UnityTest]
+        public IEnumerator The_waters_own_shadow_does_not_fall_on_what_it_gathers_light_on_but_that_of_others_does()
+        {
+            Make(0f, Calm, Few, 0.1f);
+            floor.GetComponent<MeshRenderer>().sharedMaterial.SetColor("_Ambient", Color.black);
+            scene.Add(PrimitiveType.Cube, 0.5f, new Vector3(0.5f, 0.8f, 0f), Quaternion.identity, new Vector3(1f, 0.05f, 3f));
+            scene.Surface.Sun.shadows = LightShadows.Hard;
+            scene.Surface.ShadowOpacity = 1f;
+            yield return Frames();
+            (float lit, float dark) noShadow = Sides();
+            scene.Surface.CastShadows = ShadowCastingMode.On;
+            yield return Frames();
+            (float lit, float dark) withShadow = Sides();
+            scene.Surface.Caustics = false;
+            yield return Frames();
+            (float lit, float dark) plain = Sides();
+            TestContext.Out.WriteLine($"without a shadow {noShadow}, with one {withShadow}, without caustics {plain}");
+            Assert.That(plain.lit, Is.LessThan(0.05f * noShadow.lit), "the shadow is there");
+            Assert.That(noShadow.lit, Is.GreaterThan(0.02f));
+            Assert.That(withShadow.lit, Is.EqualTo(noShadow.lit).Within(0.02f * noShadow.lit));
+            Assert.That(noShadow.dark, Is.LessThan(0.02f * noShadow.lit));
+            Assert.That(withShadow.dark, Is.LessThan(0.02f * noShadow.lit));
+        }
+
+        [UnityTest]
+        public IEnumerator Off_or_without_a_sun_there_is_neither_a_map_nor_another_picture()
+        {
+            Make(0f, Calm, Few, 0.1f);
+            Light sun = scene.Surface.Sun;
+            yield return Frames();
+            float3 with = Middle();
+            scene.Surface.Caustics = false;
+            yield return Frames();
+            float3 without = Middle();
+            Assert.That(with.y, Is.LessThan(0.6f * without.y));
+            var ways = new (string name, Action off, Action on)[]
+            {
+                ("Caustics off", () => scene.Surface.Caustics = false, () => scene.Surface.Caustics = true),
+                ("the sun off", () => sun.enabled = false, () => sun.enabled = true),
+                ("a sun without light", () => sun.intensity = 0f, () => sun.intensity = 0.5f),
+                ("a point light", () => sun.type = LightType.Point, () => sun.type = LightType.Directional),
+                ("no sun", () => scene.Surface.Sun = null, () => scene.Surface.Sun = sun),
+            };
+            foreach ((string name, Action off, Action on) in ways)
+            {
+                scene.Surface.Caustics = true;
+                yield return Frames();
+                RenderTexture map = scene.Surface.Sunlight.Map;
+                Assert.That(map.IsCreated(), name);
+                off();
+                yield return Frames();
+                Assert.That(scene.Surface.Sunlight, Is.Null, name);
+                Assert.That(map == null, name);
+                Assert.That(math.distance(Middle(), without), Is.LessThan(1e-3f), name);
+                on();
+            }
+            scene.Surface.Refraction = false;
+            yield return Frames();
+            Assert.That(scene.Surface.Sunlight, Is.Null, "without refraction");
+        }
+
+        float3 Middle() => scene.Pixels(Square)[Few / 2 * Few + Few / 2];
+
+        // Of the floor left and right of the middle.
+        (float lit, float dark) Sides()
+        {
+            float3[] pixels = scene.Pixels(Square);
+            return (pixels[Few / 2 * Few + 1].y, pixels[Few / 2 * Few + Few - 2].y);
+        }
+
         // Photons from straight above the surface, evenly over what may reach the part of the floor that is seen.
         static double3[] Photons(Func<double2, double> height, double3 toLight)
         {
-            const int rays = 1300;
+            const int rays = 900;
             const double span = 1.3;
             var sums = new double3[Across * Across];
             double3 calm = Bend(toLight, math.up());
@@ -154,14 +226,14 @@ namespace Rill.Tests
             return new double3(Math.Sin(angle) * 0.6, Math.Cos(angle), Math.Sin(angle) * 0.8);
         }
 
-        void Make(float degrees, Func<double2, double> height)
+        void Make(float degrees, Func<double2, double> height, int across, float spacing)
         {
-            scene = new MeshScene(Pixels, new Vector3(2f, 1f, 2f), 0.05f, 0f);
+            scene = new MeshScene(across * Square, new Vector3(2f, 1f, 2f), spacing, 0f);
             scene.Camera.orthographic = true;
             scene.Camera.orthographicSize = Half;
             scene.Camera.nearClipPlane = 0.02f;
             scene.Camera.transform.SetPositionAndRotation(new Vector3(0f, -0.2f, 0f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
-            scene.Add(PrimitiveType.Cube, 0.5f, new Vector3(0f, Floor - 0.05f, 0f), Quaternion.identity, new Vector3(4f, 0.1f, 4f));
+            floor = scene.Add(PrimitiveType.Cube, 0.5f, new Vector3(0f, Floor - 0.05f, 0f), Quaternion.identity, new Vector3(4f, 0.1f, 4f));
             SurfaceLook look = WaterScene.Absorbing((float3)Left, 0.5f);
             look.refractionIndex = (float)Index;
             scene.Surface.Look = look;
@@ -174,7 +246,6 @@ namespace Rill.Tests
         static IEnumerator Frames()
         {
             Time.captureDeltaTime = 1f / 60f;
-            yield return null;
             yield return null;
             yield return null;
         }
