@@ -13,6 +13,7 @@ namespace Host.Tests
         [TestCase("14", Milky)]
         [TestCase("14", Foamy)]
         [TestCase("17", Refracting)]
+        [TestCase("17", Sunlit)]
         [TestCase("17", Blended)]
         [TestCase("17", Foamy)]
         public void Each_eye_sees_what_a_camera_there_sees(string version, string look)

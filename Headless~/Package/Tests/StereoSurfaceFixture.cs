@@ -15,7 +15,7 @@ namespace Host.Tests
     /// <summary>Water that a pipeline's stand-in draws for two eyes in one pass, held against a camera with one eye at each.</summary>
     public abstract class StereoSurfaceFixture : PipelineSurfaceFixture
     {
-        private protected const string Refracting = "refracting", Blended = "blended", Milky = "milky", Foamy = "foamy";
+        private protected const string Refracting = "refracting", Blended = "blended", Milky = "milky", Foamy = "foamy", Sunlit = "a sunlit mesh";
         private protected const int Few = 4;
 
         static readonly string shaders = Path.Combine(PackageFolder.Path, "Shaders", "Rendering");
@@ -53,11 +53,17 @@ namespace Host.Tests
                 Surface.Preset = SurfacePreset.Milk;
             if (look == Foamy)
                 AddFoam();
+            if (look == Sunlit)
+            {
+                Surface.Method = SurfaceMethod.Mesh;
+                Surface.Sun = UnityEngine.Object.FindObjectOfType<Light>();
+            }
             Play(3);
             simulation.Paused = true;
             if (look == Foamy)
                 PlantFoam();
             Play(2);
+            Assert.That(Surface.Sunlight != null, Is.EqualTo(look == Sunlit));
         }
 
         void AddFoam()

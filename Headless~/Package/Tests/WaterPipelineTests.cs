@@ -54,20 +54,55 @@ namespace Host.Tests
         public void From_within_it_looks_as_in_the_Built_in_pipeline([Values("Universal 17", "HighDefinition 17")] string name)
             => Compare(name, true, true);
 
-        void Compare(string name, bool refraction, bool inside)
+        // Above all else the floor under the pool, which has to be brighter in some places and darker in others.
+        [Test]
+        public void The_sun_lights_what_stands_in_it_as_in_the_Built_in_pipeline([Values("Universal 17", "HighDefinition 17")] string name)
+            => Compare(name, true, false, true);
+
+        // intensity: that of which a white surface shows 1; in HDRP it is in lux. Ambient light is HDRP's sky there, which is black here.
+        void LetTheSunIn(float intensity)
         {
-            Vector4[] builtIn = InTheBuiltInPipeline(3, () => Arrange(refraction, inside));
+            RenderSettings.ambientSkyColor = Color.black;
+            Light sun = UnityEngine.Object.FindObjectOfType<Light>();
+            sun.intensity = intensity;
+            simulation.GetComponent<FluidSurface>().Sun = sun;
+        }
+
+        void Compare(string name, bool refraction, bool inside, bool sun = false)
+        {
+            Vector4[] dry = sun ? InTheBuiltInPipeline(3, () => Arrange(refraction, inside)) : null;
+            Vector4[] builtIn = InTheBuiltInPipeline(3, () =>
+            {
+                Arrange(refraction, inside);
+                if (sun)
+                    LetTheSunIn(1f);
+            });
+            if (sun)
+            {
+                int changed = dry.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.02f).Count();
+                TestContext.Out.WriteLine($"{changed} pixels are lit otherwise");
+                Assert.That(changed, Is.GreaterThan(Width * Height / 50));
+            }
             int space = name.IndexOf(' ');
             Build(name.StartsWith("Universal") ? PipelineKind.Universal : PipelineKind.HighDefinition, name.Substring(space + 1));
             Arrange(refraction, inside);
+            if (sun)
+                LetTheSunIn(name.StartsWith("High") ? math.PI : 1f);
             Play(3);
             Vector4[] drawn = Pixels();
             Assert.That(Errors, Is.Empty);
+            if (sun)
+            {
+                // The sun brightens what the pipelines' copies of the scene differ by, so it is the light that counts. HDRP's ambient light is another.
+                float unlike = drawn.Zip(builtIn, (a, b) => (a - b).magnitude).Sum() / dry.Zip(builtIn, (a, b) => (a - b).magnitude).Sum();
+                TestContext.Out.WriteLine($"{unlike:0.000} of what the sun changes");
+                Assert.That(unlike, Is.LessThan(name.StartsWith("Universal") ? 0.1f : 0.2f));
+            }
             int others = drawn.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.02f).Count();
             TestContext.Out.WriteLine($"{others} pixels of {Width * Height}");
             simulation.GetComponent<FluidSurface>().Mesh = null;
             // URP's copy of the scene has half the size.
-            Assert.That(others, Is.LessThan(Width * Height / (name.StartsWith("Universal") ? 50 : 200)));
+            Assert.That(others, Is.LessThan(Width * Height / (sun || name.StartsWith("Universal") ? 50 : 200)));
             Assert.That(Covered(drawn), Is.GreaterThan(Width * Height / 20), "it is there");
         }
     }

@@ -32,14 +32,23 @@ namespace Rill
         }
 
         /// <summary>Why there are none on this device; null where there are.</summary>
-        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.RGHalf, true);
+        public static string DeviceProblem
+        {
+            get
+            {
+                foreach (KernelNeed need in KernelNeeds.OfKernels)
+                    if (need.File == "Caustics" && DeviceLimits.Current.WhyNot(need) is string why)
+                        return why;
+                return GpuTexture.WhyNot(RenderTextureFormat.RGHalf, true);
+            }
+        }
 
         /// <summary>Half floats: how much light there is, and that times its path through water.</summary>
         public RenderTexture Map => map;
 
         /// <summary>Most texels of the map along a side, and its layers.</summary>
         public static (int texels, int layers) DetailOf(SurfaceQuality quality) => quality == SurfaceQuality.Low ? (256, 4)
-            : quality == SurfaceQuality.Medium ? (512, 8) : (1024, 12);
+            : quality == SurfaceQuality.Medium ? (512, 8) : (768, 10);
 
         /// <summary>Finds the light of this frame, at once.</summary>
         /// <param name="toLight">World.</param>
@@ -57,7 +66,8 @@ namespace Rill
             Vector2 heights = Extent(level, mesh.domainSize);
             Vector2 alongX = Extent(x, mesh.domainSize), alongY = Extent(y, mesh.domainSize);
             float texel = Mathf.Max(TexelSize, Mathf.Max(alongX.y - alongX.x, alongY.y - alongY.x) / (texels - 2));
-            int width = Mathf.Min(Steps((alongX.y - alongX.x) / texel + 2f), texels), height = Mathf.Min(Steps((alongY.y - alongY.x) / texel + 2f), texels);
+            int width = Mathf.Min(Steps((alongX.y - alongX.x) / texel + 2f), texels);
+            int height = Mathf.Min(Steps((alongY.y - alongY.x) / texel + 2f), texels);
             Make(width, height, layers);
 
             // The box in the middle.

@@ -74,6 +74,7 @@ namespace Rill
         MeshDraw meshDraw;      // made when first needed
         Caustics sunlight;      // where they are on
         [NonSerialized] bool isSunlightDue;     // in this frame, as soon as a camera sees the water
+        [NonSerialized] bool hasSaidWhy;        // there is none
         readonly SurfaceWatch watch = new SurfaceWatch();
         SurfaceFrame frame;
         [NonSerialized] bool hasFrame;
@@ -377,7 +378,13 @@ namespace Rill
         {
             Light light = KnownLight;
             bool isOn = mesh.HasValue && caustics && refraction && light != null && light.isActiveAndEnabled && light.intensity > 0f
-                && light.type == LightType.Directional && Rill.Caustics.DeviceProblem == null;
+                && light.type == LightType.Directional;
+            if (isOn && sunlight == null && !hasSaidWhy && Rill.Caustics.DeviceProblem is string why)
+            {
+                Debug.LogWarning($"Rill: Fluid Surface '{name}' gathers no sunlight in the water: {why}. Turn its Caustics off there.", this);
+                hasSaidWhy = true;
+            }
+            isOn &= !hasSaidWhy;
             isSunlightDue = isOn;
             if (isOn)
                 sunlight ??= new Caustics();

@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Sunlight on a floor under water of a known surface, seen by a camera in the water, against photons traced in double precision.</summary>
+    /// <summary>Sunlight on a floor under water of a known surface, seen by a camera in the water, against photons in double precision.</summary>
     public class CausticsTests
     {
         const int Square = 2, Across = 48, Few = 8;     // pixels whose mean is taken, along a side; so many of them across the picture
@@ -191,8 +191,8 @@ namespace Rill.Tests
                 for (int k = 0; k < 12; k++)
                     p += toLight / toLight.y * (height(p.xz) - p.y);
                 const double h = 1e-5;
-                double3 normal = math.normalize(new double3((height(p.xz - new double2(h, 0.0)) - height(p.xz + new double2(h, 0.0))) / (2.0 * h), 1.0,
-                    (height(p.xz - new double2(0.0, h)) - height(p.xz + new double2(0.0, h))) / (2.0 * h)));
+                double2 x = new double2(h, 0.0), z = new double2(0.0, h);
+                double3 normal = math.normalize(new double3(height(p.xz - x) - height(p.xz + x), 2.0 * h, height(p.xz - z) - height(p.xz + z)));
                 double3 along = Bend(toLight, normal);
                 double reach = (p.y - Floor) / -along.y;
                 double3 landed = p + along * reach;

@@ -57,7 +57,8 @@ namespace Host.Commands
             if (stage.Compute == null)
                 return $"the shader {stage.Shader.name}";
             ComputeShaderSource source = stage.Compute.Source;
-            return $"{source.Kernels.Count} kernels{(source.Keywords.Count > 0 ? $" with {string.Join(", ", source.Keywords)}" : "")}";
+            string shader = stage.Shader != null ? $"the shader {stage.Shader.name} and " : "";
+            return $"{shader}{source.Kernels.Count} kernels{(source.Keywords.Count > 0 ? $" with {string.Join(", ", source.Keywords)}" : "")}";
         }
 
         internal static void Write(string name, List<StageDescription> stages, TextWriter output)
