@@ -93,7 +93,8 @@ namespace Host.Tests
             Assert.That(Errors, Is.Empty);
             if (sun)
             {
-                // The sun brightens what the pipelines' copies of the scene differ by, so it is the light that counts. HDRP's ambient light is another.
+                // The sun brightens what the pipelines' copies of the scene differ by, so it is the light that counts. HDRP's ambient light is
+                // another.
                 float unlike = drawn.Zip(builtIn, (a, b) => (a - b).magnitude).Sum() / dry.Zip(builtIn, (a, b) => (a - b).magnitude).Sum();
                 TestContext.Out.WriteLine($"{unlike:0.000} of what the sun changes");
                 Assert.That(unlike, Is.LessThan(name.StartsWith("Universal") ? 0.1f : 0.2f));
