@@ -171,7 +171,8 @@ namespace Rill
             EngineObject.Release(ref map);
             GpuBuffer.Release(ref sums);
             map = GpuTexture.Create("Rill.Caustics.Map", new RenderTextureDescriptor(width * Columns, height * rows + 1, GraphicsFormat.R16G16_SFloat,
-                GraphicsFormat.None) { enableRandomWrite = true }, FilterMode.Bilinear);
+                GraphicsFormat.None)
+            { enableRandomWrite = true }, FilterMode.Bilinear);
             sums = GpuBuffer.Structured<uint>("Rill.Caustics.Sums", (long)SumWords * width * height * layers);
             BufferClear.Now(sums);
         }
