@@ -14,7 +14,9 @@ namespace Rill
     {
         const float Closed = 1.5f, Open = 2.5f;         // d: a gap that water hardly enters, and one that has its water
         const float MinFacing = 0.3f;                   // cosine from which a solid lies before a face
-        const float BesideDistance = 1.5f;              // d, of the points that are asked
+        // d, of the points that are asked: where there is room, out of what water does at a body's sides, at which it stands higher by up to
+        // 0.6 d over ground.
+        const float BesideDistance = 3f, NearDistance = 1.5f;
         const float LightDraft = 1f, HeavyDraft = 2f;   // d: up to the one the level alone carries a body, from the other what is measured
         const float Patience = 1f;                      // s without need, after which nothing is asked any more
 
@@ -179,15 +181,21 @@ namespace Rill
                 foreach (BodyPart part in parts)
                     reach = math.max(reach, Vector3.Dot((Vector3)part.shape.end.position - middle, direction)
                         + 0.5f * ColliderMeasures.Width(part.shape, direction));
-                Vector3 point = middle + direction * (reach + BesideDistance * fluid.ParticleSpacing);
-                if (IsFree(frame.Point(point)))
-                    water.Ask(point);
+                Vector3 side = middle + direction * reach;
+                Vector3 far = side + direction * (BesideDistance * fluid.ParticleSpacing);
+                Vector3 near = side + direction * (NearDistance * fluid.ParticleSpacing);
+                if (IsFree(frame.Point(far)))
+                    water.Ask(far);
+                else if (IsFree(frame.Point(near)))
+                    water.Ask(near);
             }
             water.Update();
         }
 
         bool IsFree(float3 p)
         {
+            if (math.any(p < 0f) || math.any(p > size))
+                return false;
             foreach (ColliderDistance solid in solids)
                 if (solid.At(p) < 0f)
                     return false;
@@ -203,7 +211,9 @@ namespace Rill
                 float height = Vector3.Dot(sample.position, up);
                 lowest = math.min(lowest, height);
                 Vector3 push = (Vector3)sample.area * -(weightOfWater * water.DepthOf(height));
-                sum.maxLift += math.max(Vector3.Dot(push, up), 0f);
+                float lift = Vector3.Dot(push, up);
+                sum.maxLift += math.max(lift, 0f);
+                sum.load += math.max(-lift, 0f);
                 Vector3 arm = (Vector3)sample.position - center;
                 if (weight > 0f)
                 {

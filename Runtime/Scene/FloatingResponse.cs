@@ -30,6 +30,7 @@ namespace Rill
         const float PlateMass = 0.35f;          // of water that a plate carries, over density times area to 3/2 (a disk's is 2/3 of that)
         const float StillDamping = 0.5f;        // of the critical, of water that only its level stands for; beside the setting's
         const float StillDrag = 0.1f;           // of that, along the surface
+        const float MaxExcess = 0.1f;           // of a covered face's lift, that is taken off what was measured over the level's
         const int LevelSteps = 24;              // of the bisection for a level: to a 1e-7 of the body's height
 
         // What one fluid did to one part.
@@ -274,7 +275,12 @@ namespace Rill
             float lift = Vector3.Dot(still.coveredPush, up);
             Vector3 side = still.coveredPush - lift * up;
             float aside = side.magnitude;
-            float missing = math.min(lift, math.max(still.maxLift - Vector3.Dot(push, up), 0f));
+            // Where all is covered, nothing measured pulls it down but the water on top of it.
+            float measured = Vector3.Dot(push, up);
+            float pulled = still.maxLift > 0f ? lift / still.maxLift * math.max(-still.load - measured, 0f) : 0f;
+            // Deep water presses harder through a narrow gap than its level does: a little of what is too much goes.
+            float least = -MaxExcess * math.min(lift, still.maxLift);
+            float missing = pulled + math.min(lift, math.max(still.maxLift - measured - pulled, least));
             float pressed = aside > 0f ? math.clamp(-Vector3.Dot(push, side) / aside, 0f, aside) : 0f;
             Vector3 added = missing * up + (aside > 0f ? side * (pressed / aside) : Vector3.zero);
             float whole = still.coveredPush.magnitude;

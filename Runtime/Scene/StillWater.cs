@@ -11,6 +11,8 @@ namespace Rill
         public Vector3 coveredPush, coveredMoment;
         /// <summary>Most that water can lift the body by its lower faces, N.</summary>
         public float maxLift;
+        /// <summary>Pressure on its upper faces, N.</summary>
+        public float load;
         /// <summary>Pressure on all of the surface, N and N m.</summary>
         public Vector3 push, moment;
         /// <summary>How far it stands for what was measured, 0 to 1.</summary>
