@@ -4,7 +4,8 @@
 //   RILL_UNIVERSAL
 //   RILL_HIGH_DEFINITION    14 or 17, the pipeline's major version, which decides how its constant buffers begin
 // and a pass that draws for a light RILL_SHADOW_VIEW, one that asks for the size of the picture RILL_PICTURE_SIZE. The names are the
-// pipelines' own; their constant buffers that are bound whole (HDRP's, and those of the two eyes) are declared as far as they are read, in the pipelines' order.
+// pipelines' own; their constant buffers that are bound whole (HDRP's, and those of the two eyes) are declared as far as they are read,
+// in the pipelines' order.
 #ifndef RILL_VIEW_INCLUDED
 #define RILL_VIEW_INCLUDED
 
