@@ -214,7 +214,7 @@ namespace Rill
         static int Enlarged(long needed, int capacity) => needed <= capacity ? capacity : (int)Math.Min(needed + needed / 4, int.MaxValue);
 
         /// <summary>Records the mesh of the elements, after they are recorded.</summary>
-        /// <param name="hasSteps">As the elements had it: if not, none is of the mesh, and the particles are in no cells.</param>
+        /// <param name="hasSteps">As the elements had it: if not, all of them are balls, and the particles are in no cells.</param>
         /// <param name="shownWalls">Walls that have quads: bit 2 a + s for that at the low (s 0) or high end of axis a.</param>
         public void Record(in StepContext step, SurfaceParticles elements, bool hasSteps, int shownWalls)
         {
