@@ -100,8 +100,9 @@ namespace Rill
 
         /// <summary>
         /// Fills a shape at once, as far as there is room: not nearer than 0.9 spacings to a particle that is there, not in a collider where the
-        /// last step left it, and not outside the box. What the capacity does not hold is refused, counted and logged once. Does nothing in a
-        /// player without a graphics device, and where the stage ParticleEdits is not in the build, which is logged.
+        /// last step left it (before the first, where that finds it), and not outside the box. What the capacity does not hold is refused,
+        /// counted and logged once. Does nothing in a player without a graphics device, and where the stage ParticleEdits is not in the build,
+        /// which is logged.
         /// </summary>
         /// <param name="shape">World space. A particle is put where all of it is inside.</param>
         /// <param name="velocity">World space, m/s.</param>

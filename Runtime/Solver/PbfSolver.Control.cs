@@ -82,6 +82,8 @@ namespace Rill
         {
             PrepareConstants();
             Edits.AddWhereFree(BetweenSteps(Edits.Commands), positions, velocity, tag, tags);
+            if (stepIndex == 0)
+                LeaveOutCovered();
             NoteAdded(positions.Length, low, high);
         }
 

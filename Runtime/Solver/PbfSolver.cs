@@ -202,7 +202,7 @@ namespace Rill
                 particleUpload.Trim();
         }
 
-        /// <summary>Lets the next step leave out what lies in colliders: the volumes at the start know of none.</summary>
+        /// <summary>Lets the next step leave out what lies in colliders: what is filled before the first step knows of none.</summary>
         public void LeaveOutCovered() => isStart = true;
 
         /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>

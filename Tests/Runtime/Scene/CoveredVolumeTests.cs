@@ -45,6 +45,25 @@ namespace Rill.Tests
             }
         }
 
+        // As in a script's Start.
+        [Test]
+        public void A_fill_before_the_first_step_leaves_out_the_solids_in_it([Values] bool afterRestart)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 9000))
+            {
+                FluidCollider solid = Solid(scene, ColliderShape.Box);
+                if (afterRestart)
+                {
+                    scene.Step(2);
+                    scene.Fluid.Restart();
+                }
+                scene.Fluid.Fill(FluidShape.Box(new Vector3(0f, -0.2f, 0f), new Vector3(1f, 0.6f, 1f)));
+                scene.Step();
+                AssertOutside(scene, solid);
+                Assert.That(scene.AssertConserved().particles, Is.InRange(3000, 20 * 20 * 12 - 200));
+            }
+        }
+
         [Test]
         public void A_volume_without_solids_keeps_every_particle_and_its_step()
         {
