@@ -14,9 +14,9 @@ namespace Rill
     {
         const float Closed = 1.5f, Open = 2.5f;         // d: a gap that water hardly enters, and one that has its water
         const float MinFacing = 0.3f;                   // cosine from which a solid lies before a face
-        // d, of the points that are asked: where there is room, out of what water does at a body's sides, at which it stands higher by up to
-        // 0.6 d over ground.
-        const float BesideDistance = 3f, NearDistance = 1.5f;
+        const float NearDistance = 1.5f;                // d, of the points that are asked
+        // The same where the body lies near a solid and there is room: over ground water stands higher by up to 0.6 d at a body's sides.
+        const float FarDistance = 3f;
         const float LightDraft = 1f, HeavyDraft = 2f;   // d: up to the one the level alone carries a body, from the other what is measured
         const float Patience = 1f;                      // s without need, after which nothing is asked any more
 
@@ -53,7 +53,7 @@ namespace Rill
             }
             unneeded = 0f;
             Vector3 up = gravity / -g;
-            Ask(parts, up);
+            Ask(parts, up, isNear);
             if (!water.IsAnswered && !float.IsNaN(knownLevel))
                 water.Assume(knownLevel);
             if (!water.HasWater)
@@ -162,7 +162,7 @@ namespace Rill
         }
 
         // At points around the body, as high as its middle.
-        void Ask(List<BodyPart> parts, Vector3 up)
+        void Ask(List<BodyPart> parts, Vector3 up, bool isNearSolid)
         {
             if (water == null)
                 water = new WaterBeside(fluid);
@@ -182,9 +182,9 @@ namespace Rill
                     reach = math.max(reach, Vector3.Dot((Vector3)part.shape.end.position - middle, direction)
                         + 0.5f * ColliderMeasures.Width(part.shape, direction));
                 Vector3 side = middle + direction * reach;
-                Vector3 far = side + direction * (BesideDistance * fluid.ParticleSpacing);
+                Vector3 far = side + direction * (FarDistance * fluid.ParticleSpacing);
                 Vector3 near = side + direction * (NearDistance * fluid.ParticleSpacing);
-                if (IsFree(frame.Point(far)))
+                if (isNearSolid && IsFree(frame.Point(far)))
                     water.Ask(far);
                 else if (IsFree(frame.Point(near)))
                     water.Ask(near);
