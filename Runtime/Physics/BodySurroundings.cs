@@ -14,9 +14,9 @@ namespace Rill
     {
         const float Closed = 1.5f, Open = 2.5f;         // d: a gap that water hardly enters, and one that has its water
         const float MinFacing = 0.3f;                   // cosine from which a solid lies before a face
-        const float NearDistance = 1.5f;                // d, of the points that are asked
-        // The same where the body lies near a solid and there is room: over ground water stands higher by up to 0.6 d at a body's sides.
-        const float FarDistance = 3f;
+        // d, from the body to the points that are asked for the level: far where it lies near a solid and there is room, since over ground water
+        // stands higher at its sides, by up to 0.6 d.
+        const float NearDistance = 1.5f, FarDistance = 3f;
         const float LightDraft = 1f, HeavyDraft = 2f;   // d: up to the one the level alone carries a body, from the other what is measured
         const float Patience = 1f;                      // s without need, after which nothing is asked any more
 

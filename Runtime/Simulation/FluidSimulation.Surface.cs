@@ -20,7 +20,7 @@ namespace Rill
         [NonSerialized] float meshCell;         // asked for in this frame, d; 0: no mesh
         [NonSerialized] BoxWalls meshWalls;     // at which that mesh has faces
 
-        /// <summary>Of what asks for the surface: it needs it as a mesh. The finest that is asked for serves all, with the walls of all.</summary>
+        /// <summary>Asks for the surface as a mesh. The finest that is asked for serves all, with the walls of all.</summary>
         /// <param name="cell">Distance of its nodes, d.</param>
         /// <param name="walls">At which it has faces.</param>
         internal void NeedMesh(float cell, BoxWalls walls)
@@ -29,7 +29,7 @@ namespace Rill
             meshCell = meshCell > 0f ? Math.Min(meshCell, cell) : cell;
         }
 
-        void AskWhatDrawsTheSurface()
+        void CollectMeshNeeds()
         {
             meshCell = 0f;
             AskForSurface?.Invoke();

@@ -341,7 +341,7 @@ namespace Rill
             FinishResampling();
             if (pbf == null)
                 return;
-            AskWhatDrawsTheSurface();
+            CollectMeshNeeds();
             FollowMeshSize();
             if (playback != null)
                 ShowRecording(frameTime);

@@ -50,8 +50,8 @@ namespace Rill.Tests
                 yield return Play(50);
                 float bottom = 0f;
                 yield return Average(40, () => bottom += (body.position.y - half) / 40f);
-                TestContext.Out.WriteLine($"level {average / Spacing:0.00}, bottom {bottom / Spacing:0.00}, draft {(average - bottom) / Spacing:0.00} " +
-                    $"of {draft / Spacing:0.00} d");
+                TestContext.Out.WriteLine($"level {average / Spacing:0.00}, bottom {bottom / Spacing:0.00}, draft " +
+                    $"{(average - bottom) / Spacing:0.00} of {draft / Spacing:0.00} d");
                 if (bottom < 0.5f * Spacing)
                     continue;
                 afloat++;

@@ -18,7 +18,7 @@ namespace Rill
             made = null;
         }
 
-        /// <summary>As <see cref="Destroy{T}"/>; its memory on the GPU is free at once.</summary>
+        /// <summary>Destroys as <see cref="Destroy{T}"/> does; its memory on the GPU is free at once.</summary>
         public static void Release(ref RenderTexture texture)
         {
             if (texture == null)

@@ -70,7 +70,7 @@ namespace Rill
         string MaterialProblem => TryGetComponent(out MeshRenderer own) && own.enabled && own.sharedMaterial == null
             ? "the Mesh Renderer on this object has no material. Give it one." : null;
 
-        /// <summary>What it costs the scene.</summary>
+        /// <summary>Returns the kernels and buffers that it costs the scene.</summary>
         internal StageDescription Describe()
         {
             var description = new StageDescription(nameof(FluidSurfaceMesh), isActiveAndEnabled, isActiveAndEnabled

@@ -9,7 +9,7 @@ namespace Rill
 {
     /// <summary>The surface of a fluid in the buffers of a UnityEngine.Mesh, for renderers with any material.</summary>
     /// <remarks>
-    /// Kernels write it anew in each frame, since it goes on between steps and a stock material knows nothing of that. How many triangles there are
+    /// Kernels write it again in each frame, since it goes on between steps and a stock material knows nothing of that. How many triangles there are
     /// is known on the GPU alone: all that there is room for are drawn, and those behind the last have no area. The mesh has no copy on the CPU.
     /// </remarks>
     sealed class RenderedMesh : IDisposable
@@ -36,7 +36,7 @@ namespace Rill
             copyIndices = new Kernel(shader, "CopyIndices");
         }
 
-        /// <summary>What renderers draw; null before the first <see cref="Write"/>, and another once the surface has outgrown it.</summary>
+        /// <summary>The mesh that renderers draw; null before the first <see cref="Write"/>, and another once the surface has outgrown it.</summary>
         public Mesh Mesh => mesh;
 
         /// <summary>Writes the surface as it is in this frame, for a renderer whose transform is given.</summary>

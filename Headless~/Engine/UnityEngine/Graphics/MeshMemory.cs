@@ -92,7 +92,8 @@ namespace UnityEngine.Headless
         }
 
         static string SemanticOf(VertexAttribute attribute)
-            => attribute >= VertexAttribute.TexCoord0 ? "TEXCOORD" + (attribute - VertexAttribute.TexCoord0) : attribute.ToString().ToUpperInvariant();
+            => attribute >= VertexAttribute.TexCoord0 ? "TEXCOORD" + (attribute - VertexAttribute.TexCoord0)
+                : attribute.ToString().ToUpperInvariant();
 
         // Missing components read as Vulkan has it, and Direct3D: 0, 0, 0, 1.
         static DeviceFormat FormatOf(int dimension)
