@@ -20,11 +20,17 @@ float SilhouetteRadius(float3 center, float radius)
     return radius;
 }
 
+// Unit; across a unit vector that looks away from the eye.
+float3 SideOf(float3 ray)
+{
+    return normalize(cross(abs(ray.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), ray));
+}
+
 // A point of the quad around a center, world; the quad's edges are at a distance of size.
 float3 PointOnQuad(float3 center, float2 corner, float size)
 {
     float3 ray = -ToEye(center);
-    float3 side = normalize(cross(abs(ray.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), ray));
+    float3 side = SideOf(ray);
     return center + (side * corner.x + cross(ray, side) * corner.y) * size;
 }
 

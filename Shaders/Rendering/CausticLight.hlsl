@@ -1,6 +1,5 @@
 // What stands in the water in the light of the sun that has come through its surface. The picture has it lit as if there were no water: its direct
-// light, as far as the main light and the ambient light let one tell, is changed. Part of
-// Water.hlsl.
+// light, as far as the main light and the ambient light let one tell, is changed. Part of Water.hlsl.
 //
 //   _CausticMap     in  Texture2D, see CausticMap.hlsl
 #ifndef RILL_CAUSTIC_LIGHT_INCLUDED

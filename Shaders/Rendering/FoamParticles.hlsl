@@ -1,6 +1,5 @@
 // Draws each particle of foam over what is drawn already and behind what is nearer: foam as a patch of small cells that opens as it ages,
-// spray as a streak along the way that it goes while the picture is exposed. How much of the picture all together cover is the same at any
-// size of the picture. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+// spray as a streak along its path during the exposure. How much of the picture all of them cover is the same at any size of the picture. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
 //   _FoamParticles   in   see Foam.hlsl
 #define RILL_PICTURE_SIZE
@@ -19,14 +18,14 @@ float4 _FoamColor;              // linear
 float4 _AmbientColor;           // linear
 
 static const float kMinPixels = 0.6;        // radius on the picture: a smaller particle is fainter instead
-static const float kSeenCell = 1.5;         // pixels from middle to middle, from which on cells are seen; of smaller ones the mean is
+static const float kSeenCell = 1.5;         // pixels from center to center, from which on cells are seen; of smaller ones the mean is
 static const float kCells = 2.5;            // of foam, in a particle's radius
 static const float kSoft = 0.12;            // how soft their edges are, of what covers
 
 struct FoamVaryings
 {
     float4 clip : SV_Position;
-    float4 world : TEXCOORD0;           // on the quad; w how much its middle covers
+    float4 world : TEXCOORD0;           // on the quad; w how much its center covers
     float4 corner : TEXCOORD1;          // xy on the quad, its edge at 1; z size of a cell, pixels, 0 without cells; w random
     RILL_VIEW_OUTPUT
 };
@@ -50,12 +49,12 @@ FoamVaryings FoamVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     if (kind == kSpray)
         flown = mul((float3x3)_DomainToWorld, FoamVelocity(particle)) * _FoamLook.w;
     flown -= ray * dot(flown, ray);
-    float way = length(flown);
-    float3 side = way > 1e-6 ? flown / way : normalize(cross(abs(ray.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), ray));
+    float path = length(flown);
+    float3 side = path > 1e-6 ? flown / path : SideOf(ray);
 
     // Wider or longer than the particle, it covers less: the sum stays.
     float pixels = PixelsPerMeter(center), radius = DrawnFoamRadius(particle, _FoamLook.x);
-    float across = max(radius, kMinPixels / pixels), along = max(radius + 0.5 * way, across);
+    float across = max(radius, kMinPixels / pixels), along = max(radius + 0.5 * path, across);
     float2 corner = QuadCorner(vertex);
     result.world.xyz = center + side * (corner.x * along) + cross(ray, side) * (corner.y * across);
     result.world.w = DrawnFoamOpacity(particle, _FoamLook.z) * radius * radius / (across * along);
@@ -64,7 +63,7 @@ FoamVaryings FoamVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     return result;
 }
 
-// How far a point is from the middle of a cell, as the part of all points that is nearer: evenly spread over 0 to 1.
+// How far a point is from the center of a cell, as the part of all points that is nearer: evenly spread over 0 to 1.
 float RankInCells(float2 at, uint seed)
 {
     int2 first = int2(floor(at));

@@ -59,6 +59,18 @@ SurfaceParticle PackElement(uint kind, float3 position)
     return packed;
 }
 
+// Of a particle of which no plane is known.
+SurfaceParticle PackBall(float3 position, float radius)
+{
+    SurfaceElement ball = (SurfaceElement)0;
+    ball.kind = kSurfaceElement;
+    ball.position = position;
+    ball.normal = float3(0.0, 1.0, 0.0);
+    ball.rotation = float4(0.0, 0.0, 0.0, 1.0);
+    ball.semiAxes = radius;
+    return PackElement(ball);
+}
+
 // chord: displacement in the last substep, d.
 SurfaceParticle PackDrop(float3 position, uint id, float3 chord)
 {

@@ -7,7 +7,7 @@
 
 #include "../Generated/Counters.hlsl"
 #include "../Generated/Solver.hlsl"
-#include "../Generated/ThreadGroups.hlsl"
+#include "../Gpu/GroupIndex.hlsl"
 #include "../Gpu/Hash.hlsl"
 
 static const float kSupportSquared = kSupport * kSupport;
@@ -17,7 +17,7 @@ static const uint kNewParticle = 0xFFFFFFFFu;  // instead of where a sorted part
 
 uint ParticleIndex(uint3 group, uint thread)
 {
-    return (group.y * kMaxGroups + group.x) * kGroup + thread;
+    return GroupIndex(group) * kGroup + thread;
 }
 
 // Thread groups for 'count' particles, folded into two dimensions. At least one, so that the kernel which updates the

@@ -174,9 +174,7 @@ namespace Rill.Tests
             }
             body = thing.AddComponent<Rigidbody>();
             body.mass = ratio * Density * volume;
-            Vector3 squares = Vector3.Scale(size, size) * (body.mass / 12f);
-            body.inertiaTensor = new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
-            body.inertiaTensorRotation = Quaternion.identity;
+            BoxInertia.Set(body, size);
             body.interpolation = RigidbodyInterpolation.Interpolate;
             if (byLayer)
                 return;

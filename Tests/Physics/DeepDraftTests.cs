@@ -12,12 +12,13 @@ namespace Rill.Tests
     public class DeepDraftTests
     {
         const float Spacing = 0.05f, Density = 483f;
+        const float Width = 22f * Spacing, High = 0.9f;       // of the tank, m
+        static readonly Vector3 Hull = new Vector3(0.6f, 0.3f, 0.4f);
 
         readonly List<GameObject> made = new List<GameObject>();
         TankLevel tank;
         FluidSimulation fluid;
         Rigidbody body;
-        float width, half;         // m: of the tank, of the body's height
 
         [UnitySetUp]
         public IEnumerator OneStepAFrame() => PhysicsClock.Begin(1f / 60f);
@@ -35,29 +36,33 @@ namespace Rill.Tests
         }
 
         // Over gaps of half a spacing to two, in which most of its lower face takes the level's pressure. Not held: just after it floated off, over
-        // a gap of 0.3 spacings, it was 0.23 spacings too high.
+        // a gap of 0.3 spacings, it was 0.23 spacings too high. A boat never lies quite still: from starts that differ by 1e-5 it had 2.72 to 2.90 of
+        // 2.90 spacings, and as the mean of the depths 2.77 to 2.84. So 0.15 is asked of the mean, 0.25 of each.
         [UnityTest]
         public IEnumerator A_boat_that_floated_off_the_ground_has_its_draft()
         {
-            var hull = new Vector3(0.6f, 0.3f, 0.4f);
-            float draft = Density / 1000f * hull.y;
-            Make(hull, Density, 0.5f * hull.y, 22, 0.9f, 3f * Spacing);
+            float draft = Density / 1000f * Hull.y;
+            Make(3f * Spacing);
             yield return Play(15);
-            int afloat = 0;
+            var drafts = new List<float>();
             for (int layer = 0; layer < 3; layer++)
             {
-                fluid.Fill(FluidShape.Box(new Vector3(0f, tank.Mean() + 0.5f * Spacing, 0f), new Vector3(width, 1.01f * Spacing, width)));
+                fluid.Fill(FluidShape.Box(new Vector3(0f, tank.Mean() + 0.5f * Spacing, 0f), new Vector3(Width, 1.01f * Spacing, Width)));
                 yield return Play(50);
                 float bottom = 0f;
-                yield return Average(40, () => bottom += (body.position.y - half) / 40f);
+                yield return Average(40, () => bottom += (body.position.y - 0.5f * Hull.y) / 40f);
                 TestContext.Out.WriteLine($"level {average / Spacing:0.00}, bottom {bottom / Spacing:0.00}, draft " +
                     $"{(average - bottom) / Spacing:0.00} of {draft / Spacing:0.00} d");
                 if (bottom < 0.5f * Spacing)
                     continue;
-                afloat++;
-                Assert.That((average - bottom) / Spacing, Is.EqualTo(draft / Spacing).Within(0.15f), "spacings");
+                drafts.Add((average - bottom) / Spacing);
+                Assert.That(drafts[drafts.Count - 1], Is.EqualTo(draft / Spacing).Within(0.25f), "spacings");
             }
-            Assert.That(afloat, Is.GreaterThanOrEqualTo(2));
+            Assert.That(drafts.Count, Is.GreaterThanOrEqualTo(2));
+            float mean = 0f;
+            foreach (float found in drafts)
+                mean += found / drafts.Count;
+            Assert.That(mean, Is.EqualTo(draft / Spacing).Within(0.15f), "spacings");
         }
 
         float average;      // level, m
@@ -79,45 +84,39 @@ namespace Rill.Tests
             for (int i = 0; i < frames; i++)
             {
                 yield return null;
-                if (body.position.y >= half)
+                if (body.position.y >= 0.5f * Hull.y)
                     continue;
-                body.position = new Vector3(body.position.x, half, body.position.z);
+                body.position = new Vector3(body.position.x, 0.5f * Hull.y, body.position.z);
                 body.AddForce(-body.GetPointVelocity(body.worldCenterOfMass), ForceMode.VelocityChange);
             }
         }
 
-        void Make(Vector3 size, float density, float at, int across, float high, float depth = 0f)
+        // The boat lies on the floor, in water of a depth.
+        void Make(float depth)
         {
-            width = across * Spacing;
-            half = 0.5f * size.y;
             fluid = MakeObject("Fluid").AddComponent<FluidSimulation>();
-            fluid.transform.position = new Vector3(0f, high / 2f, 0f);
-            fluid.Configure(new Vector3(width, high, width), Spacing, 12000);
+            fluid.transform.position = new Vector3(0f, High / 2f, 0f);
+            fluid.Configure(new Vector3(Width, High, Width), Spacing, 12000);
             SolverSettings settings = SolverSettings.Default;
             settings.deepWater = DeepWater.On;
             fluid.Settings = settings;
             fluid.StatisticsInterval = 0;
-            if (depth > 0f)
-            {
-                GameObject water = MakeObject("Water");
-                water.transform.SetParent(fluid.transform, false);
-                water.transform.localPosition = new Vector3(0f, (depth - high) / 2f, 0f);
-                water.AddComponent<FluidVolume>().Size = new Vector3(width, depth, width);
-            }
+            GameObject water = MakeObject("Water");
+            water.transform.SetParent(fluid.transform, false);
+            water.transform.localPosition = new Vector3(0f, (depth - High) / 2f, 0f);
+            water.AddComponent<FluidVolume>().Size = new Vector3(Width, depth, Width);
             GameObject box = MakeObject("Box");
-            box.transform.position = new Vector3(0f, at, 0f);
-            box.AddComponent<FluidCollider>().Size = size;
+            box.transform.position = new Vector3(0f, 0.5f * Hull.y, 0f);
+            box.AddComponent<FluidCollider>().Size = Hull;
             body = box.AddComponent<Rigidbody>();
-            body.mass = density * size.x * size.y * size.z;
-            Vector3 squares = Vector3.Scale(size, size) * (body.mass / 12f);
-            body.inertiaTensor = new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
-            body.inertiaTensorRotation = Quaternion.identity;
+            body.mass = Density * Hull.x * Hull.y * Hull.z;
+            BoxInertia.Set(body, Hull);
             body.interpolation = RigidbodyInterpolation.Interpolate;
             body.constraints = RigidbodyConstraints.FreezePositionX | RigidbodyConstraints.FreezePositionZ;
             box.AddComponent<FluidBuoyancy>();
             for (int i = made.Count - 1; i >= 0; i--)       // the fluid after its water
                 made[i].SetActive(true);
-            tank = new TankLevel(fluid, width, 0.5f * high, size);
+            tank = new TankLevel(fluid, Width, 0.5f * High, Hull);
         }
 
         GameObject MakeObject(string name)

@@ -66,10 +66,9 @@ namespace Rill.Tests
             Volume = isBall ? Mathf.PI / 6f * size.x * size.x * size.x : size.x * size.y * size.z;
             Body = body.AddComponent<Rigidbody>();
             Body.mass = densityRatio * Density * Volume;
-            Vector3 squares = Vector3.Scale(size, size) * (Body.mass / 12f);
-            Body.inertiaTensor = isBall ? Vector3.one * (0.1f * Body.mass * size.x * size.x)
-                : new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
-            Body.inertiaTensorRotation = Quaternion.identity;
+            BoxInertia.Set(Body, size);
+            if (isBall)
+                Body.inertiaTensor = Vector3.one * (0.1f * Body.mass * size.x * size.x);
             Body.interpolation = RigidbodyInterpolation.Interpolate;
             if (!byLayer)
                 Buoyancy = body.AddComponent<FluidBuoyancy>();

@@ -314,9 +314,7 @@ namespace Rill.Tests
             var body = made.AddComponent<Rigidbody>();
             body.interpolation = RigidbodyInterpolation.Interpolate;
             body.mass = density * size.x * size.y * size.z;
-            Vector3 squares = Vector3.Scale(size, size) * (body.mass / 12f);
-            body.inertiaTensor = new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
-            body.inertiaTensorRotation = Quaternion.identity;
+            BoxInertia.Set(body, size);
             if (byLayer)
             {
                 made.layer = Layer;

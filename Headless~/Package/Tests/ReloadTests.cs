@@ -234,14 +234,15 @@ namespace Host.Tests
             Assert.That(PendingReadbacks.Count, Is.Zero);
         }
 
-        // All that is alive: on the GPU, in native memory, and of the engine's objects. Assets and the engine's own textures come as they are
-        // asked for.
+        // All that is alive: on the GPU, in native memory, and of the engine's objects. Assets and the engine's own textures and materials come
+        // as they are asked for.
         static List<string> Alive()
             => LiveObjects.Report().Concat(Resources.FindObjectsOfTypeAll<Object>().Where(o => !IsOnDemand(o))
                 .Select(o => $"{o.GetType().Name} '{o.name}'")).OrderBy(line => line, StringComparer.Ordinal).ToList();
 
         static bool IsOnDemand(Object o)
-            => o is ComputeShader || o is Shader || EditorUtility.IsPersistent(o) || o is Texture && !o.name.StartsWith("Rill");
+            => o is ComputeShader || o is Shader || EditorUtility.IsPersistent(o) || o is Texture && !o.name.StartsWith("Rill")
+                || o is Material && o.name.StartsWith("Hidden/") && !o.name.StartsWith("Hidden/Rill/");
 
         // With what it needs beside it, which would miss it.
         void Enable(MonoBehaviour component, bool on)

@@ -63,7 +63,7 @@ namespace Host.Tests
             if (look == Foamy)
                 PlantFoam();
             Play(2);
-            Assert.That(Surface.Sunlight != null, Is.EqualTo(look == Sunlit));
+            Assert.That(Surface.CausticMap != null, Is.EqualTo(look == Sunlit));
         }
 
         void AddFoam()

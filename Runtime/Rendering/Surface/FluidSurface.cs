@@ -72,8 +72,8 @@ namespace Rill
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
         MeshDraw meshDraw;      // made when first needed
-        Caustics sunlight;      // where they are on
-        [NonSerialized] bool isSunlightDue;     // in this frame, as soon as a camera sees the water
+        CausticMap causticMap;  // where caustics are on
+        [NonSerialized] bool isCausticMapDue;     // in this frame, as soon as a camera sees the water
         [NonSerialized] bool hasSaidWhy;        // there is none
         readonly SurfaceWatch watch = new SurfaceWatch();
         SurfaceFrame frame;
@@ -163,8 +163,8 @@ namespace Rill
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
 
-        /// <summary>The light that goes through the surface, in this frame; null where there are no caustics.</summary>
-        internal Caustics Sunlight => sunlight;
+        /// <summary>The light of this frame that has come through the surface; null without caustics.</summary>
+        internal CausticMap CausticMap => causticMap;
 
         private protected override StageSet Stage => StageSet.Surface;
         private protected override StageSet FurtherStages => StageSet.SurfaceParticles
@@ -189,7 +189,7 @@ namespace Rill
             if (!(mesh.HasValue ? meshDraw.Prepare(camera, mesh.Value) : recorder.Prepare(camera, frame)))
                 return false;
             watch.See();
-            FindSunlight();
+            UpdateCaustics();
             return true;
         }
 
@@ -245,8 +245,13 @@ namespace Rill
         {
             if (mesh is MeshFrame drawn)
             {
-                if (meshDraw.BeginSubmit(camera, drawn) is MaterialPropertyBlock ofMesh)
-                    meshDraw.Submit(ShadingParameters(camera, ofMesh, sceneColor, shadow), drawn);
+                if (!(meshDraw.BeginSubmit(camera, drawn) is MaterialPropertyBlock ofMesh))
+                    return;
+                if (causticMap != null)
+                    causticMap.SetOn(ofMesh);
+                else
+                    CausticMap.SetNone(ofMesh);
+                meshDraw.Submit(ShadingParameters(camera, ofMesh, sceneColor, shadow), drawn);
                 return;
             }
             SurfaceView view = recorder.ViewOf(camera.camera);
@@ -269,10 +274,6 @@ namespace Rill
                 shadow.SetOn(properties);
             else
                 ShadowCopy.SetNone(properties);
-            if (sunlight != null)
-                sunlight.SetOn(properties);
-            else
-                Rill.Caustics.SetNone(properties);
             RenderParams parameters = Parameters(properties);
             parameters.camera = camera.camera;
             parameters.shadowCastingMode = ShadowCastingMode.Off;
@@ -309,8 +310,8 @@ namespace Rill
             recorder = null;
             meshDraw?.Dispose();
             meshDraw = null;
-            sunlight?.Dispose();
-            sunlight = null;
+            causticMap?.Dispose();
+            causticMap = null;
             if (active.Count == 0)
                 SurfaceScratch.Shared.Release();
         }
@@ -347,14 +348,14 @@ namespace Rill
         {
             PbfSolver solver = Simulation.Solver;
             mesh = solver.Mesh != null && Simulation.HasStages(StageSet.Water) ? MeshFrame.Of(Simulation, solver.Mesh) : nextMesh;
-            TurnSunlight();
+            FollowCaustics();
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
                 meshDraw.SetKeywords(refraction, reflection != null);
                 hasFrame = true;
                 if (CastsShadow)
-                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, sunlight != null);
+                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, causticMap != null);
                 return;
             }
             hasFrame = solver.Surface != null && solver.Mesh == null;
@@ -374,33 +375,33 @@ namespace Rill
             SetKeyword(FoamKeyword, frame.foam.particles != null, copy);
         }
 
-        void TurnSunlight()
+        void FollowCaustics()
         {
             Light light = KnownLight;
             bool isOn = mesh.HasValue && caustics && refraction && light != null && light.isActiveAndEnabled && light.intensity > 0f
                 && light.type == LightType.Directional;
-            if (isOn && sunlight == null && !hasSaidWhy && Rill.Caustics.DeviceProblem is string why)
+            if (isOn && causticMap == null && !hasSaidWhy && CausticMap.DeviceProblem is string why)
             {
-                Debug.LogWarning($"Rill: Fluid Surface '{name}' gathers no sunlight in the water: {why}. Turn its Caustics off there.", this);
+                Debug.LogWarning($"Rill: FluidSurface '{name}' gathers no sunlight in the water: {why}. Turn its Caustics off there.", this);
                 hasSaidWhy = true;
             }
             isOn &= !hasSaidWhy;
-            isSunlightDue = isOn;
+            isCausticMapDue = isOn;
             if (isOn)
-                sunlight ??= new Caustics();
+                causticMap ??= new CausticMap();
             else
             {
-                sunlight?.Dispose();
-                sunlight = null;
+                causticMap?.Dispose();
+                causticMap = null;
             }
         }
 
-        void FindSunlight()
+        void UpdateCaustics()
         {
-            if (!isSunlightDue)
+            if (!isCausticMapDue)
                 return;
-            isSunlightDue = false;
-            sunlight.Update(mesh.Value, -KnownLight.transform.forward, Simulation.Gravity, look.refractionIndex, quality);
+            isCausticMapDue = false;
+            causticMap.Update(mesh.Value, -KnownLight.transform.forward, Simulation.Gravity, look.refractionIndex, quality);
         }
 
         /// <summary>Distance of the mesh's nodes, d.</summary>
@@ -426,7 +427,7 @@ namespace Rill
             description.Draw("SurfaceShadow", 0);       // in shadow maps alone
             recorder?.Describe(description, frame.filterPasses);
             meshDraw?.Describe(description);
-            sunlight?.Describe(description);
+            causticMap?.Describe(description);
             BuiltInSurfaces.Describe(description);
         }
 

@@ -110,13 +110,9 @@ namespace Rill.Tests
             yield return null;
             yield return null;
             // One of them in the middle of the box, which is to be drawn for the first time in the next frame.
-            Foam stage = simulation.Solver.Foam;
             simulation.Paused = true;
-            stage.Particles.SetData(new[] { new FoamParticle {
-                a = new Unity.Mathematics.uint4(Unity.Mathematics.math.asuint(new Unity.Mathematics.float3(12f, 8f, 4f)),
-                Unity.Mathematics.math.asuint(20f)), b = new Unity.Mathematics.uint4(0u, 0u, 0u, 2u | 6400u << 2 | 255u << 16) } }, 0, 0,
-                1);
-            stage.Arguments.SetData(ParticleState.ArgumentsFor(1));
+            FoamStage.Plant(simulation.Solver.Foam,
+                FoamStage.Particle(new Unity.Mathematics.float3(12f, 8f, 4f), 0f, FoamKinds.Foam, 20f, 100f));
             MakeCamera();
             GameObject screen = null;
             if (covered)

@@ -143,15 +143,9 @@ namespace Rill.Tests
         void Plant(FoamKinds kind, int count, float around, float3 velocity, float part = MiddleAge)
         {
             var random = new Unity.Mathematics.Random(7);
-            uint code = kind == FoamKinds.Spray ? 1u : kind == FoamKinds.Foam ? 2u : 3u;
-            const uint life = 640;      // 10 s
-            Foam stage = simulation.Solver.Foam;
-            stage.Particles.SetData(Enumerable.Range(0, count).Select(i => new FoamParticle
-            {
-                a = new uint4(math.asuint((0.5f * Box + around * random.NextFloat3(-1f, 1f)) / Spacing), math.asuint(part * life / 64f)),
-                b = new uint4(math.asuint(velocity), code | life << 2 | 255u << 16 | random.NextUInt(256u) << 24),
-            }).ToArray(), 0, 0, count);
-            stage.Arguments.SetData(ParticleState.ArgumentsFor(count));
+            const float life = 10f;
+            FoamStage.Plant(simulation.Solver.Foam, Enumerable.Range(0, count).Select(i => FoamStage.Particle(
+                (0.5f * Box + around * random.NextFloat3(-1f, 1f)) / Spacing, velocity, kind, part * life, life, random.NextUInt(256u))).ToArray());
         }
 
         IEnumerator Picture(int width, int height)

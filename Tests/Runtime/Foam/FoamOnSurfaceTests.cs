@@ -132,16 +132,8 @@ namespace Rill.Tests
         // Particles of the largest size at one position of the world, in the middle of their lives.
         void Plant(FoamKinds kind, float3 world, int count)
         {
-            Foam stage = scene.Fluid.Solver.Foam;
-            uint number = kind == FoamKinds.Spray ? 1u : kind == FoamKinds.Foam ? 2u : 3u;
-            var particle = new FoamParticle
-            {
-                a = new uint4(math.asuint((world + Half) / WaterScene.Spacing), math.asuint(20f)),
-                b = new uint4(0u, 0u, 0u, number | 6400u << 2 | 255u << 16)
-            };
-            stage.Particles.SetData(Enumerable.Repeat(particle, count).ToArray(), 0, 0, count);
-            stage.Counters.SetData(new[] { (uint)count, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
-            stage.Arguments.SetData(ParticleState.ArgumentsFor(count));
+            FoamParticle particle = FoamStage.Particle((world + Half) / WaterScene.Spacing, 0f, kind, 20f, 100f);
+            FoamStage.Plant(scene.Fluid.Solver.Foam, Enumerable.Repeat(particle, count).ToArray());
         }
     }
 }

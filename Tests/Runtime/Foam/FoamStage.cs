@@ -65,16 +65,26 @@ namespace Rill.Tests
         }
 
         public static void Plant(Foam stage, params (float3 position, float3 velocity, FoamKinds kind, float lifetime)[] foam)
+            => Plant(stage, foam.Select(f => Particle(f.position, f.velocity, f.kind, 0f, f.lifetime)).ToArray());
+
+        /// <summary>Puts particles instead of those that are there.</summary>
+        public static void Plant(Foam stage, params FoamParticle[] foam)
         {
             if (foam.Length > 0)
-                stage.Particles.SetData(foam.Select(f => new FoamParticle
-                {
-                    a = new uint4(math.asuint(f.position), 0u),
-                    b = new uint4(math.asuint(f.velocity), Number(f.kind) | (uint)(f.lifetime * 64f) << 2 | 255u << 16),
-                }).ToArray(), 0, 0, foam.Length);
+                stage.Particles.SetData(foam, 0, 0, foam.Length);
             stage.Counters.SetData(new[] { (uint)foam.Length, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
             stage.Arguments.SetData(ParticleState.ArgumentsFor(foam.Length));
         }
+
+        /// <summary>One of the largest size, as Foam.hlsl packs it.</summary>
+        /// <param name="age">s.</param>
+        /// <param name="random">Its own number, 0 to 255.</param>
+        public static FoamParticle Particle(float3 position, float3 velocity, FoamKinds kind, float age, float lifetime, uint random = 0)
+            => new FoamParticle
+            {
+                a = new uint4(math.asuint(position), math.asuint(age)),
+                b = new uint4(math.asuint(velocity), Number(kind) | (uint)(lifetime * 64f) << 2 | 255u << 16 | random << 24),
+            };
 
         public uint Counter(FoamCounter counter) => GpuTest.Read<uint>(Foam.Counters, Foam.CounterCount)[(int)counter];
 

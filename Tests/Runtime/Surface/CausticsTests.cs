@@ -151,18 +151,18 @@ namespace Rill.Tests
             {
                 scene.Surface.Caustics = true;
                 yield return Frames();
-                RenderTexture map = scene.Surface.Sunlight.Map;
+                RenderTexture map = scene.Surface.CausticMap.Texture;
                 Assert.That(map.IsCreated(), name);
                 off();
                 yield return Frames();
-                Assert.That(scene.Surface.Sunlight, Is.Null, name);
+                Assert.That(scene.Surface.CausticMap, Is.Null, name);
                 Assert.That(map == null, name);
                 Assert.That(math.distance(Middle(), without), Is.LessThan(1e-3f), name);
                 on();
             }
             scene.Surface.Refraction = false;
             yield return Frames();
-            Assert.That(scene.Surface.Sunlight, Is.Null, "without refraction");
+            Assert.That(scene.Surface.CausticMap, Is.Null, "without refraction");
         }
 
         float3 Middle() => scene.Pixels(Square)[Few / 2 * Few + Few / 2];

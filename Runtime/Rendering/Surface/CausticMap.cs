@@ -7,10 +7,10 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>The light of the sun below the surface of the water, found once a frame for all cameras; see Caustics.compute.</summary>
-    sealed class Caustics : IDisposable
+    sealed class CausticMap : IDisposable
     {
         const float TexelSize = 0.25f;      // d, or more where the map would be too large
-        const float LowestLight = 0.15f;    // sine of its angle with the level of the water; below that layers lie across the light
+        const float MinLightSine = 0.15f;    // of the light's angle with the level of the water; below that layers lie across the light
         const int SizeStep = 32;            // texels: a light that turns slowly must not ask for another texture in each frame
         const int Columns = 4;
         const int SumWords = 2;             // a texel
@@ -21,10 +21,10 @@ namespace Rill
         readonly CommandBuffer commands = new CommandBuffer { name = "Rill.Caustics" };
         readonly Kernel findRange, trace, store;
         GraphicsBuffer range = GpuBuffer.Structured<float>("Rill.Caustics.Range", 1), sums;
-        RenderTexture map;
+        RenderTexture texture;
         Vector4 axisX, axisY, light, up, size;
 
-        public Caustics()
+        public CausticMap()
         {
             findRange = new Kernel(shader, "FindCausticRange");
             trace = new Kernel(shader, "TraceCaustics");
@@ -44,7 +44,7 @@ namespace Rill
         }
 
         /// <summary>Half floats: how much light there is, and that times its path through water.</summary>
-        public RenderTexture Map => map;
+        public RenderTexture Texture => texture;
 
         /// <summary>Most texels of the map along a side, and its layers.</summary>
         public static (int texels, int layers) DetailOf(SurfaceQuality quality) => quality == SurfaceQuality.Low ? (256, 4)
@@ -59,7 +59,7 @@ namespace Rill
             (int texels, int layers) = DetailOf(quality);
             Matrix4x4 toDomain = mesh.domainToWorld.inverse;
             Vector3 lightward = toDomain.MultiplyVector(toLight).normalized, level = toDomain.MultiplyVector(-gravity).normalized;
-            if (Vector3.Dot(level, lightward) < LowestLight)
+            if (Vector3.Dot(level, lightward) < MinLightSine)
                 level = lightward;
             Vector3 x = Vector3.Cross(lightward, Mathf.Abs(lightward.y) < 0.9f ? Vector3.up : Vector3.right).normalized;
             Vector3 y = Vector3.Cross(lightward, x);
@@ -70,7 +70,7 @@ namespace Rill
             int height = Mathf.Min(Steps((alongY.y - alongY.x) / texel + 2f), texels);
             Make(width, height, layers);
 
-            // The box in the middle.
+            // The box in the center.
             float left = 0.5f * (alongX.x + alongX.y) - 0.5f * width * texel, bottom = 0.5f * (alongY.x + alongY.y) - 0.5f * height * texel;
             axisX = x / texel;
             axisX.w = -left / texel;
@@ -98,7 +98,7 @@ namespace Rill
             SurfaceIds.Dispatch(commands, shader, trace, width, height);
             commands.SetComputeBufferParam(shader, store, Ids.Range, range);
             commands.SetComputeBufferParam(shader, store, Ids.Sums, sums);
-            commands.SetComputeTextureParam(shader, store, Ids.MapOut, map);
+            commands.SetComputeTextureParam(shader, store, Ids.MapOut, texture);
             shader.GetKernelThreadGroupSizes(store, out uint groupX, out uint groupY, out _);
             commands.DispatchCompute(shader, store, (width + (int)groupX - 1) / (int)groupX, (height + (int)groupY - 1) / (int)groupY, layers);
             commands.EndSample(Marker);
@@ -108,7 +108,7 @@ namespace Rill
         /// <summary>For a draw of a camera, after <see cref="Update"/>.</summary>
         public void SetOn(MaterialPropertyBlock block)
         {
-            block.SetTexture(Ids.Map, map);
+            block.SetTexture(Ids.Map, texture);
             block.SetVector(Ids.AxisX, axisX);
             block.SetVector(Ids.AxisY, axisY);
             block.SetVector(Ids.Light, light);
@@ -125,13 +125,13 @@ namespace Rill
 
         public void Describe(StageDescription stage)
         {
-            if (map == null)
+            if (texture == null)
                 return;
             stage.Kernel(findRange, 1);
             stage.Kernel(trace, 1);
             stage.Kernel(store, 1);
             stage.Buffer("Rill.Caustics.Sums", sums);
-            stage.Texture(map.name, 4L * map.width * map.height);
+            stage.Texture(texture.name, 4L * texture.width * texture.height);
         }
 
         public void Dispose()
@@ -139,7 +139,7 @@ namespace Rill
             commands.Dispose();
             GpuBuffer.Release(ref range);
             GpuBuffer.Release(ref sums);
-            EngineObject.Release(ref map);
+            EngineObject.Release(ref texture);
         }
 
         void SetOn(in MeshFrame mesh)
@@ -165,12 +165,12 @@ namespace Rill
         {
             int rows = (layers + Columns - 1) / Columns;
             var wanted = new Vector4(width, height, Columns, rows);
-            if (map != null && size == wanted)
+            if (texture != null && size == wanted)
                 return;
             size = wanted;
-            EngineObject.Release(ref map);
+            EngineObject.Release(ref texture);
             GpuBuffer.Release(ref sums);
-            map = GpuTexture.Create("Rill.Caustics.Map", new RenderTextureDescriptor(width * Columns, height * rows + 1, GraphicsFormat.R16G16_SFloat,
+            texture = GpuTexture.Create("Rill.Caustics.Map", new RenderTextureDescriptor(width * Columns, height * rows + 1, GraphicsFormat.R16G16_SFloat,
                 GraphicsFormat.None)
             { enableRandomWrite = true }, FilterMode.Bilinear);
             sums = GpuBuffer.Structured<uint>("Rill.Caustics.Sums", (long)SumWords * width * height * layers);
