@@ -12,6 +12,7 @@ static const uint kBrickArgumentsAt = 64;    // byte in _MeshArguments; draws fi
 static const uint kVertexArgumentsAt = 76;    // byte in _MeshArguments; draws first, then groups of kernels
 static const uint kDropDrawAt = 96;    // byte in _MeshArguments; draws first, then groups of kernels
 static const uint kDroplets = 12;    // droplets of a particle that flies by itself
+static const uint kFieldBricks = 32;    // bricks in the field's texture, along x and y
 
 // Entries of _MeshCounters. What is needed is more than what there is where buffers are too small.
 static const uint kBricksNeeded = 0;

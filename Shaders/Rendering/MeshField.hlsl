@@ -1,20 +1,24 @@
 // The field from which the water's mesh was found: about the distance to its surface, d, above 0 in water, up to 2. Nodes lie in bricks of
-// 4 x 4 x 4; where the surface is not near, a brick is one word. Includes nothing.
+// 4 x 4 x 4; where the surface is not near, a brick is one word.
 //
 //   _MeshTop     in  a word for each brick of the domain, x first: 0 all air, 1 all water, else 2 + its index in _MeshField
-//   _MeshField   in  32 words a brick: halves of its nodes, x first, the low one first; node i lies at (i - 0.5) _MeshCell
+//   _MeshField   in  Texture3D, 5 x 5 x 5 texels a brick: its nodes and the first of those beyond; node i lies at (i - 0.5) _MeshCell
 #ifndef RILL_MESH_FIELD_INCLUDED
 #define RILL_MESH_FIELD_INCLUDED
 
+#include "../Generated/SurfaceMesh.hlsl"
+
 StructuredBuffer<uint> _MeshTop;
-StructuredBuffer<uint> _MeshField;
+Texture3D<float> _MeshField;
+SamplerState rill_field_linear_clamp_sampler;
 float _MeshCell;                // distance between nodes, d
 float4 _MeshBricks;             // xyz
+float4 _MeshFieldTexel;         // xyz: 1 / size of _MeshField
 float4 _DrawnDomainSize;        // xyz, d
 
 static const float kMeshFar = 2.0;          // what the field holds at most, d
 static const float kMeshSafety = 0.85;      // of the distance that the field gives: it is not exact
-static const float kMeshMinStep = 0.3;      // cells
+static const float kMeshMinStep = 0.5;      // cells
 static const uint kMeshSteps = 96, kMeshRefinements = 5;
 
 uint MeshBrick(int3 brick)
@@ -29,18 +33,16 @@ float UniformBrick(uint entry)
     return entry == 1 ? kMeshFar : -kMeshFar;
 }
 
-// l: of the node in its brick.
-float BrickNode(uint brick, uint l)
+// See FieldTexel of SurfaceMesh.compute.
+uint3 MeshFieldTexel(uint brick)
 {
-    uint pair = _MeshField[brick * 32 + l / 2];
-    return f16tof32((l & 1) != 0 ? pair >> 16 : pair & 0xffff);
+    return (kBrick + 1) * uint3(brick % kFieldBricks, brick / kFieldBricks % kFieldBricks, brick / (kFieldBricks * kFieldBricks));
 }
 
 float MeshNode(int3 node)
 {
     uint entry = MeshBrick(node >> 2);
-    int3 at = node & 3;
-    return entry < 2 ? UniformBrick(entry) : BrickNode(entry - 2, (at.z * 4 + at.y) * 4 + at.x);
+    return entry < 2 ? UniformBrick(entry) : _MeshField.Load(int4(MeshFieldTexel(entry - 2) + (uint3(node) & 3), 0));
 }
 
 // The last node that lies in the domain, along each axis; the first is 1.
@@ -55,29 +57,32 @@ float3 InMeshNodes(float3 p)
     return clamp(p / _MeshCell + 0.5, 1.0, LastMeshNode());
 }
 
-// At a point of the domain, d.
-float MeshDistance(float3 p)
+// Between the nodes of a brick that is all air or water and those of the bricks beyond.
+float BesideUniformBrick(int3 low, float3 part)
 {
-    float3 at = InMeshNodes(p);
-    int3 low = int3(min(floor(at), LastMeshNode() - 1.0));
-    float3 part = at - low;
-    int3 local = low & 3;
-    uint entry = MeshBrick(low >> 2);
-    float4 near = UniformBrick(entry), far = near;      // along x and y, at low and high z
-    if (any(local == 3))
-    {
-        near = float4(MeshNode(low), MeshNode(low + int3(1, 0, 0)), MeshNode(low + int3(0, 1, 0)), MeshNode(low + int3(1, 1, 0)));
-        far = float4(MeshNode(low + int3(0, 0, 1)), MeshNode(low + int3(1, 0, 1)), MeshNode(low + int3(0, 1, 1)), MeshNode(low + 1));
-    }
-    else if (entry >= 2)
-    {
-        uint brick = entry - 2, l = (local.z * 4 + local.y) * 4 + local.x;
-        near = float4(BrickNode(brick, l), BrickNode(brick, l + 1), BrickNode(brick, l + 4), BrickNode(brick, l + 5));
-        far = float4(BrickNode(brick, l + 16), BrickNode(brick, l + 17), BrickNode(brick, l + 20), BrickNode(brick, l + 21));
-    }
+    float4 near = float4(MeshNode(low), MeshNode(low + int3(1, 0, 0)), MeshNode(low + int3(0, 1, 0)), MeshNode(low + int3(1, 1, 0)));
+    float4 far = float4(MeshNode(low + int3(0, 0, 1)), MeshNode(low + int3(1, 0, 1)), MeshNode(low + int3(0, 1, 1)), MeshNode(low + 1));
     float4 plane = lerp(near, far, part.z);
     float2 row = lerp(plane.xz, plane.yw, part.x);
     return lerp(row.x, row.y, part.y);
+}
+
+// At a point of the domain, d. isUniform: whether it lies between nodes of one brick that is all air or all water.
+float MeshDistance(float3 p, out bool isUniform)
+{
+    float3 at = InMeshNodes(p);
+    int3 low = int3(min(floor(at), LastMeshNode() - 1.0)), brick = low >> 2;
+    uint entry = MeshBrick(brick);
+    isUniform = entry < 2 && all((low & 3) < 3);
+    if (entry >= 2)
+        return _MeshField.SampleLevel(rill_field_linear_clamp_sampler, (MeshFieldTexel(entry - 2) + (at - 4.0 * brick) + 0.5) * _MeshFieldTexel.xyz, 0);
+    return isUniform ? UniformBrick(entry) : BesideUniformBrick(low, at - low);
+}
+
+float MeshDistance(float3 p)
+{
+    bool isUniform;
+    return MeshDistance(p, isUniform);
 }
 
 // Unit normal out of the water, in the domain's frame.
@@ -116,14 +121,10 @@ float BoxEntry(float3 from, float3 along)
     return entry <= exit ? entry : -1.0;
 }
 
-// How far a ray goes through a brick that is all air or all water without coming to a node of another, d; 0 in others.
-float UniformReach(float3 p, float3 along)
+// How far a ray goes between the nodes of the brick that it is in, d.
+float BrickReach(float3 p, float3 along)
 {
-    float3 at = InMeshNodes(p);
-    int3 brick = int3(floor(at)) >> 2;
-    if (MeshBrick(brick) >= 2)
-        return 0.0;
-    float3 low = brick * 4.0;
+    float3 at = InMeshNodes(p), low = floor(at * 0.25) * 4.0;
     float3 safe = abs(along) > 1e-7 ? along : 1e-7;
     float3 reach = ((safe > 0.0 ? low + 3.0 : low) - at) / safe;
     return max(min(reach.x, min(reach.y, reach.z)), 0.0) * _MeshCell;
@@ -141,7 +142,8 @@ float MarchMesh(float3 from, float3 along, float side, float begin, float end, o
     for (uint i = 0; i < kMeshSteps && !isDone; i++)
     {
         float3 p = from + along * t;
-        float value = side * MeshDistance(p);
+        bool isUniform;
+        float value = side * MeshDistance(p, isUniform);
         bool isAcross = value <= 0.0;
         if (isAcross && (isIn || t - begin > 1.5 * _MeshCell))
         {
@@ -168,8 +170,8 @@ float MarchMesh(float3 from, float3 along, float side, float begin, float end, o
         {
             isDone = t >= end;
             float step = max(value * kMeshSafety, kMeshMinStep * _MeshCell);
-            if (value > 0.9 * kMeshFar)
-                step = max(step, UniformReach(p, along));
+            if (isUniform && value > 0.0)
+                step = max(step, BrickReach(p, along));
             t = min(t + step, end);
         }
     }

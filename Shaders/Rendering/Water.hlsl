@@ -18,8 +18,8 @@
 
 float4x4 _WorldToDomain;        // from world, m, to the domain's frame in d
 
-static const uint kSegments = 6;            // of a ray: between two faces of the water
-static const uint kWaterSteps = 24, kAirSteps = 32, kReflectionSteps = 40;
+static const uint kSegments = 4;            // of a ray: between two faces of the water
+static const uint kWaterSteps = 12, kAirSteps = 16, kReflectionSteps = 40;
 static const float kFarAway = 200.0;        // m: as far as rays in the air are followed
 static const float kWaterBorder = 1.8;      // of half the picture: as far beyond it as rays in the water go
 static const float kSeenBorder = 0.02, kMirrorBorder = 0.1;    // of half the picture's width: over which the scene fades to what is around
@@ -235,11 +235,13 @@ float4 UnderWaterFragment(UnderWaterVaryings input) : SV_Target
 #else
 
 // What the surface mirrors: the scene where the ray meets it on the picture, else the surroundings.
-float3 Reflected(float3 world, float3 direction, float roughness)
+// reflectance: what is hardly seen is followed in fewer steps.
+float3 Reflected(float3 world, float3 direction, float roughness, float reflectance)
 {
     float3 color = Mirrored(world, direction, roughness);
 #ifdef RILL_REFRACTION
-    SceneTrace seen = TraceScene(world, direction * kFarAway, kReflectionSteps, 1.0);
+    uint steps = (uint)clamp(reflectance * 4.0 * kReflectionSteps, kReflectionSteps / 4, kReflectionSteps);
+    SceneTrace seen = TraceScene(world, direction * kFarAway, steps, 1.0);
     if (seen.found || seen.hidden)
     {
         float shown = BorderFade(seen.picture, kMirrorBorder) * saturate(2.0 - 4.0 * roughness);
@@ -273,7 +275,7 @@ float4 WaterFragment(WaterVaryings input) : SV_Target
     MainLight light = LightOfWater();
     float3 lightColor = light.color * MainLightShadow(light, world + light.direction * _SurfaceOptics.w, WorldToClip(world));
     float reflectance = Reflectance(dot(normal, toEye), 1.0 / _SurfaceOptics.x);
-    float3 mirrored = Reflected(world, reflect(-toEye, normal), roughness) * reflectance
+    float3 mirrored = Reflected(world, reflect(-toEye, normal), roughness, reflectance) * reflectance
         + lightColor * Highlight(normal, toEye, light.direction, alpha);
     float3 lit = ScatteredLight(Ambient(world, normal), lightColor, dot(normal, light.direction));
 

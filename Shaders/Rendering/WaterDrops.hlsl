@@ -83,6 +83,20 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     return result;
 }
 
+// What a ray meets that leaves a droplet of a few pixels: the scene, as if all of it stood as far away as what is behind the droplet.
+float3 SeenByDroplet(float3 world, float3 along, float2 picture, float z)
+{
+    float3 color = Mirrored(world, along, 0.0);
+#ifdef RILL_REFRACTION
+    float forward = dot(along, -ToEye(world)), behind = SceneDepthAt(picture) - z;
+    float4 clip = SurfaceClip(world + along * (max(behind, 0.0) / max(forward, 0.1)), eyeIndex);
+    float2 met = clip.xy / max(clip.w, 1e-6);
+    if (forward > 0.1 && clip.w > 1e-5)
+        color = lerp(color, SceneColorAt(met), BorderFade(met, kSeenBorder));
+#endif
+    return color;
+}
+
 // A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small.
 float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
 {
@@ -101,6 +115,7 @@ float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
     depth = DeviceDepth(clip);
     float coverage = saturate(input.center.w), shaped = smoothstep(1.0, kShapedPixels, input.a.w);
     float4 onPicture = SurfaceClip(world, eyeIndex);
+    float2 picture = onPicture.xy / onPicture.w;
     float z = DepthAlongView(onPicture, eyeIndex);
 
     MainLight light = LightOfWater();
@@ -113,10 +128,7 @@ float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
     float3 beyond = refract(bent, -outward, index);
     if (dot(beyond, beyond) < 0.5)
         beyond = reflect(bent, -outward);
-    float3 seen = Mirrored(leaves, beyond, 0.0);
-#ifdef RILL_REFRACTION
-    seen = SeenInAir(TraceScene(leaves, beyond * kFarAway, kAirSteps, 1.0), leaves, beyond);
-#endif
+    float3 seen = SeenByDroplet(leaves, beyond, picture, z);
     // What is behind a small droplet goes on being seen; its glints stay.
     float body = coverage * lerp(kFaintest, 1.0, shaped);
     color = color * coverage + seen * ((1.0 - reflectance) * body);

@@ -12,8 +12,12 @@ namespace Rill
         /// <see cref="MeshDraw.StereoCommand"/>.</summary>
         public GraphicsBuffer arguments;
 
-        /// <summary>A word for each brick of the domain, and the nodes of those bricks that the surface is near.</summary>
-        public GraphicsBuffer top, field;
+        /// <summary>A word for each brick of the domain.</summary>
+        public GraphicsBuffer top;
+
+        /// <summary>The nodes of those bricks that the surface is near, and the size of a texel of this texture.</summary>
+        public Texture field;
+        public Vector4 fieldTexel;
 
         /// <summary>The elements of SurfaceElement.hlsl, and the indices of those that are drops; null where there are none.</summary>
         public GraphicsBuffer elements, drops;
@@ -51,6 +55,7 @@ namespace Rill
             return new MeshFrame
             {
                 vertices = found.Vertices, indices = found.Indices, arguments = found.Arguments, top = found.Top, field = found.Field,
+                fieldTexel = new Vector4(1f / found.Field.width, 1f / found.Field.height, 1f / found.Field.volumeDepth),
                 elements = solver.Surface.Particles, drops = found.Drops, exposure = 0.5f * solver.LastSubsteps,
                 cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
                 domainToWorld = fluid.DomainToWorld, domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
@@ -63,7 +68,8 @@ namespace Rill
         {
             block.SetBuffer(Ids.MeshVertices, vertices);
             block.SetBuffer(Ids.MeshTop, top);
-            block.SetBuffer(Ids.MeshField, field);
+            block.SetTexture(Ids.MeshField, field);
+            block.SetVector(Ids.MeshFieldTexel, fieldTexel);
             if (drops != null)
             {
                 block.SetBuffer(Ids.SurfaceElements, elements);
@@ -83,6 +89,7 @@ namespace Rill
             public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
             public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");
+            public static readonly int MeshFieldTexel = Shader.PropertyToID("_MeshFieldTexel");
             public static readonly int SurfaceElements = Shader.PropertyToID("_SurfaceElements");
             public static readonly int MeshDrops = Shader.PropertyToID("_MeshDrops");
             public static readonly int FrameExposure = Shader.PropertyToID("_FrameExposure");

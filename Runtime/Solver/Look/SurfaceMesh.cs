@@ -2,6 +2,7 @@ using System;
 using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 using static System.FormattableString;
 
@@ -32,6 +33,9 @@ namespace Rill
         /// <summary>GraphicsBuffer.IndirectDrawArgs in <see cref="Arguments"/> for the drops: of one eye, and of two.</summary>
         public const int MonoDropCommand = (int)DropDrawAt / GraphicsBuffer.IndirectDrawArgs.size, StereoDropCommand = MonoDropCommand + 1;
 
+        /// <summary>bricks in the field's texture, along x and y</summary>
+        [GenerateHlsl("SurfaceMesh")] const int FieldBricks = 32;
+
         const int ArgumentWords = 32;
         const int BrickNodes = Brick * Brick * Brick;
         const int SmoothingPairs = 2;
@@ -52,7 +56,8 @@ namespace Rill
         Readback readback;
         readonly PrefixSum sumMarks;
         PrefixSum sumCounts;
-        GraphicsBuffer marks, marksBefore, meshTop, brickPlaces, nodeSums, field, cellMasks, brickCounts, countsBefore, vertices, smoothVertices,
+        RenderTexture field;
+        GraphicsBuffer marks, marksBefore, meshTop, brickPlaces, nodeSums, cellMasks, brickCounts, countsBefore, vertices, smoothVertices,
             links, meshVertices, meshIndices, arguments, counters, drops;
 
         /// <param name="layout">Of the solver.</param>
@@ -130,8 +135,8 @@ namespace Rill
         /// <summary>uint for each brick of the box: 0 air, 1 water, n + 2 for the brick with number n.</summary>
         public GraphicsBuffer Top => meshTop;
 
-        /// <summary>uint, 32 for each brick: two halves, the distance of a node from the surface, d, positive in water, -2 to 2.</summary>
-        public GraphicsBuffer Field => field;
+        /// <summary>Half, 5 x 5 x 5 texels for each brick, see MeshField.hlsl: the distance of a node from the surface, d, positive in water, -2 to 2.</summary>
+        public RenderTexture Field => field;
 
         /// <summary>uint, by <see cref="Counter"/>.</summary>
         public GraphicsBuffer Counters => counters;
@@ -145,14 +150,14 @@ namespace Rill
                 sumCounts?.Dispose();
                 GpuBuffer.Release(ref brickPlaces);
                 GpuBuffer.Release(ref nodeSums);
-                GpuBuffer.Release(ref field);
+                EngineObject.Release(ref field);
                 GpuBuffer.Release(ref cellMasks);
                 GpuBuffer.Release(ref brickCounts);
                 GpuBuffer.Release(ref countsBefore);
                 sumCounts = new PrefixSum(StageShader.LoadCompute("PrefixSum"), 2 * bricks + 1);
                 brickPlaces = GpuBuffer.Structured<uint>("Rill.Mesh.BrickPlaces", bricks);
                 nodeSums = GpuBuffer.Structured<int>("Rill.Mesh.NodeSums", 2L * BrickNodes * bricks);
-                field = GpuBuffer.Structured<uint>("Rill.Mesh.Field", (long)BrickNodes / 2 * bricks);
+                field = MakeField(bricks);
                 cellMasks = GpuBuffer.Structured<uint>("Rill.Mesh.CellMasks", 2L * bricks);
                 brickCounts = GpuBuffer.Structured<uint>("Rill.Mesh.BrickCounts", 2L * bricks + 1);
                 countsBefore = GpuBuffer.Structured<uint>("Rill.Mesh.CountsBefore", 2L * bricks + 1);
@@ -211,6 +216,19 @@ namespace Rill
             return true;
         }
 
+        static RenderTexture MakeField(int bricks)
+        {
+            int layers = (bricks + FieldBricks * FieldBricks - 1) / (FieldBricks * FieldBricks), most = SystemInfo.maxTexture3DSize / (Brick + 1);
+            if (layers > most)
+                throw Limit.OutOfRange(nameof(bricks), bricks, Invariant($"The water's mesh has more bricks than a texture of this device holds ") +
+                    Invariant($"({most * FieldBricks * FieldBricks:N0}). Lower the quality of the surface."));
+            const int side = FieldBricks * (Brick + 1);
+            return GpuTexture.Create("Rill.Mesh.Field", new RenderTextureDescriptor(side, side, GraphicsFormat.R16_SFloat, GraphicsFormat.None)
+            {
+                dimension = TextureDimension.Tex3D, volumeDepth = layers * (Brick + 1), enableRandomWrite = true,
+            }, FilterMode.Bilinear);
+        }
+
         static int Enlarged(long needed, int capacity) => needed <= capacity ? capacity : (int)Math.Min(needed + needed / 4, int.MaxValue);
 
         /// <summary>Records the mesh of the elements, after they are recorded.</summary>
@@ -247,7 +265,7 @@ namespace Rill
             GpuBuffer.Release(ref meshTop);
             GpuBuffer.Release(ref brickPlaces);
             GpuBuffer.Release(ref nodeSums);
-            GpuBuffer.Release(ref field);
+            EngineObject.Release(ref field);
             GpuBuffer.Release(ref cellMasks);
             GpuBuffer.Release(ref brickCounts);
             GpuBuffer.Release(ref countsBefore);
@@ -297,7 +315,7 @@ namespace Rill
             description.Buffer("Rill.Mesh.Top", stage.meshTop);
             description.Buffer("Rill.Mesh.BrickPlaces", stage.brickPlaces);
             description.Buffer("Rill.Mesh.NodeSums", stage.nodeSums);
-            description.Buffer("Rill.Mesh.Field", stage.field);
+            description.Texture(stage.field.name, 2L * stage.field.width * stage.field.height * stage.field.volumeDepth);
             description.Buffer("Rill.Mesh.CellMasks", stage.cellMasks);
             description.Buffer("Rill.Mesh.BrickCounts", stage.brickCounts);
             description.Buffer("Rill.Mesh.CountsBefore", stage.countsBefore);
@@ -365,6 +383,7 @@ namespace Rill
             int find = findField.For(withColliders);
             BindColliders(step, find);
             BindBricks(cmd, find);
+            cmd.SetComputeTextureParam(shader, find, Ids.MeshFieldOut, field);
             cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
             cmd.SetComputeBufferParam(shader, find, Ids.NodeSums, nodeSums);
             cmd.DispatchCompute(shader, find, arguments, BrickArgumentsAt);
@@ -392,6 +411,7 @@ namespace Rill
         void RecordCells(CommandBuffer cmd)
         {
             BindBricks(cmd, countCells);
+            cmd.SetComputeTextureParam(shader, countCells, Ids.MeshField, field);
             cmd.SetComputeBufferParam(shader, countCells, Ids.CellMasks, cellMasks);
             cmd.SetComputeBufferParam(shader, countCells, Ids.BrickCounts, brickCounts);
             cmd.DispatchCompute(shader, countCells, arguments, BrickArgumentsAt);
@@ -444,13 +464,13 @@ namespace Rill
         {
             cmd.SetComputeBufferParam(shader, kernel, Ids.MeshCounters, counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.MeshTop, meshTop);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshField, field);
             cmd.SetComputeBufferParam(shader, kernel, Ids.BrickPlaces, brickPlaces);
         }
 
         void BindCells(CommandBuffer cmd, int kernel)
         {
             BindBricks(cmd, kernel);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.MeshField, field);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellMasks, cellMasks);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CountsBefore, countsBefore);
         }
@@ -480,6 +500,7 @@ namespace Rill
             public static readonly int BrickPlaces = Shader.PropertyToID("_BrickPlaces");
             public static readonly int NodeSums = Shader.PropertyToID("_NodeSums");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");
+            public static readonly int MeshFieldOut = Shader.PropertyToID("_MeshFieldOut");
             public static readonly int CellMasks = Shader.PropertyToID("_CellMasks");
             public static readonly int BrickCounts = Shader.PropertyToID("_BrickCounts");
             public static readonly int CountsBefore = Shader.PropertyToID("_CountsBefore");

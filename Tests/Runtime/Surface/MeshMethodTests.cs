@@ -60,11 +60,13 @@ namespace Rill.Tests
                 yield return Frames(3);
                 Assert.That(scene.Mean().g, Is.EqualTo(before).Within(0.05f), "as a mesh");
                 SurfaceMesh mesh = solver.Mesh;
-                GraphicsBuffer[] buffers = { mesh.Vertices, mesh.Indices, mesh.Arguments, mesh.Drops, mesh.Top, mesh.Field };
+                GraphicsBuffer[] buffers = { mesh.Vertices, mesh.Indices, mesh.Arguments, mesh.Drops, mesh.Top };
+                RenderTexture field = mesh.Field;
                 scene.Surface.Method = SurfaceMethod.ScreenSpace;
                 yield return Frames(3);
                 Assert.That(solver.Mesh, Is.Null);
                 Assert.That(buffers.Count(buffer => buffer.IsValid()), Is.Zero);
+                Assert.That(field == null);
                 Assert.That(scene.Mean().g, Is.EqualTo(before).Within(0.05f), "on the screen");
             }
             LogAssert.NoUnexpectedReceived();

@@ -10,7 +10,7 @@ namespace Rill.Tests
     sealed class ShapeMesh : IDisposable
     {
         const float Far = 2f;
-        const int BrickNodes = 64;
+        const int Side = 5, AlongField = 32;       // texels of a brick in the field, bricks along x and y
 
         /// <summary>Distance to the surface at a point of the domain, d, above 0 in water.</summary>
         public delegate float Shape(float3 p);
@@ -21,7 +21,8 @@ namespace Rill.Tests
         readonly int3 bricks, cells;
         readonly List<uint> vertices = new List<uint>();
         readonly List<int> triangles = new List<int>();
-        GraphicsBuffer vertexBuffer, indexBuffer, arguments, top, field;
+        GraphicsBuffer vertexBuffer, indexBuffer, arguments, top;
+        Texture3D field;
 
         /// <param name="size">Of the domain, d.</param>
         /// <param name="cell">Distance between nodes, d.</param>
@@ -48,6 +49,7 @@ namespace Rill.Tests
         public MeshFrame Frame(Matrix4x4 domainToWorld, float spacing, float lag = 0f) => new MeshFrame
         {
             vertices = vertexBuffer, indices = indexBuffer, arguments = arguments, top = top, field = field, cell = cell,
+            fieldTexel = new Vector4(1f / field.width, 1f / field.height, 1f / field.depth),
             bricks = new Vector3Int(bricks.x, bricks.y, bricks.z), domainToWorld = domainToWorld, domainSize = size, spacing = spacing,
             lag = new Vector4(lag, 0f, 0f, 0f),
             bounds = new Bounds(domainToWorld.MultiplyPoint3x4(0.5f * size), Vector3.one * (math.length(size) * spacing)),
@@ -59,7 +61,7 @@ namespace Rill.Tests
             GpuBuffer.Release(ref indexBuffer);
             GpuBuffer.Release(ref arguments);
             GpuBuffer.Release(ref top);
-            GpuBuffer.Release(ref field);
+            UnityEngine.Object.DestroyImmediate(field);
         }
 
         // Shapes, for those that have no own.
@@ -93,26 +95,38 @@ namespace Rill.Tests
         void MakeField()
         {
             var tops = new uint[bricks.x * bricks.y * bricks.z];
-            var words = new List<uint>();
-            var values = new float[BrickNodes];
+            var stored = new List<int3>();      // the first nodes of bricks
             for (int i = 0; i < tops.Length; i++)
             {
                 int3 first = 4 * new int3(i % bricks.x, i / bricks.x % bricks.y, i / (bricks.x * bricks.y));
                 bool isAir = true, isWater = true;
-                for (int l = 0; l < BrickNodes; l++)
+                for (int l = 0; l < 64; l++)
                 {
-                    values[l] = Value(first + new int3(l & 3, l >> 2 & 3, l >> 4));
-                    isAir &= values[l] <= -Far;
-                    isWater &= values[l] >= Far;
+                    float value = Value(first + new int3(l & 3, l >> 2 & 3, l >> 4));
+                    isAir &= value <= -Far;
+                    isWater &= value >= Far;
                 }
-                tops[i] = isAir ? 0u : isWater ? 1u : (uint)(words.Count / 32 + 2);
-                for (int l = 0; l < BrickNodes && !isAir && !isWater; l += 2)
-                    words.Add(Mathf.FloatToHalf(values[l]) | (uint)Mathf.FloatToHalf(values[l + 1]) << 16);
+                tops[i] = isAir ? 0u : isWater ? 1u : (uint)(stored.Count + 2);
+                if (!isAir && !isWater)
+                    stored.Add(first);
             }
             top = GpuBuffer.Structured<uint>("Rill.Tests.Top", tops.Length);
             top.SetData(tops);
-            field = GpuBuffer.Structured<uint>("Rill.Tests.Field", Math.Max(words.Count, 1));
-            field.SetData(words.Count > 0 ? words.ToArray() : new uint[1]);
+            const int width = Side * AlongField, perLayer = AlongField * AlongField;
+            field = new Texture3D(width, width, Side * math.max((stored.Count + perLayer - 1) / perLayer, 1), TextureFormat.RHalf, false)
+            {
+                filterMode = FilterMode.Bilinear, wrapMode = TextureWrapMode.Clamp,
+            };
+            var texels = new ushort[width * width * field.depth];
+            for (int i = 0; i < stored.Count; i++)
+                for (int t = 0; t < Side * Side * Side; t++)
+                {
+                    int3 local = new int3(t % Side, t / Side % Side, t / (Side * Side));
+                    int3 at = Side * new int3(i % AlongField, i / AlongField % AlongField, i / perLayer) + local;
+                    texels[(at.z * width + at.y) * width + at.x] = Mathf.FloatToHalf(Value(stored[i] + local));
+                }
+            field.SetPixelData(texels, 0);
+            field.Apply(false);
         }
 
         float3 Normal(float3 p)

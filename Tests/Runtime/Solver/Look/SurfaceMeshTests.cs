@@ -2,7 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
+using UnityEngine.Rendering;
 using Random = Unity.Mathematics.Random;
 
 namespace Rill.Tests
@@ -186,6 +188,30 @@ namespace Rill.Tests
                 var stored = new float3(Half(b.y), Half(b.y >> 16), Half(b.z));
                 Assert.That(math.distance(stored, chord), Is.LessThan(0.03f * math.length(chord)),
                     $"displacement {stored} for {chord}, of {count} drops");
+            }
+        }
+
+        // A filtered fetch reads one brick alone. Beyond it: another brick, all air, all water, and the end of the box.
+        [Test]
+        public void Each_brick_of_the_field_holds_the_first_nodes_of_those_beyond_it()
+        {
+            using (TestFluid fluid = Still(24f, 6000))
+            {
+                fluid.AddBlock(7f * Spacing, 24f * Spacing).Step();
+                DrawnMesh.Of(fluid, Medium);
+                var field = new ReadField(fluid.Solver.Mesh);
+                var beyond = new HashSet<float>();
+                foreach (int3 brick in field.Bricks)
+                    for (int t = 0; t < 125; t++)
+                    {
+                        var local = new int3(t % 5, t / 5 % 5, t / 25);
+                        float expected = field.IsIn(4 * brick + local) ? field[4 * brick + local] : -2f;
+                        Assert.That(field.Stored(brick, local), Is.EqualTo(expected), $"brick {brick}, {local}");
+                        if (math.any(local == 4))
+                            beyond.Add(expected);
+                    }
+                Assert.That(beyond, Has.Some.EqualTo(2f).And.Some.EqualTo(-2f));
+                Assert.That(beyond.Count, Is.GreaterThan(100));
             }
         }
 
@@ -529,13 +555,21 @@ namespace Rill.Tests
         sealed class ReadField
         {
             readonly int3 bricks;
-            readonly uint[] top, words;
+            readonly uint[] top;
+            readonly ushort[] texels;
+            readonly int width;
 
             public ReadField(SurfaceMesh mesh)
             {
                 bricks = mesh.Bricks;
                 top = GpuTest.Read<uint>(mesh.Top, bricks.x * bricks.y * bricks.z);
-                words = GpuTest.Read<uint>(mesh.Field, 32 * (int)new DrawnMesh(mesh)[SurfaceMesh.Counter.Bricks]);
+                AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(mesh.Field);
+                request.WaitForCompletion();
+                width = mesh.Field.width;
+                int layer = width * width;
+                texels = new ushort[layer * request.layerCount];
+                for (int z = 0; z < request.layerCount; z++)
+                    NativeArray<ushort>.Copy(request.GetData<ushort>(z), 0, texels, layer * z, layer);
             }
 
             public IEnumerable<int3> Nodes => from z in Enumerable.Range(0, 4 * bricks.z)
@@ -543,19 +577,23 @@ namespace Rill.Tests
                                               from x in Enumerable.Range(0, 4 * bricks.x)
                                               select new int3(x, y, z);
 
+            /// <summary>Places of the bricks that exist.</summary>
+            public IEnumerable<int3> Bricks => Nodes.Where(node => math.all(node % 4 == 0) && Top(node / 4) >= 2).Select(node => node / 4);
+
+            public bool IsIn(int3 node) => math.all(node >= 0) && math.all(node < 4 * bricks);
+
             /// <summary>Distance of a node from the surface, d; 2 or -2 where no brick is.</summary>
-            public float this[int3 node]
+            public float this[int3 node] => Top(node / 4) < 2 ? Top(node / 4) == 1 ? 2f : -2f : Stored(node / 4, node % 4);
+
+            /// <summary>What a brick that exists holds, local 0 to 4.</summary>
+            public float Stored(int3 brick, int3 local)
             {
-                get
-                {
-                    int3 brick = node / 4, local = node % 4;
-                    uint place = top[(brick.z * bricks.y + brick.y) * bricks.x + brick.x];
-                    if (place < 2)
-                        return place == 1 ? 2f : -2f;
-                    int at = (local.z * 4 + local.y) * 4 + local.x;
-                    return UnityEngine.Mathf.HalfToFloat((ushort)(words[(place - 2) * 32 + at / 2] >> 16 * (at % 2)));
-                }
+                uint number = Top(brick) - 2;
+                int3 texel = 5 * (int3)new uint3(number % 32, number / 32 % 32, number / 1024) + local;
+                return UnityEngine.Mathf.HalfToFloat(texels[(texel.z * width + texel.y) * width + texel.x]);
             }
+
+            uint Top(int3 brick) => top[(brick.z * bricks.y + brick.y) * bricks.x + brick.x];
         }
     }
 }
