@@ -110,6 +110,47 @@ namespace Rill.Tests
             Assert.That(rests.end.Equals(rests.seen), "where it is");
         }
 
+        // Step rates of 40 and 80 Hz: a frame leaves 0.7 steps, and a short frame later a step of half the time is due, which ends before the
+        // frame before.
+        [Test]
+        public void A_motion_is_even_where_steps_become_shorter_between_frames()
+        {
+            const float speed = 0.6f, turn = 40f, step = 1f / 40f;      // m/s, degrees/s, s
+            simulation.StepRate = 40f;
+            FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position - 0.3f * Vector3.right);
+            foreach (float time in new[] { step, 1f * step, 1.7f * step, 0.1f * step })
+            {
+                collider.transform.position += speed * time * Vector3.right;
+                collider.transform.Rotate(0f, turn * time, 0f);
+                if (time < step)
+                    simulation.StepRate = 80f;
+                int before = simulation.StepCount;
+                simulation.Advance(time);
+                Assert.That(simulation.StepCount, Is.EqualTo(before + 1));
+            }
+            ColliderMotion motion = simulation.Input.colliders.Items[0];
+            Assert.That(math.distance(motion.start.position, motion.end.position), Is.EqualTo(speed * 0.5f * step / 0.05f).Within(1e-3f), "d");
+            Assert.That(Quaternion.Angle(motion.start.rotation, motion.end.rotation), Is.EqualTo(turn * 0.5f * step).Within(0.02f), "degrees");
+        }
+
+        // Of 12 steps a frame takes 4.
+        [Test]
+        public void Where_time_is_dropped_a_body_that_is_carried_keeps_its_velocity_and_others_their_path([Values] bool isCarried)
+        {
+            const float speed = 0.6f, turn = 40f;      // m/s, degrees/s
+            simulation.MaxStepsPerFrame = 4;
+            FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position);
+            collider.IsCarried = isCarried;
+            simulation.Advance(simulation.FixedStep);
+            float time = 12f * simulation.FixedStep, seen = isCarried ? time / 3f : time;
+            collider.transform.position += speed * time * Vector3.right;
+            collider.transform.Rotate(0f, turn * time, 0f);
+            simulation.Advance(time);
+            ColliderMotion motion = simulation.Input.colliders.Items[0];
+            Assert.That(math.distance(motion.start.position, motion.end.position), Is.EqualTo(speed * seen / 0.05f).Within(1e-3f), "d");
+            Assert.That(Quaternion.Angle(motion.start.rotation, motion.end.rotation), Is.EqualTo(turn * seen).Within(0.05f), "degrees");
+        }
+
         [Test]
         public void A_teleport_is_no_motion([Values] bool turns)
         {
