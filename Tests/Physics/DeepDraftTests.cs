@@ -35,9 +35,10 @@ namespace Rill.Tests
             yield return null;
         }
 
-        // Over gaps of half a spacing to two, in which most of its lower face takes the level's pressure. Not held: just after it floated off, over
-        // a gap of 0.3 spacings, it was 0.23 spacings too high. A boat never lies quite still: from starts that differ by 1e-5 it had 2.72 to 2.90 of
-        // 2.90 spacings, and as the mean of the depths 2.77 to 2.84. So 0.15 is asked of the mean, 0.25 of each.
+        // Over gaps of half a spacing to two, in which most of its lower face takes the level's pressure. Not held: just after it floated off,
+        // over a gap of 0.3 spacings, it was 0.23 spacings too high. A boat never lies quite still: from gravities that differ by 1e-5 to 3e-5 it
+        // has, over 80 frames, 2.75 to 2.84 of 2.90 spacings (2.70 to 2.88 over 40), and as the mean of the depths 2.79 to 2.81. So 0.18 is asked
+        // of the mean, 0.25 of each. With its level asked next to it alone it has 2.27.
         [UnityTest]
         public IEnumerator A_boat_that_floated_off_the_ground_has_its_draft()
         {
@@ -50,7 +51,7 @@ namespace Rill.Tests
                 fluid.Fill(FluidShape.Box(new Vector3(0f, tank.Mean() + 0.5f * Spacing, 0f), new Vector3(Width, 1.01f * Spacing, Width)));
                 yield return Play(50);
                 float bottom = 0f;
-                yield return Average(40, () => bottom += (body.position.y - 0.5f * Hull.y) / 40f);
+                yield return Average(80, () => bottom += (body.position.y - 0.5f * Hull.y) / 80f);
                 TestContext.Out.WriteLine($"level {average / Spacing:0.00}, bottom {bottom / Spacing:0.00}, draft " +
                     $"{(average - bottom) / Spacing:0.00} of {draft / Spacing:0.00} d");
                 if (bottom < 0.5f * Spacing)
@@ -62,7 +63,7 @@ namespace Rill.Tests
             float mean = 0f;
             foreach (float found in drafts)
                 mean += found / drafts.Count;
-            Assert.That(mean, Is.EqualTo(draft / Spacing).Within(0.15f), "spacings");
+            Assert.That(mean, Is.EqualTo(draft / Spacing).Within(0.18f), "spacings");
         }
 
         float average;      // level, m
