@@ -112,6 +112,9 @@ namespace Rill
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
         public const float StaysAboveLayers = 3f;
 
+        /// <summary>What solid colliders leave open of the grid; null where there are none.</summary>
+        public CoarseColliders Colliders => coarseColliders;
+
         /// <summary>Records what solid colliders leave open of the grid in this substep; before the rest of it.</summary>
         public void RecordColliders(in StepContext step)
         {

@@ -46,6 +46,55 @@ namespace Rill.Tests
             }
         }
 
+        // At each face of a cell that it closes: all of its way, and of its turn what goes out of the surface.
+        [Test]
+        public void The_flow_of_a_collider_is_its_way_and_what_its_turn_moves_outwards([Values(ColliderShape.Sphere, ColliderShape.Box)]
+            ColliderShape shape)
+        {
+            var shift = new float3(0.1f, -0.05f, 0.08f);
+            float3 turn = 0.06f * math.normalize(new float3(1f, 2f, 0.5f)), center = new float3(15.3f, 14.7f, 16.4f);
+            using (var fluid = new TestFluid(32f * Spacing, Spacing, 25000, Deep))
+            {
+                ColliderMotion collider = ColliderTests.Still(shape, shape == ColliderShape.Box ? new float3(7f, 6f, 2f) : 6f, center,
+                    quaternion.Euler(0.3f, 0.2f, 0.1f));
+                quaternion back = quaternion.AxisAngle(math.normalize(turn), -math.length(turn));
+                collider.start = new RigidPose(center - shift, math.mul(back, collider.end.rotation));
+                fluid.AddAround(collider, 0f, new float3(32f, 24f, 32f));
+                ColliderTests.Use(fluid, collider);
+                fluid.Step();
+                CoarseGrid grid = fluid.Solver.Coarse.Grid;
+                float4[] flow = GpuTest.Read<float4>(fluid.Solver.Coarse.Colliders.Flow, grid.Total);
+                int closed = 0;
+                float turned = 0f;
+                for (int i = 0; i < grid.Total * 3; i++)
+                {
+                    float found = flow[i / 3][i % 3];
+                    if (found == 0f)
+                        continue;
+                    int3 cell = new int3(i / 3 % grid.Counts.x, i / 3 / grid.Counts.x % grid.Counts.y, i / 3 / grid.Counts.x / grid.Counts.y);
+                    float3 axis = default, normal = default;
+                    axis[i % 3] = 1f;
+                    float3 face = ((float3)cell + 0.5f - 0.5f * axis) * (32f / (float3)grid.Counts);
+                    for (int k = 0; k < 3; k++)
+                    {
+                        float3 off = default;
+                        off[k] = 0.01f;
+                        normal[k] = (float)(Reference.Shapes.Distance(collider, face + off) - Reference.Shapes.Distance(collider, face - off)) / 0.02f;
+                    }
+                    if (math.abs(math.length(normal) - 1f) > 0.02f)
+                        continue;       // as near to another side
+                    float3 surface = face - (float)Reference.Shapes.Distance(collider, face) * normal;
+                    float outwards = math.dot(math.cross(turn, surface - center), normal);
+                    Assert.That(found, Is.EqualTo(math.dot(axis, shift + outwards * normal)).Within(0.01f), $"cell {cell}, axis {i % 3}, d");
+                    turned = math.max(turned, math.abs(outwards));
+                    closed++;
+                }
+                TestContext.Out.WriteLine($"{closed} faces, turned by up to {turned:0.00} d");
+                Assert.That(closed, Is.GreaterThan(20));
+                Assert.That(turned, shape == ColliderShape.Box ? Is.GreaterThan(0.1f) : Is.LessThan(0.01f));
+            }
+        }
+
         // Kernels are shared by all fluids of a scene, and what rests is not recorded again.
         [Test]
         public void Two_fluids_with_colliders_at_rest_do_not_disturb_each_other([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)

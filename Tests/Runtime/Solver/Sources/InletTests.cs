@@ -152,6 +152,42 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Water_that_a_turning_inlet_presses_away_turns_along()
+        {
+            const float perStep = 4f, radius = 0.25f, speed = 0.4f;     // degrees, m, m/s
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 20000).Fill(0.5f))
+            {
+                scene.Step(20);
+                int before = scene.Read().Count, count = 0;
+                FluidEmitter emitter = Inlet(scene, -0.5f, speed, e =>
+                {
+                    e.Radius = radius;
+                    e.Rate = math.PI * radius * radius * speed;
+                });
+                float along = 0f, whole = 0f;
+                for (int step = 0; step < 12; step++)
+                {
+                    emitter.transform.Rotate(0f, perStep, 0f, Space.World);
+                    scene.Step();
+                    ParticleState state = scene.Read();
+                    for (int i = 0; i < state.Count && step >= 2; i++)
+                    {
+                        float3 arm = state.positions[i].xyz * Spacing - new float3(0.5f, 0f, 0.5f);
+                        if (state.ids[i] >= before || arm.y > 2f * Spacing || math.length(arm.xz) > radius)
+                            continue;
+                        arm.y = 0f;
+                        float3 expected = math.cross(new float3(0f, math.radians(perStep) / SourceScene.Step60, 0f), arm);
+                        along += math.dot(state.velocities[i].xyz * Spacing, expected);
+                        whole += math.lengthsq(expected);
+                        count++;
+                    }
+                }
+                TestContext.Out.WriteLine($"{along / whole:0.00} of the turn, by {count}");
+                Assert.That(along / whole, Is.GreaterThan(0.8f));
+            }
+        }
+
+        [Test]
         public void Where_a_step_has_substeps_each_lets_in_its_part([Values(1, 2, 3)] int substeps)
         {
             const float rate = 0.011f, speed = 2.3f;
