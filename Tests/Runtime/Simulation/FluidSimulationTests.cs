@@ -49,6 +49,19 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_restart_forgets_the_time_that_no_step_has_taken_yet()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(1);
+            fluid.Advance(0.7f * fluid.FixedStep);
+            fluid.Restart();
+            fluid.Advance(0.7f * fluid.FixedStep);
+            Assert.That(fluid.StepCount, Is.Zero);
+            fluid.Advance(0.7f * fluid.FixedStep);
+            Assert.That(fluid.StepCount, Is.EqualTo(1));
+        }
+
+        [UnityTest]
         public IEnumerator A_restart_repeats_the_first_run_bit_for_bit()
         {
             FluidSimulation fluid = Dam();

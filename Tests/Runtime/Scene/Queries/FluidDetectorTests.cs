@@ -378,6 +378,37 @@ namespace Rill.Tests
             }
         }
 
+        [Test]
+        public void After_a_restart_every_event_comes_again_as_the_first_time()
+        {
+            using (var scene = new SourceScene(0.6f * Vector3.one, Spacing, 100))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                string called = "";
+                FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d =>
+                {
+                    d.Size = 0.6f * Vector3.one;
+                    d.EnterFill = d.FillLevel = 0.01f;
+                    d.ImpactSpeed = 0.05f;
+                    d.LevelStep = 0.5f;
+                });
+                detector.OnEnter += () => called += "entered ";
+                detector.OnExit += () => called += "left ";
+                detector.OnFilled += () => called += "filled ";
+                detector.OnEmptied += () => called += "emptied ";
+                detector.OnImpact += () => called += "impact ";
+                detector.OnLevelChanged += level => called += "level ";
+                for (int run = 0; run < 2; run++)
+                {
+                    called = "";
+                    scene.AddWhere(place => Math.Abs(place.x) < 0.1f && Math.Abs(place.y) < 0.1f && Math.Abs(place.z) < 0.1f, 0.1f * Vector3.right);
+                    scene.Run(2);
+                    Assert.That(called, Is.EqualTo("entered filled impact level "), $"run {run}");
+                    scene.Fluid.Restart();
+                }
+            }
+        }
+
         // The fill that the detector says goes up and down by less than the hysteresis around the level.
         [Test]
         public void A_fill_that_trembles_about_the_level_calls_once()
