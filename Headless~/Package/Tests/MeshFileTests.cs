@@ -54,6 +54,7 @@ namespace Host.Tests
         [TestCase("f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -5 -1 -2 -6\nf -8 -4 -1 -5\nf -7 -6 -2 -3\n", TestName = "Corners_count_backwards_from_the_latest")]
         [TestCase("vn 0 0 1\nvt 0 0\nf 1/1 4/1 3/1 2/1\nf 5//1 6//1 7//1 8//1\nf 1/1/1 2/1/1 6/1/1 5/1/1\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n", TestName = "Corners_carry_texture_and_normal")]
         [TestCase("# a box\no Box\ng a\nusemtl red\r\ns 1\r\n\tf  1 4 3 \\\r\n 2 # bottom\r\n\r\nf 5 6 7 8\rf 1 2 6 5\nf 4 8 7 3\ng b\nf 1 5 8 4\nf 2 3 7 6", TestName = "Comments_groups_line_ends_and_lines_that_go_on")]
+        [TestCase("fo 1 4 3 2\nfo 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n", TestName = "Faces_by_their_old_name")]
         [TestCase("f 1 4 3\nf 1 3 2\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 4 8 7\nf 4 7 3\nf 1 5 8\nf 1 8 4\nf 2 3 7\nf 2 7 6\n", TestName = "Triangles")]
         public void Every_way_to_write_faces_gives_the_same_mesh(string faces)
         {
@@ -170,6 +171,19 @@ namespace Host.Tests
         {
             Assert.That(Obj("v -1e-3 +.5 3. 1.0 0.5 0.5 0.5\nv nan -inf 1.#IND\n").Vertices[0], Is.EqualTo(new Vector3(1e-3f, 0.5f, 3f)));
             Assert.That(Obj("v nan 0 0\n").Vertices[0].x, Is.NaN);
+        }
+
+        [Test]
+        public void A_byte_order_mark_is_no_part_of_the_first_line()
+            => Assert.That(Obj("\uFEFF" + CubeVertices + CubeFaces).Vertices, Is.EqualTo(Obj(CubeVertices + CubeFaces).Vertices));
+
+        [Test]
+        public void Texture_coordinates_and_normals_count_backwards_from_their_own_latest()
+        {
+            const string text = CubeVertices + "vt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf -8/-2/-3 -5/-1/-2 -6/-1/-1\n";
+            MeshLooks looks = ObjReader.Read("Mesh", Encoding.UTF8.GetBytes(text), "Mesh.obj", withLooks: true).Looks;
+            Assert.That(looks.UvOf, Is.EqualTo(new[] { 0, 1, 1 }));
+            Assert.That(looks.NormalOf, Is.EqualTo(new[] { 0, 2, 1 }), "the other way around");
         }
 
         [TestCase("v 0 0 0\nv 1 0 0\nf 1 2\n", "Mesh.obj(3): a face of 2 corners")]
