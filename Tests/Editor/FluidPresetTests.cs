@@ -137,11 +137,34 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
+        public void Applying_a_preset_leaves_nothing_of_the_material_before()
+        {
+            FluidSimulation fluid = scene.Add<FluidSimulation>();
+            fluid.Configure(Vector3.one, 0.1f, 1000);
+            foreach (FieldInfo field in Fields)
+            {
+                fluid.Material = Changed(field);
+                Assert.That(field.GetValue(fluid.Material), Is.Not.EqualTo(field.GetValue(FluidMaterial.Water)), field.Name);
+                FluidPresets.Apply(Named("Water"), new Object[] { fluid });
+                Assert.That(fluid.Material, Is.EqualTo(FluidMaterial.Water), field.Name);
+            }
+        }
+
+        [Test]
         public void A_material_of_ones_own_is_no_preset()
         {
-            FluidMaterial own = FluidMaterial.Water;
-            own.velocitySmoothing = 0.3f;
-            Assert.That(FluidPresets.IndexOf(own), Is.EqualTo(-1));
+            foreach (FieldInfo field in Fields)
+                Assert.That(FluidPresets.IndexOf(Changed(field)), Is.EqualTo(-1), field.Name);
+        }
+
+        static FieldInfo[] Fields => typeof(FluidMaterial).GetFields(BindingFlags.Public | BindingFlags.Instance);
+
+        // Water but for one of its values.
+        static FluidMaterial Changed(FieldInfo field)
+        {
+            object material = FluidMaterial.Water;
+            field.SetValue(material, 0.5f * (float)field.GetValue(material) + 0.01f);
+            return (FluidMaterial)material;
         }
 
         static FluidPreset Named(string name) => FluidPresets.All.Single(preset => preset.Name == name);

@@ -79,7 +79,8 @@ namespace Rill.Tests
                     {
                         float3 off = default;
                         off[k] = 0.01f;
-                        normal[k] = (float)(Reference.Shapes.Distance(collider, face + off) - Reference.Shapes.Distance(collider, face - off)) / 0.02f;
+                        double ahead = Reference.Shapes.Distance(collider, face + off), behind = Reference.Shapes.Distance(collider, face - off);
+                        normal[k] = (float)(ahead - behind) / 0.02f;
                     }
                     if (math.abs(math.length(normal) - 1f) > 0.02f)
                         continue;       // as near to another side
