@@ -1,5 +1,6 @@
 // Draws each particle of foam over what is drawn already and behind what is nearer: foam as a patch of small cells that opens as it ages,
-// spray as a streak along its path during the exposure. How much of the picture all of them cover is the same at any size of the picture. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+// spray as a streak along its path during the exposure. How much of the picture all of them cover is the same at any size of the picture. The
+// SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
 //   _FoamParticles   in   see Foam.hlsl
 #define RILL_PICTURE_SIZE

@@ -57,8 +57,8 @@ float3 InMeshNodes(float3 p)
     return clamp(p / _MeshCell + 0.5, 1.0, LastMeshNode());
 }
 
-// Between the nodes of a brick that is all air or water and those of the bricks beyond.
-float BesideUniformBrick(int3 low, float3 part)
+// Between eight nodes, in whatever bricks they are.
+float BetweenNodes(int3 low, float3 part)
 {
     float4 near = float4(MeshNode(low), MeshNode(low + int3(1, 0, 0)), MeshNode(low + int3(0, 1, 0)), MeshNode(low + int3(1, 1, 0)));
     float4 far = float4(MeshNode(low + int3(0, 0, 1)), MeshNode(low + int3(1, 0, 1)), MeshNode(low + int3(0, 1, 1)), MeshNode(low + 1));
@@ -74,9 +74,15 @@ float MeshDistance(float3 p, out bool isUniform)
     int3 low = int3(min(floor(at), LastMeshNode() - 1.0)), brick = low >> 2;
     uint entry = MeshBrick(brick);
     isUniform = entry < 2 && all((low & 3) < 3);
+    float value = UniformBrick(entry);
     if (entry >= 2)
-        return _MeshField.SampleLevel(rill_field_linear_clamp_sampler, (MeshFieldTexel(entry - 2) + (at - 4.0 * brick) + 0.5) * _MeshFieldTexel.xyz, 0);
-    return isUniform ? UniformBrick(entry) : BesideUniformBrick(low, at - low);
+    {
+        float3 texel = MeshFieldTexel(entry - 2) + (at - 4.0 * brick) + 0.5;
+        value = _MeshField.SampleLevel(rill_field_linear_clamp_sampler, texel * _MeshFieldTexel.xyz, 0);
+    }
+    else if (!isUniform)
+        value = BetweenNodes(low, at - low);
+    return value;
 }
 
 float MeshDistance(float3 p)
@@ -85,8 +91,16 @@ float MeshDistance(float3 p)
     return MeshDistance(p, isUniform);
 }
 
-// Unit normal out of the water, in the domain's frame.
-float3 MeshNormal(float3 p)
+// The same in full precision: filters know a place between two nodes to 1/256.
+float PreciseMeshDistance(float3 p)
+{
+    float3 at = InMeshNodes(p);
+    int3 low = int3(min(floor(at), LastMeshNode() - 1.0));
+    return BetweenNodes(low, at - low);
+}
+
+// Unit normal out of the water, in the domain's frame. isPrecise: to far less than a degree.
+float3 MeshNormal(float3 p, bool isPrecise)
 {
     float h = 0.75 * _MeshCell;
     float3 uphill = 0.0;
@@ -95,10 +109,15 @@ float3 MeshNormal(float3 p)
     {
         uint axis = i >> 1;
         float3 offset = float3(axis == 0, axis == 1, axis == 2) * ((i & 1) != 0 ? -h : h);
-        uphill += offset * MeshDistance(p + offset);
+        uphill += offset * (isPrecise ? PreciseMeshDistance(p + offset) : MeshDistance(p + offset));
     }
     float squared = dot(uphill, uphill);
     return squared > 1e-12 ? -uphill * rsqrt(squared) : float3(0.0, 1.0, 0.0);
+}
+
+float3 MeshNormal(float3 p)
+{
+    return MeshNormal(p, false);
 }
 
 // Where a ray leaves the domain's box, d, and the wall there: its normal points out. Of a point beyond it, what lies ahead.

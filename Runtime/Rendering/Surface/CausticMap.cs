@@ -171,8 +171,8 @@ namespace Rill
             size = wanted;
             EngineObject.Release(ref texture);
             GpuBuffer.Release(ref sums);
-            texture = GpuTexture.Create("Rill.Caustics.Map", new RenderTextureDescriptor(width * Columns, height * rows + 1, GraphicsFormat.R16G16_SFloat,
-                GraphicsFormat.None)
+            texture = GpuTexture.Create("Rill.Caustics.Map", new RenderTextureDescriptor(width * Columns, height * rows + 1,
+                GraphicsFormat.R16G16_SFloat, GraphicsFormat.None)
             { enableRandomWrite = true }, FilterMode.Bilinear);
             sums = GpuBuffer.Structured<uint>("Rill.Caustics.Sums", (long)SumWords * width * height * layers);
             BufferClear.Now(sums);

@@ -135,7 +135,8 @@ namespace Rill
         /// <summary>uint for each brick of the box: 0 air, 1 water, n + 2 for the brick with number n.</summary>
         public GraphicsBuffer Top => meshTop;
 
-        /// <summary>Half, 5 x 5 x 5 texels for each brick, see MeshField.hlsl: the distance of a node from the surface, d, positive in water, -2 to 2.</summary>
+        /// <summary>Half, 5 x 5 x 5 texels for each brick, see MeshField.hlsl: the distance of a node from the surface, d, positive in water, -2 to
+        /// 2.</summary>
         public RenderTexture Field => field;
 
         /// <summary>uint, by <see cref="Counter"/>.</summary>

