@@ -212,17 +212,17 @@ namespace Rill
             buffers?.Invalidate();
         }
 
-        /// <summary>Records the questions about the current state.</summary>
-        /// <returns>Whether there is anything to request.</returns>
-        internal bool TryRecord(PbfSolver solver, CommandBuffer commands, in QueryFrame frame, in DomainFrame domain, float3 up)
+        /// <summary>Asks the questions about the current state.</summary>
+        /// <param name="batches">Gets what is to be recorded.</param>
+        internal void Ask(PbfSolver solver, List<QueryBatch> batches, in QueryFrame frame, in DomainFrame domain, float3 up)
         {
             recorded = -1;
             if (!IsAsking)
-                return false;
+                return;
             MakeBuffers();
             int slot = buffers.FreeSlot(newest);
             if (slot < 0)
-                return false;
+                return;
             Asked to = asked[slot];
             (to.frame, to.domain, to.version) = (frame, domain, version);
             AskPoints(to, domain, solver.Layout.DomainSize);
@@ -236,10 +236,10 @@ namespace Rill
                 rayLength = length,
                 up = up,
             };
-            solver.RecordBatch(commands, buffers, input, slot);
+            buffers.Ask(input, slot);
+            batches.Add(buffers);
             askedVersion = version;
             recorded = slot;
-            return true;
         }
 
         /// <summary>Asks for what was recorded, after its commands ran.</summary>

@@ -9,6 +9,7 @@ namespace Rill
     public sealed partial class FluidSimulation
     {
         readonly List<FluidQueryBatch> queryBatches = new List<FluidQueryBatch>();
+        readonly List<QueryBatch> askedBatches = new List<QueryBatch>();
 
         internal void Attach(FluidQueryBatch batch) => queryBatches.Add(batch);
 
@@ -31,10 +32,12 @@ namespace Rill
             if (!AsksBatches || IsRefused(DeviceFeature.Queries) || !HasStages(StageSet.Queries))
                 return false;
             QueryFrame state = BeginQueries(out DomainFrame frame, out float3 up);
-            bool isAny = false;
+            askedBatches.Clear();
             foreach (FluidQueryBatch batch in queryBatches)
-                isAny |= batch.TryRecord(pbf, commands, state, frame, up);
-            return isAny;
+                batch.Ask(pbf, askedBatches, state, frame, up);
+            if (askedBatches.Count > 0)
+                pbf.RecordBatches(commands, askedBatches);
+            return askedBatches.Count > 0;
         }
 
         void RequestBatches()

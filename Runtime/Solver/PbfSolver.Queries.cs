@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine.Rendering;
 
 namespace Rill
@@ -25,11 +26,17 @@ namespace Rill
             queries.Record(PrepareAnswers(cmd), tags, input, slot);
         }
 
-        /// <summary>The same for a batch.</summary>
-        /// <param name="slot">A <see cref="QueryBatch.FreeSlot"/>.</param>
-        public void RecordBatch(CommandBuffer cmd, QueryBatch batch, in BatchInput input, int slot)
+        /// <summary>The same for batches that have asked.</summary>
+        public void RecordBatches(CommandBuffer cmd, List<QueryBatch> batches)
         {
-            batch.Record(PrepareAnswers(cmd), QueryShader, tags, input, slot);
+            StepContext step = PrepareAnswers(cmd);
+            cmd.BeginSample(QueryBatch.Marker);
+            foreach (QueryBatch batch in batches)
+                batch.RecordUpload(cmd);
+            for (int phase = 0; phase < QueryShader.Phases; phase++)
+                foreach (QueryBatch batch in batches)
+                    batch.Record(step, QueryShader, tags, phase);
+            cmd.EndSample(QueryBatch.Marker);
         }
 
         StepContext PrepareAnswers(CommandBuffer cmd)

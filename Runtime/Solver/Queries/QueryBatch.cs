@@ -14,13 +14,17 @@ namespace Rill
         /// <summary>As many requests as may be pending, and the newest answer, which is read meanwhile.</summary>
         public const int RingSize = Queries.RingSize + 1;
 
-        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.QueryBatch");
+        /// <summary>Around the answers to all batches of a frame.</summary>
+        public static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.QueryBatch");
 
         readonly BufferClear clear = new BufferClear();
         readonly ReadbackRing ring;
         readonly int firstRayWord;
         GraphicsBuffer points, rays, lines, ringHeights;
         NativeArray<uint> lineUpload;
+        BatchInput input;
+        GraphicsBuffer results;
+        int lineCount;
 
         /// <param name="pointCapacity">0 or more.</param>
         /// <param name="rayCapacity">0 or more; not both are 0.</param>
@@ -43,26 +47,37 @@ namespace Rill
         /// <param name="newest">A slot that is still read, or -1.</param>
         public int FreeSlot(int newest) => ring.Free(newest);
 
-        /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran.</summary>
-        public void Record(in StepContext step, QueryShader shader, ParticleTags tags, in BatchInput input, int slot)
+        /// <summary>Sets what <see cref="PbfSolver.RecordBatches"/> asks, and the slot of the answers; call <see cref="Request"/> after its
+        /// commands ran.</summary>
+        public void Ask(in BatchInput what, int slot)
         {
-            CommandBuffer cmd = step.Commands;
-            GraphicsBuffer results = ring.Buffer(slot);
-            cmd.BeginSample(Marker);
+            input = what;
+            results = ring.Buffer(slot);
+        }
+
+        /// <summary>Records the upload of what is asked.</summary>
+        public void RecordUpload(CommandBuffer cmd)
+        {
             clear.Record(cmd, results);
             if (input.pointCount > 0)
-            {
                 cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
-                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount);
-            }
             if (input.rayCount > 0)
             {
                 cmd.SetBufferData(rays, input.rays, 0, 0, input.rayCount);
-                var buffers = new RayBuffers { rays = rays, rayCount = input.rayCount, lineCount = UploadLines(cmd, input.rays, input.rayCount) };
-                buffers.lines = lines;
-                shader.RecordRays(step, tags, input.up, buffers, input.rayLength, ringHeights, results, firstRayWord);
+                lineCount = UploadLines(cmd, input.rays, input.rayCount);
             }
-            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records one of the <see cref="QueryShader.Phases"/> of the answers.</summary>
+        public void Record(in StepContext step, QueryShader shader, ParticleTags tags, int phase)
+        {
+            if (input.pointCount > 0)
+                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount, phase);
+            if (input.rayCount > 0)
+            {
+                var buffers = new RayBuffers { rays = rays, rayCount = input.rayCount, lines = lines, lineCount = lineCount };
+                shader.RecordRays(step, tags, input.up, buffers, input.rayLength, ringHeights, results, firstRayWord, phase);
+            }
         }
 
         /// <summary>Asks for what was recorded for a slot.</summary>

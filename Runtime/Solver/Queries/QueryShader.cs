@@ -23,6 +23,10 @@ namespace Rill
         /// <summary>columns of a group</summary>
         [GenerateHlsl("Queries")] const int GroupColumns = 4;
 
+        /// <summary>Phases of what points and rays ask. What several ask is recorded phase by phase: dispatches of one phase wait for none of its
+        /// others.</summary>
+        public const int Phases = 4;
+
         const string Name = "Queries";
         const float ChunkLength = 0.5f * (Samples - 1);        // as in SurfaceLines.hlsl, d
 
@@ -56,43 +60,68 @@ namespace Rill
         public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
             GraphicsBuffer results, int count)
         {
+            for (int phase = 0; phase < Phases; phase++)
+                RecordPoints(step, tags, up, points, ringHeights, results, count, phase);
+        }
+
+        /// <summary>Records one of the <see cref="Phases"/> of it.</summary>
+        public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
+            GraphicsBuffer results, int count, int phase)
+        {
             CommandBuffer cmd = step.Commands;
             Begin(step, tags);
             cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
-            if (math.any(up != 0f))
+            switch (phase)
             {
-                BindPoints(step, findSurface, tags, points, ringHeights, results);
-                cmd.DispatchCompute(shader, findSurface, count, Chunks(math.dot(math.abs(up), step.Layout.DomainSize)), 1);
+                case 0 when math.any(up != 0f):
+                    BindPoints(step, findSurface, tags, points, ringHeights, results);
+                    cmd.DispatchCompute(shader, findSurface, count, Chunks(math.dot(math.abs(up), step.Layout.DomainSize)), 1);
+                    break;
+                case 1:
+                    BindPoints(step, findSurroundings, tags, points, ringHeights, results);
+                    cmd.DispatchCompute(shader, findSurroundings, count, Columns / GroupColumns + 2, 1);
+                    break;
+                case 2:
+                    BindPoints(step, fitNormal, tags, points, ringHeights, results);
+                    cmd.DispatchCompute(shader, fitNormal, count, 1, 1);
+                    break;
             }
-            BindPoints(step, findSurroundings, tags, points, ringHeights, results);
-            cmd.DispatchCompute(shader, findSurroundings, count, Columns / GroupColumns + 2, 1);
-            BindPoints(step, fitNormal, tags, points, ringHeights, results);
-            cmd.DispatchCompute(shader, fitNormal, count, 1, 1);
         }
 
-        /// <summary>Records where rays and balls cross the surface, and density, velocity and phase at that point.</summary>
+        /// <summary>Records one of the <see cref="Phases"/> of where rays and balls cross the surface, and density, velocity and phase at that point.</summary>
         /// <param name="up">Against gravity, length 1; 0 without gravity.</param>
         /// <param name="length">At least that of each ray in the box, d.</param>
         /// <param name="firstWord">Of the results, from which on there are <see cref="RayQuery.RayWords"/> for each ray.</param>
         public void RecordRays(in StepContext step, ParticleTags tags, float3 up, in RayBuffers buffers, float length, GraphicsBuffer ringHeights,
-            GraphicsBuffer results, int firstWord)
+            GraphicsBuffer results, int firstWord, int phase)
         {
             CommandBuffer cmd = step.Commands;
             Begin(step, tags);
             cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
             cmd.SetComputeIntParam(shader, Ids.FirstRayWord, firstWord);
             cmd.SetComputeIntParam(shader, Ids.LineCount, buffers.lineCount);
-            int perRow = math.min(buffers.lineCount, ThreadGroups.MaxGroups);
-            BindRays(step, searchLines, tags, buffers, null, results);
-            cmd.SetComputeBufferParam(shader, searchLines, Ids.Lines, buffers.lines);
-            // One sample more than the length: it tells where the water ends at a wall.
-            cmd.DispatchCompute(shader, searchLines, perRow, Chunks(length + 1f), (buffers.lineCount + perRow - 1) / perRow);
-            BindRays(step, findHits, tags, buffers, null, results);
-            cmd.DispatchCompute(shader, findHits, buffers.rayCount, 1, 1);
-            BindRays(step, findRayColumns, tags, buffers, ringHeights, results);
-            cmd.DispatchCompute(shader, findRayColumns, buffers.rayCount, Columns / GroupColumns, 1);
-            BindRays(step, fitRayNormal, tags, buffers, ringHeights, results);
-            cmd.DispatchCompute(shader, fitRayNormal, buffers.rayCount, 1, 1);
+            switch (phase)
+            {
+                case 0:
+                    int perRow = math.min(buffers.lineCount, ThreadGroups.MaxGroups);
+                    BindRays(step, searchLines, tags, buffers, null, results);
+                    cmd.SetComputeBufferParam(shader, searchLines, Ids.Lines, buffers.lines);
+                    // One sample more than the length: it tells where the water ends at a wall.
+                    cmd.DispatchCompute(shader, searchLines, perRow, Chunks(length + 1f), (buffers.lineCount + perRow - 1) / perRow);
+                    break;
+                case 1:
+                    BindRays(step, findHits, tags, buffers, null, results);
+                    cmd.DispatchCompute(shader, findHits, buffers.rayCount, 1, 1);
+                    break;
+                case 2:
+                    BindRays(step, findRayColumns, tags, buffers, ringHeights, results);
+                    cmd.DispatchCompute(shader, findRayColumns, buffers.rayCount, Columns / GroupColumns, 1);
+                    break;
+                case 3:
+                    BindRays(step, fitRayNormal, tags, buffers, ringHeights, results);
+                    cmd.DispatchCompute(shader, fitRayNormal, buffers.rayCount, 1, 1);
+                    break;
+            }
         }
 
         /// <summary>Records what is in shapes: all that need no field at once, then each mesh, since a kernel cannot choose among

@@ -85,6 +85,7 @@ namespace Host.Bench
             QueryInput asked = Ask(scene, counts.Probes, counts.Detectors);
             solver.MakeQueries();
             using QueryBatch batch = counts.Points + counts.Rays > 0 ? new QueryBatch(counts.Points, counts.Rays, _ => { }) : null;
+            var batches = new List<QueryBatch> { batch };
             using var points = new NativeArray<float4>(Math.Max(counts.Points, 1), Allocator.Persistent);
             using var rays = new NativeArray<RayQuery>(Math.Max(counts.Rays, 1), Allocator.Persistent);
             BatchInput batched = AskBatch(scene, counts, ball, points, rays);
@@ -94,7 +95,10 @@ namespace Host.Bench
                     if (counts.Probes + counts.Detectors > 0)
                         solver.RecordQueries(cmd, asked, 0);
                     if (batch != null)
-                        solver.RecordBatch(cmd, batch, batched, 0);
+                    {
+                        batch.Ask(batched, 0);
+                        solver.RecordBatches(cmd, batches);
+                    }
                 });
             var table = new ReportTable("particles", "probes", "detectors", "points", "rays", "stage", "median_ms", "p10_ms", "p90_ms",
                 "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
