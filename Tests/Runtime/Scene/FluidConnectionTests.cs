@@ -114,6 +114,11 @@ namespace Rill.Tests
             yield return Frames(2);
             AsyncGPUReadback.WaitAllRequests();
             Assert.That((connection.HandedToSecond, connection.HandedToFirst, connection.WaitingForSecond), Is.EqualTo((1, 0, 0)));
+            right.Restart();
+            Assert.That(connection.HandedToSecond, Is.Zero, "it begins again");
+            yield return Frames(3);
+            AsyncGPUReadback.WaitAllRequests();
+            Assert.That(connection.HandedToSecond, Is.Zero, "nor later");
         }
 
         [UnityTest]
