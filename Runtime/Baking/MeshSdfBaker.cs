@@ -176,9 +176,13 @@ namespace Rill
         {
             using (var baker = new MeshSdfBaker(mesh, settings))
             {
-                while (!baker.isReading && baker.Step())
+                // Each step is told, also one after which the result is there at once.
+                while (!baker.isReading)
+                {
+                    baker.Step();
                     if (progress != null && !progress(baker.Progress, baker.Stage))
                         return null;
+                }
                 return baker.Complete();
             }
         }

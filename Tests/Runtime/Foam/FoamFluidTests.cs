@@ -35,23 +35,30 @@ namespace Rill.Tests
             }
         }
 
+        // The same slice of the flow, at the same number of spacings in a substep.
         [Test, Category("GpuOnly")]
-        public void The_foam_of_a_dam_is_that_of_half_the_spacing_and_of_more_substeps()
+        public void The_foam_of_a_dam_is_that_of_half_the_spacing()
         {
-            // The same slice of the flow, at the same number of spacings in a substep; and in shorter ones.
-            double coarse = OfWidth(0.025f, substeps: 1), fine = OfWidth(0.0125f, substeps: 2), often = OfWidth(0.025f, substeps: 4);
-            TestContext.Out.WriteLine(
-                $"{coarse:0} foam particles a meter; {fine / coarse:0.00} of it at half the spacing, {often / coarse:0.00} in four substeps");
-            Assert.That(coarse, Is.GreaterThan(1000.0), "foam particles in 1.8 s of a meter of width");
+            double coarse = FoamOfWidth(0.025f, substeps: 1), fine = FoamOfWidth(0.0125f, substeps: 2);
+            TestContext.Out.WriteLine($"{coarse:0} foam particles a meter; {fine / coarse:0.00} of it at half the spacing");
             Assert.That(fine / coarse, Is.EqualTo(1.0).Within(0.3), $"{fine} where twice the spacing makes {coarse}");
-            // Over six dams that differ in their first jitter the mean is 0.70, and each within 0.04 of it.
-            Assert.That(often / coarse, Is.InRange(0.6, 1.2), $"{often} where one substep makes {coarse}");
+        }
 
-            double OfWidth(float spacing, int substeps)
-            {
-                using (TestFluid fluid = Break(spacing, 8, substeps, 108))
-                    return Count(fluid, FoamCounter.Spawned) / (8.0 * spacing);
-            }
+        [Test]
+        public void The_foam_of_a_dam_is_that_of_more_substeps()
+        {
+            double coarse = FoamOfWidth(0.025f, substeps: 1), often = FoamOfWidth(0.025f, substeps: 4);
+            TestContext.Out.WriteLine($"{coarse:0} foam particles a meter; {often / coarse:0.00} of it in four substeps");
+            Assert.That(coarse, Is.GreaterThan(1000.0), "foam particles in 1.8 s of a meter of width");
+            // 0.97 on lavapipe; 1.11 where the strain that the solver itself makes is taken to be that of one substep.
+            Assert.That(often / coarse, Is.InRange(0.87, 1.07), $"{often} where one substep makes {coarse}");
+        }
+
+        // Foam particles that a slice of 8 spacings makes, a meter.
+        static double FoamOfWidth(float spacing, int substeps)
+        {
+            using (TestFluid fluid = Break(spacing, 8, substeps, 108))
+                return Count(fluid, FoamCounter.Spawned) / (8.0 * spacing);
         }
 
         [Test]

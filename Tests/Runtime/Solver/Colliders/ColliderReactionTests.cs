@@ -91,7 +91,7 @@ namespace Rill.Tests
 
         // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see floating-study.md of the
         // documentation.
-        [TestCase(DeepWater.Off, 4f, 5.5f, Category = "GpuOnly")]
+        [TestCase(DeepWater.Off, 4f, 5.5f)]
         [TestCase(DeepWater.On, 4f, 3.3f)]
         [TestCase(DeepWater.On, 6f, 2.5f, Category = "GpuOnly")]
         public void Water_soon_moves_along_with_a_ball_that_is_set_moving(DeepWater deepWater, float radius, float most)
