@@ -88,7 +88,8 @@ namespace Rill
             }
         }
 
-        /// <summary>Records one of the <see cref="Phases"/> of where rays and balls cross the surface, and density, velocity and phase at that point.</summary>
+        /// <summary>Records one of the <see cref="Phases"/> of where rays and balls cross the surface, and density, velocity and phase at that
+        /// point.</summary>
         /// <param name="up">Against gravity, length 1; 0 without gravity.</param>
         /// <param name="length">At least that of each ray in the box, d.</param>
         /// <param name="firstWord">Of the results, from which on there are <see cref="RayQuery.RayWords"/> for each ray.</param>
