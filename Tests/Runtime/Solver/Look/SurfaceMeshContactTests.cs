@@ -84,7 +84,7 @@ namespace Rill.Tests
         }
 
         // As far below the surface beside it, d, begins a pocket of a few cells without water, not the line. One is left at a mesh by some ways that
-        // the water comes to rest, of 4 to 9 points of 79.
+        // the water comes to rest, of up to a seventh of the points.
         const double Pocket = 1.0;
 
         // Particles do not get into a wedge between the surface and a collider that leans: there the surface ends lower than it is beside.
