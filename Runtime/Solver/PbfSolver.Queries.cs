@@ -26,7 +26,7 @@ namespace Rill
             queries.Record(PrepareAnswers(cmd), tags, input, slot);
         }
 
-        /// <summary>The same for batches that have asked.</summary>
+        /// <summary>Records the answers to batches that have asked.</summary>
         public void RecordBatches(CommandBuffer cmd, List<QueryBatch> batches)
         {
             StepContext step = PrepareAnswers(cmd);

@@ -6,7 +6,7 @@
 #ifndef RILL_MESH_FIELD_INCLUDED
 #define RILL_MESH_FIELD_INCLUDED
 
-#include "../Generated/SurfaceMesh.hlsl"
+#include "MeshFieldTexel.hlsl"
 
 StructuredBuffer<uint> _MeshTop;
 Texture3D<float> _MeshField;
@@ -31,12 +31,6 @@ uint MeshBrick(int3 brick)
 float UniformBrick(uint entry)
 {
     return entry == 1 ? kMeshFar : -kMeshFar;
-}
-
-// See FieldTexel of SurfaceMesh.compute.
-uint3 MeshFieldTexel(uint brick)
-{
-    return (kBrick + 1) * uint3(brick % kFieldBricks, brick / kFieldBricks % kFieldBricks, brick / (kFieldBricks * kFieldBricks));
 }
 
 float MeshNode(int3 node)

@@ -60,16 +60,23 @@ namespace Rill
         public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
             GraphicsBuffer results, int count)
         {
+            Begin(step, tags);
             for (int phase = 0; phase < Phases; phase++)
-                RecordPoints(step, tags, up, points, ringHeights, results, count, phase);
+                DispatchPoints(step, tags, up, points, ringHeights, results, count, phase);
         }
 
         /// <summary>Records one of the <see cref="Phases"/> of it.</summary>
         public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
             GraphicsBuffer results, int count, int phase)
         {
-            CommandBuffer cmd = step.Commands;
             Begin(step, tags);
+            DispatchPoints(step, tags, up, points, ringHeights, results, count, phase);
+        }
+
+        void DispatchPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
+            GraphicsBuffer results, int count, int phase)
+        {
+            CommandBuffer cmd = step.Commands;
             cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
             switch (phase)
             {
