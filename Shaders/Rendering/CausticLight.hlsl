@@ -44,21 +44,21 @@ float3 SceneStep(float2 picture, float2 texel, float z, float3 at)
     return isBefore ? at - other : other - at;
 }
 
-// Factor of the scene's color. p: the point that is seen, in the domain's frame, d.
-float3 SunThroughSurface(float3 p, float2 picture)
+// Factor of the scene's color at a point of the picture.
+float3 SunThroughSurface(float2 picture)
 {
     if (_CausticLight.w == 0.0)
         return 1.0;
     MainLight light = LightOfWater();
     float3 traced = normalize(mul((float3x3)_DomainToWorld, _CausticLight.xyz));
+    float2 size = SceneSize(), texel = 2.0 / size;
+    picture = (floor((picture * 0.5 + 0.5) * size) + 0.5) * texel - 1.0;
+    float z = SceneDepthAt(picture);
+    float3 world = ScenePoint(picture, z), p = InDomain(world);
     float2 inMap = InCausticMap(p);
     if (dot(light.direction, traced) < 0.999 || any(inMap < 0.0) || any(inMap > _CausticSize.xy))
         return 1.0;
 
-    float2 size = SceneSize(), texel = 2.0 / size;
-    picture = (floor((picture * 0.5 + 0.5) * size) + 0.5) * texel - 1.0;
-    float z = SceneDepthAt(picture);
-    float3 world = ScenePoint(picture, z);
     float3 normal = cross(SceneStep(picture, float2(texel.x, 0.0), z, world), SceneStep(picture, float2(0.0, texel.y), z, world));
     float3 toEye = ToEye(world);
     normal *= rsqrt(max(dot(normal, normal), 1e-24)) * (dot(normal, toEye) < 0.0 ? -1.0 : 1.0);

@@ -6,6 +6,7 @@
 #ifndef RILL_MESH_FIELD_INCLUDED
 #define RILL_MESH_FIELD_INCLUDED
 
+#include "DrawnDomain.hlsl"
 #include "MeshFieldTexel.hlsl"
 
 StructuredBuffer<uint> _MeshTop;
@@ -14,7 +15,6 @@ SamplerState rill_field_linear_clamp_sampler;
 float _MeshCell;                // distance between nodes, d
 float4 _MeshBricks;             // xyz
 float4 _MeshFieldTexel;         // xyz: 1 / size of _MeshField
-float4 _DrawnDomainSize;        // xyz, d
 
 static const float kMeshFar = 2.0;          // what the field holds at most, d
 static const float kMeshSafety = 0.85;      // of the distance that the field gives: it is not exact

@@ -1,12 +1,30 @@
-// The depth of the scene as the pipeline binds it: with RILL_SCENE_ARRAY a slice for each eye. Include after SurfaceView.hlsl.
+// The depth of the scene as the pipeline binds it: with RILL_SCENE_ARRAY a slice for each eye. In kernels, which cannot name that, RILL_SCENE_COPY
+// reads the copy of it that WaterFaces.hlsl makes: in texels of the surface's textures, but of the whole picture. Include after SurfaceView.hlsl.
 #ifndef RILL_SCENE_DEPTH_INCLUDED
 #define RILL_SCENE_DEPTH_INCLUDED
 
-#ifdef RILL_SCENE_ARRAY
+#if defined(RILL_SCENE_COPY)
+Texture2DArray<float> _SceneCopy;
+#elif defined(RILL_SCENE_ARRAY)
 Texture2DArray _CameraDepthTexture;
 #else
 Texture2D _CameraDepthTexture;
 #endif
+
+#ifdef RILL_SCENE_COPY
+
+float2 SceneSize()
+{
+    return _SurfaceSize.xy;
+}
+
+float SceneDepth(float2 picture, uint eye)
+{
+    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
+    return _SceneCopy.Load(int4(texel, eye, 0));
+}
+
+#else
 
 float2 SceneSize()
 {
@@ -31,5 +49,7 @@ float SceneDepth(float2 picture, uint eye)
     return _CameraDepthTexture.Load(int3(texel, 0)).r;
 #endif
 }
+
+#endif
 
 #endif

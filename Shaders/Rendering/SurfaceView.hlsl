@@ -116,6 +116,18 @@ float4 SurfacePosition(float2 picture, float depth)
     return ViewportPosition(TexelsAt(picture, _SurfaceSize, _SurfaceWindow) / max(_SurfaceWindow.zw, 1.0) * 2.0 - 1.0, depth);
 }
 
+// The same for a point in the clip space of the surface.
+float4 WindowClip(float4 clip)
+{
+    float2 scale = _SurfaceSize.xy / max(_SurfaceWindow.zw, 1.0), shift = scale - 2.0 * _SurfaceWindow.xy / max(_SurfaceWindow.zw, 1.0) - 1.0;
+    float2 at = clip.xy * scale + clip.w * shift;
+#if RILL_OPENGL
+    return float4(at, clip.w - 2.0 * clip.z, clip.w);
+#else
+    return float4(at.x, -at.y, clip.z, clip.w);
+#endif
+}
+
 // Of a rectangle as two triangles, on the picture.
 float2 RectangleCorner(uint vertex, float2 low, float2 high)
 {

@@ -2,9 +2,6 @@
 // not refract, blended once. Includes nothing of Unity's.
 #include "View.hlsl"
 #include "SurfaceView.hlsl"
-
-float4 _DrawnDomainSize;        // xyz, d
-
 #include "WaterMesh.hlsl"
 
 float4 WaterDepthFragment(WaterVaryings input) : SV_Target

@@ -5,17 +5,16 @@
 #ifndef RILL_WATER_MESH_INCLUDED
 #define RILL_WATER_MESH_INCLUDED
 
+#include "DrawnDomain.hlsl"
 #include "MeshVertex.hlsl"
-
-float4x4 _DomainToWorld;        // from the domain's frame in d to world, meters
 
 #ifndef RILL_SHADOW_VIEW
 struct WaterVaryings
 {
     precise float4 clip : SV_Position;      // the same to the bit in the pass of depth
     float3 world : TEXCOORD0;
-    float3 normal : TEXCOORD1;              // world
-    float3 shift : TEXCOORD2;               // from where the field has it, d
+    float3 drawn : TEXCOORD1;               // the same in the domain's frame, d
+    float3 normal : TEXCOORD2;              // domain
     RILL_VIEW_OUTPUT
 };
 
@@ -29,9 +28,9 @@ WaterVaryings WaterVertex(uint vertex : SV_VertexID, uint instance : SV_Instance
         return result;
 
     MeshVertex v = LoadMeshVertex(vertex);
-    result.shift = MeshShift(v, _DrawnDomainSize.xyz);
-    result.world = mul(_DomainToWorld, float4(v.position + result.shift, 1.0)).xyz;
-    result.normal = mul((float3x3)_DomainToWorld, v.normal);
+    result.drawn = v.position + MeshShift(v, _DrawnDomainSize.xyz);
+    result.world = mul(_DomainToWorld, float4(result.drawn, 1.0)).xyz;
+    result.normal = v.normal;
     result.clip = WorldToClip(result.world);
     return result;
 }

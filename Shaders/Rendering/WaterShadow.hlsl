@@ -13,7 +13,6 @@ static const float kBehind = 1.0;           // d beyond the far side of the wate
 
 float _ShadowOpacity;           // 0 to 1
 float _ShadowIsBehind;          // 1 where it begins behind the water, 0 at its near side
-float4x4 _WorldToDomain;        // from world, m, to the domain's frame in d
 
 struct ShadowVaryings
 {

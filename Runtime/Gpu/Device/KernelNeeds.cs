@@ -55,7 +55,8 @@ namespace Rill
                 case "SurfaceFilter":
                 case "SurfaceMesh":
                 case "SurfaceThickness":
-                case "SurfaceParticles": return DeviceFeature.Surface;
+                case "SurfaceParticles":
+                case "WaterRays": return DeviceFeature.Surface;
                 case "ImplicitViscosity": return DeviceFeature.DynamicViscosity;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;

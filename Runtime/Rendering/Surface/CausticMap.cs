@@ -144,10 +144,7 @@ namespace Rill
 
         void SetOn(in MeshFrame mesh)
         {
-            commands.SetComputeFloatParam(shader, Ids.MeshCell, mesh.cell);
-            commands.SetComputeVectorParam(shader, Ids.MeshFieldTexel, mesh.fieldTexel);
-            commands.SetComputeVectorParam(shader, Ids.MeshBricks, (Vector3)mesh.bricks);
-            commands.SetComputeVectorParam(shader, Ids.DrawnDomainSize, mesh.domainSize);
+            mesh.SetOn(commands, shader);
             commands.SetComputeVectorParam(shader, Ids.AxisX, axisX);
             commands.SetComputeVectorParam(shader, Ids.AxisY, axisY);
             commands.SetComputeVectorParam(shader, Ids.Light, light);
@@ -157,8 +154,7 @@ namespace Rill
 
         void SetField(Kernel kernel, in MeshFrame mesh)
         {
-            commands.SetComputeBufferParam(shader, kernel, Ids.MeshTop, mesh.top);
-            commands.SetComputeTextureParam(shader, kernel, Ids.MeshField, mesh.field);
+            mesh.SetField(commands, shader, kernel);
             commands.SetComputeBufferParam(shader, kernel, Ids.Range, range);
         }
 
@@ -202,12 +198,6 @@ namespace Rill
             public static readonly int StepY = Shader.PropertyToID("_CausticStepY");
             public static readonly int Range = Shader.PropertyToID("_CausticRange");
             public static readonly int Sums = Shader.PropertyToID("_CausticSums");
-            public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
-            public static readonly int MeshField = Shader.PropertyToID("_MeshField");
-            public static readonly int MeshFieldTexel = Shader.PropertyToID("_MeshFieldTexel");
-            public static readonly int MeshCell = Shader.PropertyToID("_MeshCell");
-            public static readonly int MeshBricks = Shader.PropertyToID("_MeshBricks");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
         }
     }
 }

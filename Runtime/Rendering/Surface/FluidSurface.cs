@@ -75,6 +75,7 @@ namespace Rill
         CausticMap causticMap;  // where caustics are on
         [NonSerialized] bool isCausticMapDue;     // in this frame, as soon as a camera sees the water
         [NonSerialized] bool hasSaidWhy;        // there is none
+        [NonSerialized] bool hasSaidMeshProblem;
         readonly SurfaceWatch watch = new SurfaceWatch();
         SurfaceFrame frame;
         [NonSerialized] bool hasFrame;
@@ -210,7 +211,7 @@ namespace Rill
             else
                 ShadowCopy.SetNone(ref constants);
             if (mesh.HasValue)
-                meshDraw.Record(cmd, camera, constants);
+                meshDraw.Record(cmd, camera, mesh.Value, constants);
             else
                 recorder.Record(cmd, camera, frame, constants);
         }
@@ -324,12 +325,25 @@ namespace Rill
             BuiltInSurfaces.ReleaseUnused();
         }
 
+        // On a device that cannot, the surface on the screen is drawn instead.
+        bool DrawsMesh
+        {
+            get
+            {
+                string why = method == SurfaceMethod.Mesh ? WaterRays.DeviceProblem : null;
+                if (why != null && !hasSaidMeshProblem)
+                    Debug.LogWarning($"Rill: FluidSurface '{name}' is drawn in screen space: {why}. Set its Method to Screen Space there.", this);
+                hasSaidMeshProblem |= why != null;
+                return method == SurfaceMethod.Mesh && why == null;
+            }
+        }
+
         bool CastsShadow => CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
 
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
-            if (method == SurfaceMethod.Mesh)
+            if (DrawsMesh)
                 Simulation.NeedMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {
@@ -347,7 +361,7 @@ namespace Rill
         private protected override void Draw()
         {
             PbfSolver solver = Simulation.Solver;
-            mesh = solver.Mesh != null && Simulation.HasStages(StageSet.Water) ? MeshFrame.Of(Simulation, solver.Mesh) : nextMesh;
+            mesh = solver.Mesh != null && Simulation.HasStages(StageSet.Water) ? MeshFrame.Of(Simulation, solver.Mesh, quality) : nextMesh;
             FollowCaustics();
             if (mesh.HasValue)
             {

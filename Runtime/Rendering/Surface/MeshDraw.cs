@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>
     /// Draws the mesh of a fluid's surface: its depth, its colors, and what an eye in the water sees. The same buffers serve all cameras; a camera
-    /// has nothing of its own but constants, which are written as its commands are recorded.
+    /// has of its own constants and the rays that it sees through the surface, which are found as its commands are recorded.
     /// </summary>
     /// <remarks>
     /// Depth is a draw of its own, one place earlier in the queue: the pipelines do not all promise an order of the passes of one material, but
@@ -25,11 +25,14 @@ namespace Rill
         const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
 
         Material colors = MaterialOf("Water"), depth = MaterialOf("WaterDepth"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops");
-        readonly CameraViews<View> views = new CameraViews<View>(camera => new View(camera));
+        readonly WaterRays rays = new WaterRays();
+        readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
+        bool refracts;
 
         /// <summary>Whether what is behind is seen bent, and whether a cube map of the user's own is mirrored.</summary>
         public void SetKeywords(bool refraction, bool ownReflection)
         {
+            refracts = refraction;
             SetKeyword(RefractionKeyword, refraction);
             SetKeyword(ReflectionKeyword, ownReflection);
         }
@@ -40,13 +43,16 @@ namespace Rill
         {
             TurnOff(camera.camera);
             views.DisposeReplaced();
-            var box = new SurfaceFrame { domainToWorld = mesh.domainToWorld, domainSize = mesh.domainSize, spacing = mesh.spacing };
-            if (!BoxOnPicture.Of(camera, box).IsSeen)
+            BoxOnPicture seen = BoxOnPicture.Of(camera, mesh.Box);
+            if (!seen.IsSeen)
                 return false;
-            View view = views.ViewOf(camera.camera);
-            if (view.IsSubmitted && !view.IsSubmittedFor(camera.width, camera.height))
-                view = views.Replace(view);     // it holds a copy of the scene of another size
+            WaterView view = views.ViewOf(camera.camera);
+            // It holds a copy of the scene of another size, or rays of too small a part of the picture.
+            if (view.IsSubmitted && !(view.IsSubmittedFor(camera.width, camera.height) && view.Holds(camera, seen.Bounds, mesh.rayScale)))
+                view = views.Replace(view);
             view.IsPrepared = true;
+            if (!view.IsSubmitted)
+                view.Prepare(camera, seen.Bounds, mesh.rayScale);
             return true;
         }
 
@@ -59,7 +65,7 @@ namespace Rill
         /// <summary>The properties that the camera's draws have in this frame; null where they wait in Unity's queue already.</summary>
         public MaterialPropertyBlock BeginSubmit(in FluidViews camera, in MeshFrame mesh)
         {
-            View view = views.ViewOf(camera.camera);
+            WaterView view = views.ViewOf(camera.camera);
             if (view.IsSubmitted)
                 return null;
             view.MarkSubmitted(camera.width, camera.height);
@@ -87,18 +93,22 @@ namespace Rill
             Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, InsideVertices);
         }
 
-        /// <summary>Records what the camera's draws read of it; nothing where its picture was not prepared.</summary>
+        /// <summary>Records what the camera's draws read of it, and its rays; nothing where its picture was not prepared.</summary>
         /// <param name="camera">With the matrices that it draws with.</param>
         /// <param name="constants">Of the fluid's look; the camera's are filled in.</param>
-        public void Record(CommandBuffer cmd, in FluidViews camera, SurfaceConstants constants)
+        public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, SurfaceConstants constants)
         {
-            View view = views.Find(camera.camera);
+            WaterView view = views.Find(camera.camera);
             if (view == null || !view.IsPrepared)
                 return;
             view.LastFrame = Time.frameCount;
             constants.Set(camera);
             constants.pictureBounds = new Vector4(-1f, -1f, 1f, 1f);
+            view.Place(camera, BoxOnPicture.Of(camera, mesh.Box).Bounds, mesh.rayScale);
+            (constants.surfaceSize, constants.surfaceWindow) = (view.Window.Grid, view.Window.Rect);
             view.Write(cmd, constants);
+            SurfaceScratch.Shared.Prepare(view, Mathf.CeilToInt(view.Window.Grid.x), Mathf.CeilToInt(view.Window.Grid.y));
+            rays.Record(cmd, camera, mesh, view, refracts);
         }
 
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
@@ -112,11 +122,19 @@ namespace Rill
             stage.Draw("Water", views.Count);
             stage.Draw("WaterInside", views.Count);
             stage.Draw("WaterDrops", views.Count);
+            for (int i = 0; i < views.Count; i++)
+                if (views[i].Ends != null)
+                {
+                    rays.Describe(stage, views[i].Ends.volumeDepth);
+                    views[i].Describe(stage);
+                }
+            SurfaceScratch.Shared.Describe(stage);
         }
 
         public void Dispose()
         {
             views.Dispose();
+            rays.Dispose();
             EngineObject.Destroy(ref colors);
             EngineObject.Destroy(ref depth);
             EngineObject.Destroy(ref inside);
@@ -132,14 +150,6 @@ namespace Rill
             FluidRenderer.SetKeyword(colors, name, isOn);
             FluidRenderer.SetKeyword(inside, name, isOn);
             FluidRenderer.SetKeyword(drops, name, isOn);
-        }
-
-        /// <summary>What one camera has of its own.</summary>
-        sealed class View : CameraView
-        {
-            public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();
-
-            public View(Camera camera) : base(camera, "Rill.Water.Constants") => SetConstants(Properties);
         }
     }
 }

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -40,14 +41,20 @@ namespace Rill
         /// <summary>Particle spacing, m.</summary>
         public float spacing;
 
+        /// <summary>Width of the textures of rays over that of the picture, up to 1.</summary>
+        public float rayScale;
+
         /// <summary>FluidSimulation.FrameLag.</summary>
         public Vector4 lag;
 
         /// <summary>World, of all that is drawn.</summary>
         public Bounds bounds;
 
+        /// <summary>The box alone.</summary>
+        public readonly SurfaceFrame Box => new SurfaceFrame { domainToWorld = domainToWorld, domainSize = domainSize, spacing = spacing };
+
         /// <summary>The mesh that a running fluid has found, at the time of this frame.</summary>
-        public static MeshFrame Of(FluidSimulation fluid, SurfaceMesh found)
+        public static MeshFrame Of(FluidSimulation fluid, SurfaceMesh found, SurfaceQuality quality = SurfaceQuality.Medium)
         {
             PbfSolver solver = fluid.Solver;
             Vector3 box = fluid.DomainSize;
@@ -59,6 +66,7 @@ namespace Rill
                 elements = solver.Surface.Particles, drops = found.Drops, exposure = 0.5f * solver.LastSubsteps,
                 cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
                 domainToWorld = fluid.DomainToWorld, domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
+                rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f,
                 bounds = new Bounds(fluid.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)), Vector3.one * (box.magnitude + 4f * spacing)),
             };
         }
@@ -82,6 +90,24 @@ namespace Rill
             block.SetMatrix(Ids.WorldToDomain, domainToWorld.inverse);
             block.SetVector(Ids.DrawnDomainSize, domainSize);
             block.SetVector(Ids.FrameLag, lag);
+        }
+
+        /// <summary>Sets what DrawnDomain.hlsl and MeshField.hlsl read, but for the field.</summary>
+        public readonly void SetOn(CommandBuffer cmd, ComputeShader shader)
+        {
+            cmd.SetComputeFloatParam(shader, Ids.MeshCell, cell);
+            cmd.SetComputeVectorParam(shader, Ids.MeshFieldTexel, fieldTexel);
+            cmd.SetComputeVectorParam(shader, Ids.MeshBricks, (Vector3)bricks);
+            cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
+            cmd.SetComputeMatrixParam(shader, Ids.WorldToDomain, domainToWorld.inverse);
+            cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, domainSize);
+        }
+
+        /// <summary>Sets the field for a kernel.</summary>
+        public readonly void SetField(CommandBuffer cmd, ComputeShader shader, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshTop, top);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.MeshField, field);
         }
 
         static class Ids

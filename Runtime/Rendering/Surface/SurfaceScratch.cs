@@ -15,7 +15,7 @@ namespace Rill
 
         static SurfaceScratch shared = new SurfaceScratch();
 
-        RenderTexture rows, sceneDistance;
+        RenderTexture rows, sceneDistance, faces, faceDepth, sceneCopy;
         GraphicsBuffer amounts, foamAmounts;
         int lastFrame, lookedFrame;
         long largest;       // texels asked for since it was looked at
@@ -30,6 +30,13 @@ namespace Rill
         /// <summary>Distance of the scene along the view, m; of the size of <see cref="SurfaceView.Thickness"/>.</summary>
         public RenderTexture SceneDistance => sceneDistance;
 
+        /// <summary>The nearest faces of a mesh on the picture, see WaterRays.compute, and their depth.</summary>
+        public RenderTexture Faces => faces;
+        public RenderTexture FaceDepth => faceDepth;
+
+        /// <summary>The scene's depth as the device has it, of the whole picture.</summary>
+        public RenderTexture SceneCopy => sceneCopy;
+
         /// <summary>uint, of each texel of <see cref="SurfaceView.Thickness"/> in use, slice after slice; see SurfaceThickness.compute.</summary>
         public GraphicsBuffer Amounts => amounts;
 
@@ -41,11 +48,24 @@ namespace Rill
         {
             lastFrame = Time.frameCount;
             largest = Math.Max(largest, TexelsOf(view.Smoothed));
-            HoldTexture(ref rows, "Rill.Surface.Rows", view.Smoothed, true);
-            HoldTexture(ref sceneDistance, "Rill.Surface.SceneDistance", view.Thickness, false);
+            HoldTexture(ref rows, "Rill.Surface.Rows", SizeOf(view.Smoothed), GraphicsFormat.R32_SFloat, true);
+            HoldTexture(ref sceneDistance, "Rill.Surface.SceneDistance", SizeOf(view.Thickness), GraphicsFormat.R32_SFloat, false);
             HoldBuffer<uint>(ref amounts, "Rill.Surface.Amounts", TexelsOf(view.Thickness) * view.Phases);
             if (view.Foam != null)
                 HoldBuffer<uint4>(ref foamAmounts, "Rill.Surface.FoamAmounts", TexelsOf(view.Foam));
+        }
+
+        /// <summary>Holds what the rays of a view need.</summary>
+        /// <param name="width">Of the whole picture, in texels of the view.</param>
+        /// <param name="height">The same.</param>
+        public void Prepare(WaterView view, int width, int height)
+        {
+            lastFrame = Time.frameCount;
+            int3 size = SizeOf(view.Ends);
+            largest = Math.Max(largest, TexelsOf(view.Ends));
+            HoldTexture(ref faces, "Rill.Water.Faces", size, GraphicsFormat.R32G32B32A32_SFloat, false);
+            HoldTexture(ref faceDepth, "Rill.Water.FaceDepth", size, GraphicsFormat.None, false);
+            HoldTexture(ref sceneCopy, "Rill.Water.Scene", new int3(width, height, size.z), GraphicsFormat.R32_SFloat, false);
         }
 
         /// <summary>Once a frame: gives back what nothing has asked for lately.</summary>
@@ -66,10 +86,13 @@ namespace Rill
         // Where the largest use of a while leaves much of it empty it is made again by the next.
         void Shrink()
         {
-            if (rows != null && 4 * largest < 3 * TexelsOf(rows))
+            if (rows != null && 4 * largest < 3 * TexelsOf(rows) || faces != null && 4 * largest < 3 * TexelsOf(faces))
             {
                 Outgrow(ref rows);
                 Outgrow(ref sceneDistance);
+                Outgrow(ref faces);
+                Outgrow(ref faceDepth);
+                Outgrow(ref sceneCopy);
                 Outgrow(ref amounts);
                 Outgrow(ref foamAmounts);
             }
@@ -85,6 +108,9 @@ namespace Rill
             outgrown.Clear();
             EngineObject.Release(ref rows);
             EngineObject.Release(ref sceneDistance);
+            EngineObject.Release(ref faces);
+            EngineObject.Release(ref faceDepth);
+            EngineObject.Release(ref sceneCopy);
             GpuBuffer.Release(ref amounts);
             GpuBuffer.Release(ref foamAmounts);
         }
@@ -93,6 +119,9 @@ namespace Rill
         {
             SurfaceView.Describe(stage, rows);
             SurfaceView.Describe(stage, sceneDistance);
+            SurfaceView.Describe(stage, faces);
+            SurfaceView.Describe(stage, faceDepth);
+            SurfaceView.Describe(stage, sceneCopy);
             if (amounts != null)
                 stage.Buffer("Rill.Surface.Amounts", amounts);
             if (foamAmounts != null)
@@ -101,14 +130,17 @@ namespace Rill
 
         static long TexelsOf(RenderTexture texture) => (long)texture.width * texture.height * texture.volumeDepth;
 
-        void HoldTexture(ref RenderTexture held, string name, RenderTexture like, bool isWritten)
+        static int3 SizeOf(RenderTexture texture) => new int3(texture.width, texture.height, texture.volumeDepth);
+
+        // size: width, height and slices.
+        void HoldTexture(ref RenderTexture held, string name, int3 size, GraphicsFormat format, bool isWritten)
         {
-            if (held != null && held.width >= like.width && held.height >= like.height && held.volumeDepth >= like.volumeDepth)
+            int3 has = held == null ? 0 : SizeOf(held);
+            if (held != null && math.all(has >= size))
                 return;
-            int width = Math.Max(like.width, held == null ? 0 : held.width), height = Math.Max(like.height, held == null ? 0 : held.height),
-                slices = Math.Max(like.volumeDepth, held == null ? 0 : held.volumeDepth);
+            size = math.max(size, has);
             Outgrow(ref held);
-            held = SurfaceView.Make(name, width, height, slices, GraphicsFormat.R32_SFloat, isWritten);
+            held = SurfaceView.Make(name, size.x, size.y, size.z, format, isWritten);
         }
 
         void HoldBuffer<T>(ref GraphicsBuffer held, string name, long count) where T : struct

@@ -192,7 +192,8 @@ namespace Rill
                 stage.Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture));
         }
 
-        static int BytesOf(RenderTexture texture) => texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;
+        static int BytesOf(RenderTexture texture) => texture.graphicsFormat == GraphicsFormat.R32G32B32A32_SFloat ? 16
+            : texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;
 
         /// <summary>With a slice for each eye.</summary>
         public static RenderTexture Make(string name, int width, int height, int eyes, GraphicsFormat format, bool written)

@@ -1,0 +1,106 @@
+using System;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Follows the light that a camera sees through the mesh of a fluid's surface, a thread for each texel of its picture; see
+    /// WaterRays.compute.</summary>
+    /// <remarks>Not in the draw that shades: triangles of a few pixels shade most of them several times. Records into the caller's command buffer;
+    /// sets no globals.</remarks>
+    sealed class WaterRays : IDisposable
+    {
+        static readonly ProfilerMarker FacesMarker = GpuMarker.Create("Rill.Water.Faces");
+        static readonly ProfilerMarker RaysMarker = GpuMarker.Create("Rill.Water.Rays");
+
+        const int FacePass = 0, CopyPass = 1;       // of WaterFaces.shader
+        const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
+
+        readonly ComputeShader shader;
+        readonly Kernel trace;
+        readonly LocalKeyword sceneArray;
+        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+        Material raster;
+
+        public WaterRays()
+        {
+            StageShader stage = StageShader.Load("WaterRays");
+            shader = stage.Compute;
+            raster = new Material(stage.Shader) { hideFlags = HideFlags.HideAndDontSave };
+            trace = new Kernel(shader, "TraceRays");
+            sceneArray = new LocalKeyword(stage.Shader, SceneArrayKeyword);
+        }
+
+        /// <summary>Why light cannot be followed on this device; null where it can.</summary>
+        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.ARGBFloat, false)
+            ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, true);
+
+        /// <summary>Fills the textures of the view, whose window is placed and whose constants are written.</summary>
+        /// <param name="refracts">Else the straight path through the water is found alone.</param>
+        public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view, bool refracts)
+        {
+            SurfaceScratch scratch = SurfaceScratch.Shared;
+            RecordFaces(cmd, camera, mesh, view);
+            cmd.BeginSample(RaysMarker);
+            view.SetConstants(cmd, shader);
+            mesh.SetOn(cmd, shader);
+            mesh.SetField(cmd, shader, trace);
+            cmd.SetComputeFloatParam(shader, Ids.RaysBend, refracts ? 1f : 0f);
+            for (int eye = 0; eye < camera.eyes; eye++)
+            {
+                cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
+                cmd.SetComputeTextureParam(shader, trace, Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
+                cmd.SetComputeTextureParam(shader, trace, Ids.Faces, scratch.Faces);
+                cmd.SetComputeTextureParam(shader, trace, Ids.SceneCopy, scratch.SceneCopy);
+                cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayEnds, view.Ends);
+                cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayDirections, view.Directions);
+                cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayMirrors, view.Mirrors);
+                SurfaceIds.Dispatch(cmd, shader, trace, view.Window.Width, view.Window.Height);
+            }
+            cmd.EndSample(RaysMarker);
+        }
+
+        public void Describe(StageDescription stage, int eyes)
+        {
+            stage.Draw("WaterFaces", 2 * eyes);
+            stage.Kernel(trace, eyes);
+        }
+
+        public void Dispose() => EngineObject.Destroy(ref raster);
+
+        void RecordFaces(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view)
+        {
+            SurfaceScratch scratch = SurfaceScratch.Shared;
+            cmd.BeginSample(FacesMarker);
+            cmd.SetKeyword(raster, sceneArray, camera.sceneIsArray);
+            view.SetConstants(properties);
+            mesh.SetOn(properties);
+            var window = new Rect(0f, 0f, view.Window.Width, view.Window.Height);
+            var picture = new Rect(0f, 0f, view.Window.Grid.x, view.Window.Grid.y);
+            for (int eye = 0; eye < camera.eyes; eye++)
+            {
+                properties.SetInt(SurfaceIds.SurfaceEye, eye);
+                cmd.SetRenderTarget(scratch.Faces, scratch.FaceDepth, 0, CubemapFace.Unknown, eye);
+                // Before the viewport makes the clear one of a part: a tiler need not load then what was there.
+                cmd.ClearRenderTarget(true, true, Color.clear);
+                cmd.SetViewport(window);
+                cmd.DrawProceduralIndirect(mesh.indices, Matrix4x4.identity, raster, FacePass, MeshTopology.Triangles, mesh.arguments,
+                    MeshDraw.MonoCommand, properties);
+                cmd.SetRenderTarget(scratch.SceneCopy, 0, CubemapFace.Unknown, eye);
+                cmd.ClearRenderTarget(false, true, Color.clear);
+                cmd.SetViewport(picture);
+                cmd.DrawProcedural(Matrix4x4.identity, raster, CopyPass, MeshTopology.Triangles, 3, 1, properties);
+            }
+            cmd.EndSample(FacesMarker);
+        }
+
+        static class Ids
+        {
+            public static readonly int FaceDepth = Shader.PropertyToID("_FaceDepth");
+            public static readonly int Faces = Shader.PropertyToID("_Faces");
+            public static readonly int SceneCopy = Shader.PropertyToID("_SceneCopy");
+            public static readonly int RaysBend = Shader.PropertyToID("_RaysBend");
+        }
+    }
+}

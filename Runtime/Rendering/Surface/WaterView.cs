@@ -1,0 +1,96 @@
+using System;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+
+namespace Rill
+{
+    /// <summary>What one camera needs of one fluid's mesh: where the light comes from that it sees through the surface, with a slice for each
+    /// eye. See PackedRay of WaterRays.hlsl.</summary>
+    sealed class WaterView : CameraView
+    {
+        /// <summary>Of the draws, which live on until the next frame.</summary>
+        public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();
+
+        /// <summary>Half floats.</summary>
+        public RenderTexture Ends, Directions, Mirrors;
+
+        /// <summary>The part of the picture that they hold, from their first texel on.</summary>
+        public PictureWindow Window;
+
+        ScreenSize size;
+
+        public WaterView(Camera camera) : base(camera, "Rill.Water.Constants") => SetConstants(Properties);
+
+        /// <summary>Whether the textures do for a frame as they are.</summary>
+        /// <param name="bounds">Lowest x and y, highest x and y of the fluid's box on the picture, -1 to 1.</param>
+        /// <param name="scale">Width of the textures over that of the picture.</param>
+        public bool Holds(in FluidViews camera, Vector4 bounds, float scale)
+        {
+            PictureWindow window = WindowOf(camera, bounds, scale);
+            return Ends != null && Ends.volumeDepth == camera.eyes && window.Width <= Ends.width && window.Height <= Ends.height;
+        }
+
+        /// <summary>Makes the textures where they are missing, too small, or for long much too large.</summary>
+        public void Prepare(in FluidViews camera, Vector4 bounds, float scale)
+        {
+            PictureWindow window = WindowOf(camera, bounds, scale);
+            // The camera's full resolution, whatever is drawn of it now.
+            int maxWidth = Math.Max((int)window.Grid.x, Scaled(camera.camera.pixelWidth, scale)),
+                maxHeight = Math.Max((int)window.Grid.y, Scaled(camera.camera.pixelHeight, scale));
+            if (size.Fit(Math.Min(window.Width + PictureWindow.Play, maxWidth), Math.Min(window.Height + PictureWindow.Play, maxHeight), maxWidth,
+                maxHeight) || Ends == null || Ends.volumeDepth != camera.eyes)
+                Make(camera.eyes);
+            Properties.SetTexture(Ids.RayEnds, Ends);
+            Properties.SetTexture(Ids.RayDirections, Directions);
+            Properties.SetTexture(Ids.RayMirrors, Mirrors);
+        }
+
+        /// <summary>Sets which part of the picture is in use, as far as the textures go.</summary>
+        public void Place(in FluidViews camera, Vector4 bounds, float scale) =>
+            Window = WindowOf(camera, bounds, scale).Within(Ends.width, Ends.height);
+
+        public override void Dispose()
+        {
+            base.Dispose();
+            ReleaseTextures();
+        }
+
+        public void Describe(StageDescription stage)
+        {
+            SurfaceView.Describe(stage, Ends);
+            SurfaceView.Describe(stage, Directions);
+            SurfaceView.Describe(stage, Mirrors);
+        }
+
+        static PictureWindow WindowOf(in FluidViews camera, Vector4 bounds, float scale)
+            => PictureWindow.Around(Scaled(camera.width, scale), Scaled(camera.height, scale), bounds);
+
+        static int Scaled(int pixels, float scale) => Math.Max((int)(pixels * scale), 1);
+
+        void Make(int eyes)
+        {
+            ReleaseTextures();
+            Ends = Make("Rill.Water.RayEnds", eyes);
+            Directions = Make("Rill.Water.RayDirections", eyes);
+            Mirrors = Make("Rill.Water.RayMirrors", eyes);
+        }
+
+        RenderTexture Make(string name, int eyes)
+            => SurfaceView.Make(name, size.Width, size.Height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
+
+        void ReleaseTextures()
+        {
+            EngineObject.Release(ref Ends);
+            EngineObject.Release(ref Directions);
+            EngineObject.Release(ref Mirrors);
+        }
+
+        /// <summary>Of WaterRays.compute and Water.hlsl.</summary>
+        public static class Ids
+        {
+            public static readonly int RayEnds = Shader.PropertyToID("_RayEnds");
+            public static readonly int RayDirections = Shader.PropertyToID("_RayDirections");
+            public static readonly int RayMirrors = Shader.PropertyToID("_RayMirrors");
+        }
+    }
+}

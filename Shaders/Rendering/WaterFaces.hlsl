@@ -1,0 +1,62 @@
+// The nearest faces of the water's mesh on a camera's picture, from which WaterRays.compute follows the light, and the depth of the scene, which
+// kernels cannot name as the pipeline binds it.
+//
+//   the buffer of MeshVertex.hlsl
+//   _CameraDepthTexture  in  the pipeline's
+#include "SurfaceView.hlsl"
+#include "SceneDepth.hlsl"
+#include "DrawnDomain.hlsl"
+#include "MeshVertex.hlsl"
+#include "WaterFace.hlsl"
+
+struct FaceVaryings
+{
+    float4 clip : SV_Position;
+    float3 position : TEXCOORD0;    // where the field has it, d
+    float3 drawn : TEXCOORD1;       // where it is at the time of the frame, d
+    float3 world : TEXCOORD2;
+    float3 normal : TEXCOORD3;      // domain
+};
+
+FaceVaryings FaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    FaceVaryings result = (FaceVaryings)0;
+    result.clip = float4(2, 2, 2, 1);
+    if (instance != 0)
+        return result;      // of a second eye, which has a draw of its own
+    MeshVertex v = LoadMeshVertex(vertex);
+    result.position = v.position;
+    result.drawn = v.position + MeshShift(v, _DrawnDomainSize.xyz);
+    result.normal = v.normal;
+    result.world = mul(_DomainToWorld, float4(result.drawn, 1.0)).xyz;
+    result.clip = WindowClip(SurfaceClip(result.world, _SurfaceEye));
+    return result;
+}
+
+float4 FaceFragment(FaceVaryings input) : SV_Target
+{
+    if (!IsBeyondNearPlane(input.world, _SurfaceEye))
+        discard;
+    float3 normal = FlatOnWalls(input.drawn, normalize(input.normal));
+    return float4(input.position, PackFace(normalize(mul((float3x3)_DomainToWorld, normal))));
+}
+
+struct CopyVaryings
+{
+    float4 clip : SV_Position;
+    float2 picture : TEXCOORD0;
+};
+
+CopyVaryings CopyVertex(uint vertex : SV_VertexID)
+{
+    CopyVaryings result;
+    float2 at = float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
+    result.picture = at;
+    result.clip = ViewportPosition(at, 0.5);
+    return result;
+}
+
+float CopyFragment(CopyVaryings input) : SV_Target
+{
+    return SceneDepth(input.picture, _SurfaceEye);
+}
