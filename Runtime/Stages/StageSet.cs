@@ -62,8 +62,8 @@ namespace Rill
                     return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceThickness"
                     : index == 3 ? "SurfaceShadow" : index == 4 ? "SurfaceMotion" : null;
                 case StageSet.Water:
-                    return index == 0 ? "Water" : index == 1 ? "WaterDepth" : index == 2 ? "WaterInside" : index == 3 ? "WaterDrops"
-                    : index == 4 ? "WaterRays" : index == 5 ? "WaterShadow" : null;
+                    return index == 0 ? "Water" : index == 1 ? "WaterInside" : index == 2 ? "WaterDrops" : index == 3 ? "WaterRays"
+                    : index == 4 ? "WaterShadow" : null;
                 case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : index == 2 ? "SurfaceFoam" : null;
                 default: return index == 0 ? Only(group) : null;
             }

@@ -1,9 +1,10 @@
-// The fluid's box as it is drawn.
+// The fluid's box as it is drawn, and the time of the frame.
 #ifndef RILL_DRAWN_DOMAIN_INCLUDED
 #define RILL_DRAWN_DOMAIN_INCLUDED
 
 float4x4 _DomainToWorld;        // from the domain's frame in d to world, meters
 float4x4 _WorldToDomain;
 float4 _DrawnDomainSize;        // xyz, d
+float4 _FrameLag;               // x: time of this frame since the newest state, substeps
 
 #endif

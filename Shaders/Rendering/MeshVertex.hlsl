@@ -5,8 +5,9 @@
 #ifndef RILL_MESH_VERTEX_INCLUDED
 #define RILL_MESH_VERTEX_INCLUDED
 
+#include "DrawnDomain.hlsl"
+
 ByteAddressBuffer _MeshVertices;
-float4 _FrameLag;               // x: time of this frame since the newest state, substeps
 
 static const uint kMeshVertexBytes = 28;
 

@@ -1,8 +1,8 @@
-// Shades the water: the front faces of its mesh, by the rays that WaterRays.compute has followed, or, in RILL_UNDER_WATER, all that an eye in the
-// water sees, whose rays it follows itself. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+// Shades the water: one rectangle over the textures that WaterRays.compute has filled for this camera, with depth, or, in RILL_UNDER_WATER, all that
+// an eye in the water sees, whose rays it follows itself. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
-//   _RayEnds, _RayDirections, _RayMirrors  in  Texture2DArrays, a slice for each eye, see PackedRay
-//   the buffers of WaterMesh.hlsl and MeshField.hlsl
+//   _RayFaces, _RayEnds, _RayDirections, _RayMirrors  in  Texture2DArrays, a slice for each eye, see WaterRays.compute
+//   the buffers of MeshField.hlsl, in RILL_UNDER_WATER
 //   the scene's color, where RILL_REFRACTION is on, and its depth, as the pipeline gives them
 #include "SurfaceView.hlsl"
 #include "MainLight.hlsl"
@@ -10,8 +10,7 @@
 #include "Fog.hlsl"
 #include "SceneColor.hlsl"
 #include "WaterRays.hlsl"
-#include "WaterMesh.hlsl"
-#include "WaterFace.hlsl"
+#include "SurfaceRectangle.hlsl"
 
 static const float kSeenBorder = 0.02, kMirrorBorder = 0.1;    // of half the picture's width: over which the scene fades to what is around
 
@@ -26,15 +25,6 @@ float Highlight(float3 normal, float3 toEye, float3 toLight, float alpha)
     float squared = alpha * alpha, spread = nh * nh * (squared - 1.0) + 1.0;
     float visibility = 0.5 / max(lerp(2.0 * nl * nv, nl + nv, alpha), 1e-4);
     return min(squared / (spread * spread) * visibility * Reflectance(dot(toLight, halfway), 1.0 / _SurfaceOptics.x) * nl, 64.0);
-}
-
-// Squared GGX roughness with that of normals that differ within a pixel (Tokuyoshi and Kaplanyan 2019).
-float FilteredAlpha(float3 normal, float roughness)
-{
-    float3 x = ddx(normal), y = ddy(normal);
-    float spread = min(2.0 * 0.15915494 * (dot(x, x) + dot(y, y)), 0.18);
-    float alpha = max(roughness * roughness, 0.002);
-    return sqrt(saturate(alpha * alpha + spread));
 }
 
 MainLight LightOfWater()
@@ -153,35 +143,50 @@ float4 UnderWaterFragment(UnderWaterVaryings input) : SV_Target
 
 #else
 
+Texture2DArray<float4> _RayFaces;
 Texture2DArray<float4> _RayEnds;
 Texture2DArray<float4> _RayDirections;
 Texture2DArray<float4> _RayMirrors;
 
-// The ray of a point of the picture, or of a neighbor where the middle of its texel is beside the water. mirrored: what the surface mirrors, see
-// PackedRay.
-WaterRay RayAt(float2 picture, out float2 mirrored)
+struct WaterPoint
 {
-    static const int2 kNear[5] = { int2(0, 0), int2(-1, 0), int2(1, 0), int2(0, -1), int2(0, 1) };
-    int2 middle = SurfaceTexel(picture), last = int2(_SurfaceWindow.zw) - 1;
-    PackedRay packed = (PackedRay)0;
-    packed.ends.w = kNoRay;
-    [loop]
-    for (uint i = 0; i < 5 && packed.ends.w == kNoRay; i++)
-    {
-        int4 texel = int4(clamp(middle + kNear[i], 0, last), eyeIndex, 0);
-        packed.ends = _RayEnds.Load(texel);
-        packed.directions = _RayDirections.Load(texel);
-        packed.mirrored = _RayMirrors.Load(texel);
-    }
-    WaterRay ray = UnpackRay(packed, picture);
-    if (packed.ends.w == kNoRay)
-    {
-        ray.ends = kEndsAtWall;
-        ray.picture = picture;
-        packed.mirrored.x = kNoPoint;
-    }
-    mirrored = packed.mirrored.x == kNoPoint ? kNoPoint : packed.mirrored.xy + picture;
-    return ray;
+    float3 world;
+    float3 normal;
+    float3 toEye;
+    float z;                // depth along the view, m
+    float alpha;            // squared roughness
+    WaterRay ray;
+    float2 mirrored;        // what the surface mirrors, see PackedRay
+};
+
+WaterPoint PointOn(float2 picture)
+{
+    int4 texel = int4(SurfaceTexel(picture), eyeIndex, 0);
+    float4 face = _RayFaces.Load(texel);
+    if (face.x == 0.0)
+        discard;
+    WaterPoint p;
+    p.normal = UnpackDirection(face.yz);
+    SurfaceRay view = RayThrough(picture, eyeIndex), middle = RayThrough(TexelPicture(texel.xy), eyeIndex);
+    p.z = FromSurfaceDepth(face.x, eyeIndex);
+    // From the middle of the texel along its plane: no steps where textures are smaller than the screen.
+    float3 there = middle.origin + middle.direction * p.z;
+    float z = dot(p.normal, there - view.origin) / min(dot(p.normal, view.direction), -1e-4);
+    p.z = abs(z - p.z) < 0.02 * p.z ? z : p.z;
+    p.world = view.origin + view.direction * p.z;
+    p.toEye = -normalize(view.direction);
+    p.normal = FacingNormal(p.normal, p.toEye);
+    // With the roughness of normals that differ within a pixel (Tokuyoshi and Kaplanyan 2019).
+    float alpha = max(_SurfaceOptics.z * _SurfaceOptics.z, 0.002);
+    p.alpha = sqrt(saturate(alpha * alpha + min(2.0 * 0.15915494 * face.w, 0.18)));
+
+    PackedRay packed;
+    packed.ends = _RayEnds.Load(texel);
+    packed.directions = _RayDirections.Load(texel);
+    packed.mirrored = _RayMirrors.Load(texel);
+    p.ray = UnpackRay(packed, picture);
+    p.mirrored = packed.mirrored.x == kNoPoint ? kNoPoint : packed.mirrored.xy + picture;
+    return p;
 }
 
 // What the surface mirrors: the scene where the ray meets it on the picture, else the surroundings.
@@ -198,34 +203,29 @@ float3 Reflected(float3 world, float3 direction, float roughness, float2 picture
     return color;
 }
 
-float4 WaterFragment(WaterVaryings input) : SV_Target
+float4 WaterFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Target
 {
     RestoreView(input);
-    float3 normal = normalize(mul((float3x3)_DomainToWorld, FlatOnWalls(input.drawn, normalize(input.normal))));
-    float alpha = FilteredAlpha(normal, _SurfaceOptics.z), roughness = sqrt(alpha);
-    float3 world = input.world, toEye = ToEye(world);
-    normal = FacingNormal(normal, toEye);
-    float4 clip = SurfaceClip(world, eyeIndex);
-    float z = DepthAlongView(clip, eyeIndex);
-    float2 mirroredAt;
-    WaterRay ray = RayAt(clip.xy / clip.w, mirroredAt);
+    WaterPoint p = PointOn(input.picture.xy);
+    float4 clip = WorldToClip(p.world);
+    depth = DeviceDepth(clip);
 
     MainLight light = LightOfWater();
-    float3 lightColor = light.color * MainLightShadow(light, world + light.direction * _SurfaceOptics.w, WorldToClip(world));
-    float reflectance = Reflectance(dot(normal, toEye), 1.0 / _SurfaceOptics.x);
-    float3 mirrored = Reflected(world, reflect(-toEye, normal), roughness, mirroredAt) * reflectance
-        + lightColor * Highlight(normal, toEye, light.direction, alpha);
-    float3 lit = ScatteredLight(Ambient(world, normal), lightColor, dot(normal, light.direction));
+    float3 lightColor = light.color * MainLightShadow(light, p.world + light.direction * _SurfaceOptics.w, clip);
+    float reflectance = Reflectance(dot(p.normal, p.toEye), 1.0 / _SurfaceOptics.x);
+    float3 mirrored = Reflected(p.world, reflect(-p.toEye, p.normal), sqrt(p.alpha), p.mirrored) * reflectance
+        + lightColor * Highlight(p.normal, p.toEye, light.direction, p.alpha);
+    float3 lit = ScatteredLight(Ambient(p.world, p.normal), lightColor, dot(p.normal, light.direction));
 
 #ifdef RILL_REFRACTION
-    float3 color = SeenAlong(ray, world, lit) * (1.0 - reflectance) + mirrored;
+    float3 color = SeenAlong(p.ray, p.world, lit) * (1.0 - reflectance) + mirrored;
     float coverage = 1.0;
 #else
-    float3 through = exp(-(_Absorption.rgb + _Scattering.w) * ray.path);
+    float3 through = exp(-(_Absorption.rgb + _Scattering.w) * p.ray.path);
     float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);
-    float3 color = lit * (1.0 - exp(-_Scattering.w * ray.path)) * (1.0 - reflectance) + mirrored;
+    float3 color = lit * (1.0 - exp(-_Scattering.w * p.ray.path)) * (1.0 - reflectance) + mirrored;
 #endif
-    return float4(ApplyFog(color, coverage, z), coverage);
+    return float4(ApplyFog(color, coverage, p.z), coverage);
 }
 
 #endif

@@ -1,4 +1,4 @@
-// The water's mesh, see Water.hlsl: a SubShader for each render pipeline. WaterDepth.shader has drawn its depth.
+// The water's mesh, see Water.hlsl: a SubShader for each render pipeline.
 Shader "Rill/Water"
 {
     SubShader
@@ -12,7 +12,7 @@ Shader "Rill/Water"
         {
             Name "Forward"
             Tags { "LightMode" = "ForwardOnly" }
-            Cull Back
+            Cull Off
             ZWrite On
             ZTest LEqual
             Blend One OneMinusSrcAlpha
@@ -22,7 +22,7 @@ Shader "Rill/Water"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex WaterVertex
+            #pragma vertex SurfaceVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
@@ -41,7 +41,7 @@ Shader "Rill/Water"
         {
             Name "Forward"
             Tags { "LightMode" = "ForwardOnly" }
-            Cull Back
+            Cull Off
             ZWrite On
             ZTest LEqual
             Blend One OneMinusSrcAlpha
@@ -51,7 +51,7 @@ Shader "Rill/Water"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex WaterVertex
+            #pragma vertex SurfaceVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
@@ -70,14 +70,14 @@ Shader "Rill/Water"
         {
             Name "Forward"
             Tags { "LightMode" = "UniversalForwardOnly" }
-            Cull Back
+            Cull Off
             ZWrite On
             ZTest LEqual
             Blend One OneMinusSrcAlpha
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex WaterVertex
+            #pragma vertex SurfaceVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
@@ -98,14 +98,14 @@ Shader "Rill/Water"
         {
             Name "Forward"
             Tags { "LightMode" = "ForwardBase" }
-            Cull Back
+            Cull Off
             ZWrite On
             ZTest LEqual
             Blend One OneMinusSrcAlpha
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex WaterVertex
+            #pragma vertex SurfaceVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION

@@ -24,7 +24,6 @@ static const uint kEndsInAir = 1;           // on the scene, beyond the water
 static const uint kEndsAround = 2;          // on no picture: in the surroundings
 static const uint kEndsAtWall = 3;          // behind a wall of the domain: what the picture shows there
 static const uint kEndsInWater = 4;         // turned back and lost: as bright as the water
-static const uint kNoRay = 8;
 
 static float3 fieldShift = 0.0;     // from the field's frame to that which is drawn, d
 

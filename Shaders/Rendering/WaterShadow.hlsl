@@ -1,11 +1,11 @@
 // The mesh of the water in a shadow map, in a pattern with holes: water lets light through, and what is thin more of it. The SubShader around
 // it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
-//   the buffers of WaterMesh.hlsl and MeshField.hlsl
+//   the buffers of MeshVertex.hlsl and MeshField.hlsl
 #include "ShadowBias.hlsl"
 #include "ShadowPattern.hlsl"
 #include "MeshField.hlsl"
-#include "WaterMesh.hlsl"
+#include "MeshVertex.hlsl"
 
 static const float kShadowDepth = 4.0;      // path through water from which it throws a whole shadow, d
 

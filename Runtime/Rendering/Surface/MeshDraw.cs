@@ -5,12 +5,12 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>
-    /// Draws the mesh of a fluid's surface: its depth, its colors, and what an eye in the water sees. The same buffers serve all cameras; a camera
+    /// Draws the mesh of a fluid's surface, its drops, and what an eye in the water sees. The same buffers serve all cameras; a camera
     /// has of its own constants and the rays that it sees through the surface, which are found as its commands are recorded.
     /// </summary>
     /// <remarks>
-    /// Depth is a draw of its own, one place earlier in the queue: the pipelines do not all promise an order of the passes of one material, but
-    /// all sort by queue. The nearest face alone is then shaded, whatever the order of the triangles.
+    /// A rectangle over what the nearest faces cover is shaded, and not their triangles, most of which are smaller than the four pixels that a GPU
+    /// shades at least.
     /// A draw for each camera, since the scene's color is another for each in the Built-in pipeline, and so are the constants.
     /// </remarks>
     sealed class MeshDraw : IDisposable
@@ -21,10 +21,10 @@ namespace Rill
         /// <summary>And of two, one for each eye.</summary>
         public const int StereoCommand = 1;
 
-        const int InsideVertices = 6;       // of the rectangle over the picture
+        const int RectangleVertices = 6;
         const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
 
-        Material colors = MaterialOf("Water"), depth = MaterialOf("WaterDepth"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops");
+        Material colors = MaterialOf("Water"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops");
         readonly WaterRays rays = new WaterRays();
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
         bool refracts;
@@ -77,12 +77,9 @@ namespace Rill
         /// <param name="parameters">With the properties of <see cref="BeginSubmit"/>, for one camera.</param>
         public void Submit(RenderParams parameters, in MeshFrame mesh)
         {
-            int command = StereoInstancing.IsActive ? StereoCommand : MonoCommand;
             parameters.worldBounds = mesh.bounds;
-            parameters.material = depth;
-            Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, mesh.indices, mesh.arguments, 1, command);
             parameters.material = colors;
-            Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, mesh.indices, mesh.arguments, 1, command);
+            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, RectangleVertices);
             if (mesh.drops != null)
             {
                 parameters.material = drops;
@@ -90,7 +87,7 @@ namespace Rill
                     StereoInstancing.IsActive ? SurfaceMesh.StereoDropCommand : SurfaceMesh.MonoDropCommand);
             }
             parameters.material = inside;
-            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, InsideVertices);
+            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, RectangleVertices);
         }
 
         /// <summary>Records what the camera's draws read of it, and its rays; nothing where its picture was not prepared.</summary>
@@ -103,8 +100,8 @@ namespace Rill
                 return;
             view.LastFrame = Time.frameCount;
             constants.Set(camera);
-            constants.pictureBounds = new Vector4(-1f, -1f, 1f, 1f);
-            view.Place(camera, BoxOnPicture.Of(camera, mesh.Box).Bounds, mesh.rayScale);
+            constants.pictureBounds = BoxOnPicture.Of(camera, mesh.Box).Bounds;
+            view.Place(camera, constants.pictureBounds, mesh.rayScale);
             (constants.surfaceSize, constants.surfaceWindow) = (view.Window.Grid, view.Window.Rect);
             view.Write(cmd, constants);
             SurfaceScratch.Shared.Prepare(view, Mathf.CeilToInt(view.Window.Grid.x), Mathf.CeilToInt(view.Window.Grid.y));
@@ -118,7 +115,6 @@ namespace Rill
         {
             if (views.Count == 0)
                 return;
-            stage.Draw("WaterDepth", views.Count);
             stage.Draw("Water", views.Count);
             stage.Draw("WaterInside", views.Count);
             stage.Draw("WaterDrops", views.Count);
@@ -136,7 +132,6 @@ namespace Rill
             views.Dispose();
             rays.Dispose();
             EngineObject.Destroy(ref colors);
-            EngineObject.Destroy(ref depth);
             EngineObject.Destroy(ref inside);
             EngineObject.Destroy(ref drops);
         }

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>The mesh of a fluid's surface in a frame, for all cameras; see WaterMesh.hlsl and MeshField.hlsl.</summary>
+    /// <summary>The mesh of a fluid's surface in a frame, for all cameras; see MeshVertex.hlsl and MeshField.hlsl.</summary>
     struct MeshFrame
     {
         /// <summary>28 bytes a vertex, raw; three 32-bit indices a triangle, raw too.</summary>

@@ -34,7 +34,7 @@ namespace Rill
 
         /// <summary>Why light cannot be followed on this device; null where it can.</summary>
         public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.ARGBFloat, false)
-            ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, true);
+            ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBFloat, true) ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, true);
 
         /// <summary>Fills the textures of the view, whose window is placed and whose constants are written.</summary>
         /// <param name="refracts">Else the straight path through the water is found alone.</param>
@@ -53,6 +53,7 @@ namespace Rill
                 cmd.SetComputeTextureParam(shader, trace, Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
                 cmd.SetComputeTextureParam(shader, trace, Ids.Faces, scratch.Faces);
                 cmd.SetComputeTextureParam(shader, trace, Ids.SceneCopy, scratch.SceneCopy);
+                cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayFaces, view.Faces);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayEnds, view.Ends);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayDirections, view.Directions);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayMirrors, view.Mirrors);

@@ -11,7 +11,9 @@ namespace Rill
         /// <summary>Of the draws, which live on until the next frame.</summary>
         public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();
 
-        /// <summary>Half floats.</summary>
+        /// <summary>Floats; the others are half floats.</summary>
+        public RenderTexture Faces;
+
         public RenderTexture Ends, Directions, Mirrors;
 
         /// <summary>The part of the picture that they hold, from their first texel on.</summary>
@@ -40,6 +42,7 @@ namespace Rill
             if (size.Fit(Math.Min(window.Width + PictureWindow.Play, maxWidth), Math.Min(window.Height + PictureWindow.Play, maxHeight), maxWidth,
                 maxHeight) || Ends == null || Ends.volumeDepth != camera.eyes)
                 Make(camera.eyes);
+            Properties.SetTexture(Ids.RayFaces, Faces);
             Properties.SetTexture(Ids.RayEnds, Ends);
             Properties.SetTexture(Ids.RayDirections, Directions);
             Properties.SetTexture(Ids.RayMirrors, Mirrors);
@@ -57,6 +60,7 @@ namespace Rill
 
         public void Describe(StageDescription stage)
         {
+            SurfaceView.Describe(stage, Faces);
             SurfaceView.Describe(stage, Ends);
             SurfaceView.Describe(stage, Directions);
             SurfaceView.Describe(stage, Mirrors);
@@ -70,16 +74,18 @@ namespace Rill
         void Make(int eyes)
         {
             ReleaseTextures();
+            Faces = Make("Rill.Water.RayFaces", eyes, GraphicsFormat.R32G32B32A32_SFloat);
             Ends = Make("Rill.Water.RayEnds", eyes);
             Directions = Make("Rill.Water.RayDirections", eyes);
             Mirrors = Make("Rill.Water.RayMirrors", eyes);
         }
 
-        RenderTexture Make(string name, int eyes)
-            => SurfaceView.Make(name, size.Width, size.Height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
+        RenderTexture Make(string name, int eyes, GraphicsFormat format = GraphicsFormat.R16G16B16A16_SFloat)
+            => SurfaceView.Make(name, size.Width, size.Height, eyes, format, true);
 
         void ReleaseTextures()
         {
+            EngineObject.Release(ref Faces);
             EngineObject.Release(ref Ends);
             EngineObject.Release(ref Directions);
             EngineObject.Release(ref Mirrors);
@@ -88,6 +94,7 @@ namespace Rill
         /// <summary>Of WaterRays.compute and Water.hlsl.</summary>
         public static class Ids
         {
+            public static readonly int RayFaces = Shader.PropertyToID("_RayFaces");
             public static readonly int RayEnds = Shader.PropertyToID("_RayEnds");
             public static readonly int RayDirections = Shader.PropertyToID("_RayDirections");
             public static readonly int RayMirrors = Shader.PropertyToID("_RayMirrors");

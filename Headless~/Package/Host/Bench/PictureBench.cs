@@ -159,7 +159,8 @@ namespace Host.Bench
         }
 
         static bool IsOfSurface(DeviceSample sample) => sample.Name.StartsWith("Rill.Surface", StringComparison.Ordinal)
-            || sample.Name.StartsWith("Rill.Caustics", StringComparison.Ordinal) || sample.Name == "Rill.Mesh";
+            || sample.Name.StartsWith("Rill.Caustics", StringComparison.Ordinal)
+            || sample.Name.StartsWith("Rill.Water", StringComparison.Ordinal) || sample.Name == "Rill.Mesh";
 
         static FluidSimulation Make(ExperimentScene scene, Action<FluidSurface> set, SurfaceQuality quality, int width, int height,
             List<Object> made)
