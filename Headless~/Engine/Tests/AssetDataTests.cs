@@ -57,6 +57,34 @@ namespace Host.Tests
             Assert.That(Assert.Throws<AssetException>(() => Asset<Mesh>("Triangle.asset", MeshText(4, TriangleData))).Message,
             Does.Contain("its 4 vertices need more"));
 
+        [TestCase("m_VertexCount: 3", "m_VertexCount: -1", "it has -1 vertices")]
+        [TestCase("m_VertexCount: 3", "m_VertexCount: 2147483647", "its 2147483647 vertices need more")]
+        [TestCase("{stream: 0, offset: 12, format: 0, dimension: 3}", "{stream: -1, offset: 12, format: 0, dimension: 3}", "channel 1")]
+        [TestCase("{stream: 0, offset: 12, format: 0, dimension: 3}", "{stream: 9, offset: 12, format: 0, dimension: 3}", "channel 1")]
+        [TestCase("{stream: 0, offset: 12, format: 0, dimension: 3}", "{stream: 0, offset: -4, format: 0, dimension: 3}", "channel 1")]
+        [TestCase("{stream: 0, offset: 12, format: 0, dimension: 3}", "{stream: 0, offset: 13, format: 0, dimension: 3}", "channel 1")]
+        [TestCase("{stream: 0, offset: 12, format: 0, dimension: 3}", "{stream: 0, offset: 12, format: 0, dimension: 5}", "channel 1")]
+        [TestCase("{stream: 0, offset: 12, format: 0, dimension: 3}", "{stream: 0, offset: 12, format: 10, dimension: 3}", "format UInt32")]
+        [TestCase("{stream: 0, offset: 12, format: 0, dimension: 3}", "{stream: 0, offset: 12, format: -1, dimension: 3}", "channel 1")]
+        [TestCase("firstByte: 6", "firstByte: -2", "sub-mesh 1")]
+        [TestCase("firstByte: 6", "firstByte: 8", "sub-mesh 1 ends at index 6, but the buffer has 5")]
+        [TestCase("firstByte: 6", "firstByte: 5", "sub-mesh 1")]
+        [TestCase("indexCount: 2", "indexCount: -1", "sub-mesh 1")]
+        [TestCase("indexCount: 2", "indexCount: 2147483647", "sub-mesh 1")]
+        [TestCase("indexCount: 2", "indexCount: 3", "sub-mesh 1 ends at index 6, but the buffer has 5")]
+        [TestCase("topology: 3", "topology: 1", "sub-mesh 1")]
+        [TestCase("m_IndexFormat: 0", "m_IndexFormat: 2", "index format 2")]
+        [TestCase("m_IndexBuffer: 0000", "m_IndexBuffer: 00", "index buffer is damaged")]
+        [TestCase("_typelessdata: 00", "_typelessdata: 0", "vertex data is damaged")]
+        [TestCase("_typelessdata: 00", "_typelessdata: x0", "vertex data is damaged")]
+        public void A_mesh_with_one_number_damaged_is_refused(string field, string damaged, string message)
+        {
+            string text = MeshText(3, TriangleData);
+            Assert.That(text, Does.Contain(field));
+            Assert.That(Assert.Throws<AssetException>(() => Asset<Mesh>("Triangle.asset", text.Replace(field, damaged))).Message,
+                Does.Contain(message));
+        }
+
         [Test]
         public void Render_textures_have_their_description()
         {

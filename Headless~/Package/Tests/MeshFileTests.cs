@@ -283,5 +283,130 @@ namespace Host.Tests
             Assert.That(Refusal(Glb(Scene("{'mesh':0}", more: "'extensionsRequired':['KHR_draco_mesh_compression'],"))), Does.Contain("KHR_draco_mesh_compression"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("{'byteLength':168}", "{'byteLength':168,'uri':'a.bin'}"))), Does.Contain("keeps its vertices in another file"));
         }
+
+        // Positions are accessor 0 of the first view, indices accessor 1 of the second.
+        const string PositionView = "{'buffer':0,'byteOffset':0,'byteLength':96}", IndexView = "{'buffer':0,'byteOffset':96,'byteLength':72}";
+
+        [TestCase("'nodes':[0]", "'nodes':[1]", "is damaged")]
+        [TestCase("'nodes':[0]", "'nodes':[-1]", "is damaged")]
+        [TestCase("'scene':0", "'scene':1", "is damaged")]
+        [TestCase("{'mesh':0}", "{'mesh':-1}", "is damaged")]
+        [TestCase("{'mesh':0}", "{'mesh':0,'children':[1]}", "is damaged")]
+        [TestCase("{'mesh':0}", "{'mesh':0,'matrix':[1,0,0,0]}", "is damaged")]
+        [TestCase("{'mesh':0}", "{'mesh':0,'rotation':[0,0,1]}", "is damaged")]
+        [TestCase("{'mesh':0}", "{'mesh':0,'scale':[1,1]}", "is damaged")]
+        [TestCase("{'mesh':0}", "{'mesh':0,'translation':'far'}", "is damaged")]
+        [TestCase("'POSITION':0", "'NORMAL':0", "is damaged")]
+        [TestCase("'POSITION':0", "'POSITION':2", "is damaged")]
+        [TestCase("'POSITION':0", "'POSITION':1", "accessor 1 is no VEC3")]
+        [TestCase("'indices':1", "'indices':0", "accessor 0 is no SCALAR")]
+        [TestCase("'indices':1", "'indices':-1", "is damaged")]
+        [TestCase("'indices':1", "'mode':-1", "mode -1 of a primitive does not exist")]
+        [TestCase("'componentType':5126", "'componentType':5124", "component type 5124 of accessor 0 does not exist")]
+        [TestCase("'componentType':5123", "'componentType':5124", "component type 5124 of accessor 1 does not exist")]
+        [TestCase("'componentType':5123", "'componentType':5122", "indices of component type 5122 do not exist")]
+        [TestCase("'componentType':5123,'count':36", "'componentType':5126,'count':18", "indices of component type 5126 do not exist")]
+        [TestCase("'count':8", "'count':9", "accessor 0 reaches beyond the end")]
+        [TestCase("'count':8", "'count':-1", "accessor 0 reaches beyond the end")]
+        [TestCase("'count':36", "'count':-1", "accessor 1 reaches beyond the end")]
+        [TestCase("'count':36", "'count':2147483647", "accessor 1 reaches beyond the end")]
+        [TestCase("'count':36", "'count':4294967296", "is damaged")]
+        [TestCase("'count':8", "'byteOffset':4,'count':8", "accessor 0 reaches beyond the end")]
+        [TestCase("'count':36", "'byteOffset':2,'count':36", "accessor 1 reaches beyond the end")]
+        [TestCase("'count':36", "'byteOffset':-2,'count':36", "accessor 1 reaches beyond the end")]
+        [TestCase("'bufferView':1,'componentType'", "'bufferView':2,'componentType'", "is damaged")]
+        [TestCase("'bufferView':1,'componentType'", "'componentType'", "has sparse accessors")]
+        [TestCase(PositionView, "{'buffer':0,'byteOffset':-4,'byteLength':96}", "accessor 0 reaches beyond the end")]
+        [TestCase(PositionView, "{'buffer':0,'byteOffset':0,'byteLength':95}", "accessor 0 reaches beyond the end")]
+        [TestCase(PositionView, "{'buffer':0,'byteOffset':0,'byteLength':96,'byteStride':11}", "accessor 0 reaches beyond the end")]
+        [TestCase(PositionView, "{'buffer':0,'byteOffset':0,'byteLength':96,'byteStride':13}", "accessor 0 reaches beyond the end")]
+        [TestCase(PositionView, "{'buffer':1,'byteOffset':0,'byteLength':96}", "keeps its vertices in another file")]
+        [TestCase(IndexView, "{'buffer':0,'byteOffset':97,'byteLength':72}", "accessor 1 reaches beyond the end")]
+        [TestCase(IndexView, "{'buffer':0,'byteOffset':98,'byteLength':71}", "accessor 1 reaches beyond the end")]
+        [TestCase(IndexView, "{'buffer':0,'byteOffset':96,'byteLength':71}", "accessor 1 reaches beyond the end")]
+        [TestCase(IndexView, "{'buffer':0,'byteOffset':9223372036854775807,'byteLength':72}", "accessor 1 reaches beyond the end")]
+        [TestCase(IndexView, "{'buffer':0,'byteOffset':96}", "is damaged")]
+        [TestCase(IndexView, "{'buffer':1,'byteOffset':96,'byteLength':72}", "keeps its vertices in another file")]
+        public void A_glb_with_one_number_damaged_is_refused(string field, string damaged, string message)
+        {
+            string json = Scene("{'mesh':0}");
+            Assert.That(json, Does.Contain(field));
+            Assert.That(Assert.Throws<AssetException>(() => ReadGlb(json.Replace(field, damaged))).Message, Does.Contain(message));
+        }
+
+        // Its length, and what it is.
+        [TestCase(12)]
+        [TestCase(16)]
+        public void A_glb_whose_first_chunk_is_damaged_is_refused(int at)
+        {
+            byte[] file = Glb(Scene("{'mesh':0}"));
+            foreach (uint value in new[] { 0u, 7u, 1u << 31, uint.MaxValue })
+            {
+                BitConverter.GetBytes(value).CopyTo(file, at);
+                Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(Write("Mesh.glb", file)), $"{value}").Message,
+                    Does.Contain("is damaged"));
+            }
+        }
+
+        // Three vertices, one along each axis, 12 bytes apart.
+        [TestCase(5120, true, 127, 1f)]
+        [TestCase(5120, true, -128, -1f)]
+        [TestCase(5120, false, -3, -3f)]
+        [TestCase(5121, true, 51, 0.2f)]
+        [TestCase(5121, false, 200, 200f)]
+        [TestCase(5122, true, -32768, -1f)]
+        [TestCase(5122, true, 32767, 1f)]
+        [TestCase(5122, false, -300, -300f)]
+        [TestCase(5123, true, 13107, 0.2f)]
+        [TestCase(5123, false, 60000, 60000f)]
+        public void Positions_of_whole_numbers_are_read_by_their_kind(int kind, bool normalized, int number, float expected)
+        {
+            string json = Scene("{'mesh':0}", "'attributes':{'POSITION':0}").Replace("'componentType':5126,'count':8",
+                $"'componentType':{kind},'normalized':{(normalized ? "true" : "false")},'byteOffset':4,'count':3")
+                .Replace(PositionView, "{'buffer':0,'byteOffset':12,'byteLength':40,'byteStride':12}");
+            byte[] file = Glb(json);
+            int size = kind <= 5121 ? 1 : 2, at = file.Length - 168 + 12 + 4;
+            for (int vertex = 0; vertex < 3; vertex++)
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    byte[] bytes = BitConverter.GetBytes(vertex == axis ? number : 0);
+                    Array.Copy(bytes, 0, file, at + 12 * vertex + size * axis, size);
+                }
+            MeshFile mesh = MeshFile.Read(Write("Mesh.glb", file));
+            for (int vertex = 0; vertex < 3; vertex++)
+                for (int axis = 0; axis < 3; axis++)
+                    Assert.That(mesh.Vertices[vertex][axis], Is.EqualTo(vertex != axis ? 0f : axis == 0 ? -expected : expected).Within(1e-6f));
+        }
+
+        [TestCase(5121, 1)]
+        [TestCase(5123, 2)]
+        [TestCase(5125, 4)]
+        public void Indices_are_read_by_their_kind(int kind, int size)
+        {
+            byte[] file = Glb(Scene("{'mesh':0}").Replace("'componentType':5123,'count':36", $"'componentType':{kind},'count':6"));
+            int at = file.Length - 72;
+            Array.Clear(file, at, 72);
+            int[] indices = { 0, 3, 2, 7, 2, 1 };
+            for (int i = 0; i < 6; i++)
+                file[at + size * i] = (byte)indices[i];
+            Assert.That(MeshFile.Read(Write("Mesh.glb", file)).Triangles, Is.EqualTo(new[] { 0, 2, 3, 7, 1, 2 }));
+        }
+
+        [Test]
+        public void A_skinned_mesh_stays_where_it_is_stored_and_a_file_without_scenes_shows_all_its_nodes()
+        {
+            MeshFile skinned = ReadGlb(Scene("{'mesh':0,'skin':0,'translation':[9,9,9]}"));
+            IsTheBox(skinned, new Vector3(-2, 0, 0), new Vector3(0, 1, 3));
+            Assert.That(skinned.Notes.Single(), Does.Contain("1 skinned meshes"));
+            string library = Scene("{'translation':[0,0,7],'children':[2]},{'mesh':0},{'mesh':0}").Replace("'scene':0,'scenes':[{'nodes':[0]}],", "");
+            MeshFile mesh = ReadGlb(library);
+            Assert.That((mesh.Parts, mesh.Vertices.Min(v => v.z), mesh.Vertices.Max(v => v.z)), Is.EqualTo((2, 0f, 10f)));
+        }
+
+        // Parent: half a turn about y, twice as large. Child: 1 along x.
+        [Test]
+        public void A_child_is_placed_in_the_frame_of_its_parent() => IsTheBox(
+            ReadGlb(Scene("{'rotation':[0,1,0,0],'scale':[2,2,2],'children':[1]},{'mesh':0,'translation':[1,0,0]}")),
+            new Vector3(2, 0, -6), new Vector3(6, 2, 0));
     }
 }

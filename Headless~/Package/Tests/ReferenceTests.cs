@@ -145,11 +145,66 @@ namespace Host.Tests
         [TestCase("a.ply", "plyx\n", "it does not begin with ply")]
         [TestCase("a.ply", "ply\nformat binary_big_endian 1.0\nend_header\n", "its format is binary_big_endian")]
         [TestCase("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n", "it is damaged")]
+        [TestCase("a.obj", "v 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "it is damaged")]
+        [TestCase("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "a face names a vertex that is not there.")]
+        [TestCase("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "a face names a vertex that is not there.")]
+        [TestCase("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 1 2\n", "a face names a vertex that is not there.")]
+        [TestCase("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999\n", "it is damaged")]
+        [TestCase("a.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n", "a vertex is nowhere")]
+        [TestCase("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1e99 0\nf 1 2 3\n", "a vertex is nowhere")]
         [TestCase("a.stl", "solid", "give an .obj or a .ply file.")]
         public void A_surface_that_cannot_be_read_is_told(string name, string text, string reason)
         {
             string path = Path.Combine(folder, name);
             File.WriteAllText(path, text);
+            Assert.That(Assert.Throws<HostException>(() => SurfaceFile.Read(path)).Message, Does.StartWith($"--mesh {path}: ").And.Contain(reason));
+        }
+
+        const string Ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n" +
+            "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+        [TestCase("3 0 1 2", "3 0 1", "it is damaged")]
+        [TestCase("3 0 1 2", "-3 0 1 2", "there are -3 of something")]
+        [TestCase("3 0 1 2", "2000000000 0 1 2", "there are 2000000000 of something")]
+        [TestCase("3 0 1 2", "nan 0 1 2", "there are NaN of something")]
+        [TestCase("3 0 1 2", "2 0 1", "a face names a vertex that is not there.")]
+        [TestCase("3 0 1 2", "3 0 1 3", "a face names a vertex that is not there.")]
+        [TestCase("3 0 1 2", "3 0 1 -1", "a face names a vertex that is not there.")]
+        [TestCase("0 1 0\n", "0 one 0\n", "it is damaged")]
+        [TestCase("0 1 0\n", "0 nan 0\n", "a vertex is nowhere")]
+        [TestCase("0 1 0\n", "0 1e99 0\n", "a vertex is nowhere")]
+        [TestCase("element vertex 3", "element vertex -1", "there are -1 of something")]
+        [TestCase("element vertex 3", "element vertex three", "it is damaged")]
+        [TestCase("element vertex 3", "element vertex 2000000000", "there are 2000000000 of something")]
+        [TestCase("element vertex 3", "element vertex 99999999999", "it is damaged")]
+        [TestCase("element vertex 3", "element vertex 4", "it is damaged")]
+        [TestCase("element face 1", "element face 2", "it is damaged")]
+        [TestCase("element face 1", "element face 0", "it has no faces")]
+        [TestCase("element vertex 3\n", "", "it is damaged")]
+        [TestCase("property list uchar int vertex_indices", "property list uchar int", "it is damaged")]
+        [TestCase("end_header\n", "", "it is damaged")]
+        public void A_PLY_file_with_one_thing_damaged_is_told(string field, string damaged, string reason)
+        {
+            Assert.That(Ply, Does.Contain(field));
+            A_surface_that_cannot_be_read_is_told("a.ply", Ply.Replace(field, damaged), reason);
+        }
+
+        [TestCase("uchar", "word", "a property of the type word")]
+        [TestCase("uchar", "int", "it says that there are 50331648 of something")]      // 3 and three bytes of what follows it, in another order
+        [TestCase("uchar", "double", "of something")]
+        public void A_binary_PLY_file_with_one_thing_damaged_is_told(string type, string damaged, string reason)
+        {
+            byte[] header = Encoding.ASCII.GetBytes(Ply.Substring(0, Ply.IndexOf("0 0 0\n", StringComparison.Ordinal))
+                .Replace("ascii", "binary_little_endian").Replace($"list {type}", $"list {damaged}"));
+            var stream = new MemoryStream();
+            stream.Write(header);
+            using var writer = new BinaryWriter(stream);
+            for (int i = 0; i < 9; i++)
+                writer.Write(i == 3 || i == 7 ? 1f : 0f);
+            foreach (byte value in new byte[] { 0, 0, 0, 3, 0, 0, 0, 255, 0, 0, 0 })
+                writer.Write(value);
+            string path = Path.Combine(folder, "a.ply");
+            File.WriteAllBytes(path, stream.ToArray());
             Assert.That(Assert.Throws<HostException>(() => SurfaceFile.Read(path)).Message, Does.StartWith($"--mesh {path}: ").And.Contain(reason));
         }
 

@@ -17,7 +17,9 @@ namespace Host.Assets
         {
             if (fields.Int("m_MeshCompression") != 0)
                 throw fields.Location.Error("the mesh is compressed, which the host does not read: set its mesh compression to Off");
-            var mesh = new Mesh { indexFormat = (IndexFormat)fields.Int("m_IndexFormat") };
+            var format = fields.Int("m_IndexFormat");
+            if (format is < 0 or > 1) throw fields.Location.Error($"the mesh has the index format {format}, which does not exist");
+            var mesh = new Mesh { indexFormat = (IndexFormat)format };
             var vertices = new VertexData(fields["m_VertexData"] ?? throw fields.Location.Error("the mesh has no vertex data"));
 
             mesh.vertices = vertices.Read(Position, v => (Vector3)v);
@@ -32,11 +34,14 @@ namespace Host.Assets
             mesh.subMeshCount = parts.Count;
             for (var i = 0; i < parts.Count; i++)
             {
-                var first = parts[i].Int("firstByte") / (mesh.indexFormat == IndexFormat.UInt16 ? 2 : 4);
-                var count = parts[i].Int("indexCount");
-                if (first + count > indices.Length)
-                    throw parts[i].Location.Error($"sub-mesh {i} ends at index {first + count}, but the buffer has {indices.Length}");
-                mesh.SetIndices(indices.AsSpan(first, count).ToArray(), (MeshTopology)parts[i].Int("topology"), i, false, parts[i].Int("baseVertex"));
+                var size = mesh.indexFormat == IndexFormat.UInt16 ? 2 : 4;
+                int start = parts[i].Int("firstByte"), first = start / size, count = parts[i].Int("indexCount");
+                var topology = (MeshTopology)parts[i].Int("topology");
+                if (start < 0 || start % size != 0 || count < 0 || !Enum.IsDefined(topology))
+                    throw parts[i].Location.Error($"sub-mesh {i} has {count} indices of topology {topology} from byte {start} on, which cannot be");
+                if ((long)first + count > indices.Length)
+                    throw parts[i].Location.Error($"sub-mesh {i} ends at index {(long)first + count}, but the buffer has {indices.Length}");
+                mesh.SetIndices(indices.AsSpan(first, count).ToArray(), topology, i, false, parts[i].Int("baseVertex"));
             }
             mesh.bounds = new Bounds(BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Center"]),
                 2 * BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Extent"]));
@@ -67,6 +72,8 @@ namespace Host.Assets
         {
             struct Channel { public int Stream, Offset, Format, Dimension; }
 
+            const int MaxStreams = 4, MaxDimension = 4;     // of Unity
+
             readonly Channel[] channels;
             readonly int count;
             readonly byte[] data;
@@ -78,20 +85,28 @@ namespace Host.Assets
                 channels = node.Items("m_Channels")
                     .Select(c => new Channel { Stream = c.Int("stream"), Offset = c.Int("offset"), Format = c.Int("format"),
                         Dimension = c.Int("dimension") & 15 }).ToArray();
+                if (count < 0) throw node.Location.Error($"the mesh is damaged: it has {count} vertices");
                 if (!PackedNumbers.TryBytes(node.Text("_typelessdata"), out data)) throw node.Location.Error("the mesh's vertex data is damaged");
 
                 // One stream after the other, each starting at a multiple of 16 bytes.
+                for (var i = 0; i < channels.Length; i++)
+                    if (channels[i].Dimension > MaxDimension || channels[i].Stream is < 0 or >= MaxStreams || channels[i].Format < 0)
+                        throw node.Location.Error($"channel {i} of the mesh's vertices cannot be");
                 var streams = channels.Where(c => c.Dimension > 0).Select(c => c.Stream).DefaultIfEmpty(0).Max() + 1;
                 starts = new int[streams];
                 strides = new int[streams];
-                for (int s = 0, at = 0; s < streams; s++)
+                long at = 0;
+                for (var s = 0; s < streams; s++)
                 {
                     strides[s] = channels.Where(c => c.Dimension > 0 && c.Stream == s).Sum(c => (c.Dimension * Size(c.Format) + 3) / 4 * 4);
-                    starts[s] = at;
-                    if (at + strides[s] * count > data.Length)
+                    if (at + (long)strides[s] * count > data.Length)
                         throw node.Location.Error($"the mesh has {data.Length} bytes of vertex data, but its {count} vertices need more");
-                    at = (at + strides[s] * count + 15) / 16 * 16;
+                    starts[s] = (int)at;
+                    at = (at + (long)strides[s] * count + 15) / 16 * 16;
                 }
+                for (var i = 0; i < channels.Length; i++)
+                    if (channels[i] is var c && c.Dimension > 0 && (c.Offset < 0 || c.Offset + c.Dimension * Size(c.Format) > strides[c.Stream]))
+                        throw node.Location.Error($"channel {i} of the mesh's vertices lies beyond the vertex");
             }
 
             public bool Has(int channel) => channel < channels.Length && channels[channel].Dimension > 0;

@@ -219,11 +219,12 @@ namespace Host.Assets
                 if (buffer != 0 || glb.root.GetProperty("buffers")[0].TryGetProperty("uri", out _))
                     throw new AssetException($"{glb.shownAs} keeps its vertices in another file: export it as one .glb with everything inside");
                 stride = view.TryGetProperty("byteStride", out var step) ? step.GetInt32() : size * components;
-                long offset = (view.TryGetProperty("byteOffset", out var o) ? o.GetInt64() : 0)
-                    + (accessor.TryGetProperty("byteOffset", out o) ? o.GetInt64() : 0);
-                if (Count < 0 || offset < 0 || stride < size * components || offset + (Count - 1L) * stride + size * components > glb.binaryLength)
+                long viewStart = view.TryGetProperty("byteOffset", out var o) ? o.GetInt64() : 0, viewLength = view.GetProperty("byteLength").GetInt64();
+                long offset = accessor.TryGetProperty("byteOffset", out o) ? o.GetInt64() : 0;
+                if (Count < 0 || viewStart < 0 || offset < 0 || stride < size * components || viewLength > glb.binaryLength
+                    || viewStart > glb.binaryLength - viewLength || offset > viewLength - (Count - 1L) * stride - size * components)
                     throw new FormatException($"accessor {index} reaches beyond the end of the data");
-                start = glb.binaryStart + (int)offset;
+                start = glb.binaryStart + (int)(viewStart + offset);
             }
 
             public float Number(int index, int component)

@@ -29,9 +29,12 @@ namespace Host.Reference
                     throw new HostException($"--mesh {file}: it has no faces. A mesh is wanted, not the particles.");
                 if (data.Faces.Any(face => face.Length < 3 || face.Any(corner => corner < 0 || corner >= data.Vertices.Count)))
                     throw new HostException($"--mesh {file}: a face names a vertex that is not there.");
+                if (data.Vertices.Any(vertex => !float.IsFinite(vertex.x + vertex.y + vertex.z)))
+                    throw new HostException($"--mesh {file}: a vertex is nowhere: one of its coordinates is not a number.");
                 return data;
             }
-            catch (Exception fault) when (fault is FormatException or IndexOutOfRangeException or ArgumentOutOfRangeException or InvalidDataException)
+            catch (Exception fault) when (fault is FormatException or OverflowException or IndexOutOfRangeException or ArgumentOutOfRangeException
+                or InvalidDataException)
             {
                 throw new HostException($"--mesh {file}: it is damaged or of a kind that is not read ({fault.Message.TrimEnd('.')}).");
             }
@@ -45,9 +48,9 @@ namespace Host.Reference
             foreach (string line in lines)
             {
                 string[] words = line.Split((char[])null, StringSplitOptions.RemoveEmptyEntries);
-                if (words.Length >= 4 && words[0] == "v")
+                if (words.Length > 0 && words[0] == "v")
                     data.Vertices.Add(new Vector3(Number(words[1]), Number(words[2]), Number(words[3])));
-                else if (words.Length >= 4 && words[0] == "f")
+                else if (words.Length > 0 && words[0] == "f")
                     data.Faces.Add(words.Skip(1).Select(word =>
                     {
                         int index = int.Parse(word.Split('/')[0], CultureInfo.InvariantCulture);
@@ -97,15 +100,19 @@ namespace Host.Reference
             else
                 throw new InvalidDataException($"its format is {format}; ascii and binary_little_endian are read");
 
+            // Nothing in the file takes less than a byte.
+            int Count(double value) => value >= 0.0 && value <= bytes.Length ? (int)value
+                : throw new InvalidDataException(FormattableString.Invariant($"it says that there are {value} of something"));
+
             var data = new MeshData();
             foreach (var (name, count, properties) in elements)
-                for (int i = 0; i < count; i++)
+                for (int i = 0; i < Count(count); i++)
                 {
                     var position = Vector3.zero;
                     foreach (string[] property in properties)
                         if (property[1] == "list")
                         {
-                            var corners = new int[(int)next(property[2])];
+                            var corners = new int[Count(next(property[2]))];
                             for (int corner = 0; corner < corners.Length; corner++)
                                 corners[corner] = (int)next(property[3]);
                             if (name == "face" && property[4] is "vertex_indices" or "vertex_index")
