@@ -23,7 +23,7 @@ namespace Rill
 
         public bool IsKnown => count >= Window;
 
-        public void Reset() => count = 0;
+        public void Reset() => (count, sinceJump, Value) = (0, 0, 0f);
 
         /// <param name="ratio">Time over the model's, above 0.</param>
         /// <param name="seconds">Since the last reading.</param>

@@ -28,6 +28,9 @@ namespace Rill.Tests
         public int FramesLate = 4;
         public float StepsPerFrame = 1f;
         public float TargetError;
+        public GpuTimeKind Source = GpuTimeKind.Measured;
+        /// <summary>Whether the newest C+ is told in every frame until the next, as the statistics are.</summary>
+        public bool RepeatsError;
 
         public readonly BudgetLadder Ladder = new BudgetLadder();
         public readonly BudgetController Controller = new BudgetController();
@@ -35,6 +38,7 @@ namespace Rill.Tests
         public readonly List<int> Rungs = new List<int>();
         public readonly List<float> Times = new List<float>();
         readonly List<float> stepTimes = new List<float>(), modeled = new List<float>(), changes = new List<float>();
+        float newestError = float.NaN;
         public Chooser Choose;
 
         public BudgetPlant()
@@ -107,10 +111,10 @@ namespace Rill.Tests
                 seconds = Frame,
                 milliseconds = of >= 0 ? Told(frame, stepTimes[of]) : 0f,
                 modeled = of >= 0 ? modeled[of] : 0f,
-                source = GpuTimeKind.Measured,
+                source = Source,
                 stepsPerFrame = StepsPerFrame,
                 particles = Particles,
-                densityError = frame > 0 && frame % 10 == 0 ? Error(Last, time) : float.NaN,
+                densityError = MeasureError(frame, time),
             };
             int rung = Choose(reading, Ladder, Target);
             if (frame > 0 && rung != Last)
@@ -119,6 +123,14 @@ namespace Rill.Tests
             stepTimes.Add(TrueStep(rung, time));
             modeled.Add(Ladder.Cost(rung, Particles));
             Times.Add(TrueTime(rung, time));
+        }
+
+        float MeasureError(int frame, float time)
+        {
+            float measured = frame > 0 && frame % 10 == 0 ? Error(Last, time) : float.NaN;
+            if (!float.IsNaN(measured))
+                newestError = measured;
+            return RepeatsError ? newestError : measured;
         }
     }
 }

@@ -123,6 +123,48 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Another_budget_that_cannot_be_met_is_told_too_and_the_same_one_is_not()
+        {
+            FluidSimulation fluid = Dam(new HeldTime { Factor = 20f }, Milliseconds(0.5f));
+            yield return Frames(2 * Second);
+            Assert.That(warnings, Has.Count.EqualTo(1));
+            fluid.Budget = Milliseconds(0.5f);
+            yield return Frames(Second);
+            Assert.That(warnings, Has.Count.EqualTo(1), "the same");
+            fluid.Budget = Milliseconds(0.4f);
+            yield return Frames(Second);
+            Assert.That(warnings, Has.Count.EqualTo(2), "another time");
+            SolverBudget fraction = Milliseconds(0.4f);
+            fraction.mode = BudgetMode.FrameFraction;
+            fraction.fraction = 0.024f;     // of 16.7 ms
+            Assert.That(fraction.FrameMilliseconds, Is.EqualTo(0.4f).Within(1e-6f));
+            fluid.Budget = fraction;
+            yield return Frames(Second);
+            Assert.That(warnings, Has.Count.EqualTo(3), "another mode");
+            fluid.Budget = SolverBudget.Default;
+            yield return null;
+            fluid.BudgetTime = new HeldTime { Factor = 20f };
+            fluid.Budget = fraction;
+            yield return Frames(Second);
+            Assert.That(warnings, Has.Count.EqualTo(4), "switched off and on");
+        }
+
+        // Half a second of room is ten of these frames, each of three steps; eight pass until the time is known.
+        [UnityTest]
+        public IEnumerator Times_that_the_budget_waits_are_seconds_and_not_frames()
+        {
+            Time.captureDeltaTime = 1f / 20f;
+            FluidSimulation fluid = Dam(new HeldTime { Factor = 20f }, Milliseconds(50f));
+            SolverSettings settings = fluid.Settings;
+            settings.iterations = 2;
+            fluid.Settings = settings;
+            yield return Frames(14);
+            Assert.That(Used(fluid), Is.EqualTo("1 x 2"));
+            yield return Frames(10);
+            Assert.That(Used(fluid), Is.EqualTo("1 x 16"));
+        }
+
+        [UnityTest]
         public IEnumerator Bounds_that_leave_nothing_stable_give_way_and_say_so_once()
         {
             SolverBudget budget = Milliseconds(5f);

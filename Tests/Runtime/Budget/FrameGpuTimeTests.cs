@@ -68,6 +68,32 @@ namespace Rill.Tests
             Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(Factor).Within(5).Percent);
         }
 
+        // Two seconds of the same work are within the memory of three: what the frame spends besides is not taken for the fluid's.
+        [Test]
+        public void What_changed_two_seconds_ago_still_tells_the_fluid_from_other_work()
+        {
+            var source = new FrameGpuTime();
+            StepTime last = Play(source, 1200, frame => frame / 120 % 2 == 0 ? 1f : 2f, (frame, fluid) => fluid + 5.0);
+            Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(Factor).Within(15).Percent);
+        }
+
+        // As a laptop's that is unplugged: after four times the memory nothing is left of the speed before.
+        [Test]
+        public void A_device_that_becomes_half_as_fast_is_known_after_twelve_seconds()
+        {
+            var source = new FrameGpuTime();
+            StepTime last = Play(source, 1800 + 720, frame => frame / 30 % 2 == 0 ? 1f : 2f, (frame, fluid) => (frame < 1800 ? 1.0 : 2.0) * fluid + 2.0);
+            Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(2.0 * Factor).Within(10).Percent);
+        }
+
+        [Test]
+        public void Frames_of_more_steps_are_of_more_work()
+        {
+            var source = new FrameGpuTime();
+            StepTime last = Play(source, 240, frame => 1f, (frame, fluid) => fluid + 5.0, frame => 1 + frame / 30 % 2);
+            Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(Factor).Within(25).Percent);
+        }
+
         [Test]
         public void Frame_times_that_are_zero_are_unknown_and_change_nothing()
         {
@@ -133,15 +159,18 @@ namespace Rill.Tests
         }
 
         // Tells of each frame four frames later; returns the last reading.
-        static StepTime Play(FrameGpuTime source, int frames, Func<int, float> cost, Func<int, double, double> frameTime)
+        static StepTime Play(FrameGpuTime source, int frames, Func<int, float> cost, Func<int, double, double> frameTime,
+            Func<int, int> steps = null)
         {
+            int Steps(int frame) => steps != null ? steps(frame) : 1;
+
             var history = new WorkHistory();
             StepTime last = default;
             for (int frame = 0; frame < frames; frame++)
             {
                 int of = frame - FramesLate;
-                last = source.Read(Seconds, history, of >= 0 ? frameTime(of, cost(of) * Factor) : 0.0);
-                history.Add(1, cost(frame));
+                last = source.Read(Seconds, history, of >= 0 ? frameTime(of, Steps(of) * cost(of) * Factor) : 0.0);
+                history.Add(Steps(frame), cost(frame));
             }
             return last;
         }
