@@ -209,7 +209,6 @@ namespace Rill
             clock.Record = time.clock;
             stepsSinceStatistics = 0;
             StandStill();
-            ClearMotions();
             RestartSources();
             RestartQueries();
 

@@ -204,6 +204,14 @@ namespace Rill.Tests
             Move();
         }
 
+        /// <summary>Puts all objects elsewhere in the world, without a word of it.</summary>
+        protected void PutElsewhere(Vector3 by)
+        {
+            shift += by;
+            colliderShift += by;
+            Move();
+        }
+
         /// <summary>Puts all objects where they were before calls.</summary>
         protected void GoBack()
         {
