@@ -93,6 +93,82 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Frames_that_drop_time_in_a_row_are_counted_until_one_that_steps_does_not()
+        {
+            var clock = new FixedStepClock();
+            for (int frame = 1; frame <= 3; frame++)
+            {
+                clock.Advance(6.0 * Step, Step, 4);
+                Assert.That(clock.DroppingFrames, Is.EqualTo(frame));
+                Assert.That(clock.FrameDropped, Is.EqualTo(2.0 * Step).Within(1e-9));
+            }
+            clock.Advance(0.3 * Step, Step, 4);
+            Assert.That(clock.DroppingFrames, Is.EqualTo(3), "it took no steps");
+            Assert.That(clock.FrameDropped, Is.EqualTo(2.0 * Step).Within(1e-9));
+            clock.Advance(4.0 * Step, Step, 4);
+            Assert.That((clock.DroppingFrames, clock.FrameDropped), Is.EqualTo((0, 0.0)));
+            clock.Advance(5.0 * Step, Step, 4);
+            Assert.That(clock.DroppingFrames, Is.EqualTo(1));
+            Assert.That(clock.Dropped, Is.EqualTo(7.0 * Step).Within(1e-9), "in all");
+        }
+
+        [Test]
+        public void Time_is_known_as_dropped_for_ten_frames_that_step()
+        {
+            var clock = new FixedStepClock();
+            clock.Advance(4.0 * Step, Step, 4);
+            Assert.That(clock.DropsTime, Is.False);
+            for (int again = 0; again < 2; again++)
+            {
+                clock.Advance(5.0 * Step, Step, 4);
+                for (int frame = 0; frame < 9; frame++)
+                {
+                    Assert.That(clock.DropsTime, $"frame {frame}");
+                    clock.Advance(0.0, Step, 4);
+                    clock.Advance(Step, Step, 4);
+                }
+            }
+            Assert.That(clock.DropsTime);
+            clock.Advance(Step, Step, 4);
+            Assert.That(clock.DropsTime, Is.False);
+        }
+
+        // A frame of half a step and one of nine and a half, four of which are taken in the time of ten.
+        [Test]
+        public void The_rate_of_fluid_time_is_of_the_time_since_the_last_frame_that_stepped()
+        {
+            var clock = new FixedStepClock();
+            Assert.That(clock.FrameRate, Is.EqualTo(1.0));
+            clock.Advance(0.5 * Step, Step, 4);
+            clock.Advance(9.5 * Step, Step, 4);
+            Assert.That(clock.FrameRate, Is.EqualTo(0.4).Within(1e-9));
+            clock.Advance(3.0 * Step, Step, 4);
+            Assert.That(clock.FrameRate, Is.EqualTo(1.0));
+        }
+
+        [Test]
+        public void A_clock_goes_on_from_its_records_as_if_it_had_not_stopped()
+        {
+            var clock = new FixedStepClock();
+            for (int frame = 0; frame < 7; frame++)
+                clock.Advance((0.3 + 1.1 * frame) * Step, Step, 4);
+            var calls = new CallsRecord();
+            clock.SaveDrops(ref calls);
+            var other = new FixedStepClock { Record = clock.Record };
+            other.LoadDrops(calls);
+            Assert.That(clock.DroppingFrames, Is.GreaterThan(1));
+            for (int frame = 0; frame < 30; frame++)
+            {
+                Assert.That(State(other), Is.EqualTo(State(clock)), $"frame {frame}");
+                clock.Advance(0.7 * Step, Step, 4);
+                other.Advance(0.7 * Step, Step, 4);
+            }
+        }
+
+        static (ClockRecord, double, int, bool, double) State(in FixedStepClock clock)
+            => (clock.Record, clock.FrameDropped, clock.DroppingFrames, clock.DropsTime, clock.FrameRate);
+
+        [Test]
         public void A_very_long_frame_neither_overflows_nor_wraps()
         {
             var clock = new FixedStepClock();
