@@ -89,6 +89,45 @@ namespace Rill.Tests
             }
         }
 
+        // Neither a cube nor a multiple of a group along any axis, the balls beside the middle of their fields, and all of it turned.
+        [Test]
+        public void Fields_of_any_sides_lie_one_behind_the_other_and_keep_their_distances_where_they_are_turned([Values] bool swapped)
+        {
+            using (TestFluid fluid = Fluid())
+            {
+                ColliderMotion first = Ball(new int3(37, 23, 41), 0.3f, new float3(1.1f, -0.5f, 2f), 2.5f, new float3(8f, 9f, 8f), 0.9f);
+                ColliderMotion second = Ball(new int3(22, 43, 18), 0.3f, new float3(-0.6f, 2.2f, 0.3f), 2f, new float3(17f, 11f, 16f), 2.3f);
+                ColliderTests.Use(fluid, swapped ? second : first, swapped ? first : second);
+                var random = new Unity.Mathematics.Random(5u);
+                fluid.Add(Enumerable.Range(0, 3000).Select(_ => random.NextFloat3(0.6f, Box - 0.6f) * Spacing).ToArray());
+                fluid.Step();
+                GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
+                Assert.That(Bytes(fluid, "Fields"), Is.EqualTo(HalfFloat * 37 * 43 * (41 + 18)));
+
+                ParticleState state = fluid.Read();
+                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                int[] near = new int[2];
+                for (int i = 0; i < state.Count; i++)
+                {
+                    float3 p = state.positions[i].xyz;
+                    float toFirst = DistanceTo(first, new float3(1.1f, -0.5f, 2f), 2.5f, p), toSecond = DistanceTo(second,
+                        new float3(-0.6f, 2.2f, 0.3f), 2f, p), wanted = math.min(toFirst, toSecond);
+                    ColliderMotion nearest = toFirst < toSecond ? first : second;
+                    bool isInside = math.all(math.abs(math.mul(math.inverse(nearest.end.rotation), p - nearest.end.position)) < nearest.size - 0.3f);
+                    if (!isInside || wanted > 1.9f || wanted < -1f)
+                        continue;
+                    // 0.3 * 0.3 / 2 = 0.045 d at most, between voxels of the smaller ball
+                    Assert.That(distances[i], Is.EqualTo(wanted).Within(0.05f), $"at {p}");
+                    near[toFirst < toSecond ? 0 : 1]++;
+                }
+                Assert.That(near, Is.All.GreaterThan(30));
+            }
+        }
+
+        // Distance from the ball of a field, d.
+        static float DistanceTo(in ColliderMotion collider, float3 center, float radius, float3 p)
+            => math.distance(math.mul(math.inverse(collider.end.rotation), p - collider.end.position), center) - radius;
+
         static TestFluid Fluid()
         {
             SolverSettings settings = SolverSettings.Default;
@@ -123,20 +162,22 @@ namespace Rill.Tests
             };
         }
 
+        ColliderMotion Ball(int side) => Ball(side, Voxel * Side / side, 0f, Radius, WorldCenter, 0f);
+
         // Distances in d, as a bake would have them.
-        ColliderMotion Ball(int side)
+        ColliderMotion Ball(int3 sides, float voxel, float3 center, float radius, float3 position, float turn)
         {
-            float voxel = Voxel * Side / side;
-            var field = new Texture3D(side, side, side, TextureFormat.RFloat, false) { name = "Ball" };
+            var field = new Texture3D(sides.x, sides.y, sides.z, TextureFormat.RFloat, false) { name = "Ball" };
             made.Add(field);
             NativeArray<float> texels = field.GetPixelData<float>(0);
             for (int i = 0; i < texels.Length; i++)
-                texels[i] = voxel * math.length(new float3(i % side, i / side % side, i / (side * side)) + 0.5f - 0.5f * side) - Radius;
+                texels[i] = math.distance(voxel * (new float3(i % sides.x, i / sides.x % sides.y, i / (sides.x * sides.y)) + 0.5f - 0.5f * (float3)sides),
+                    center) - radius;
             field.Apply(false, true);
-            var pose = new RigidPose(WorldCenter, quaternion.identity);
+            var pose = new RigidPose(position, quaternion.AxisAngle(math.normalize(new float3(1f, 2f, 3f)), turn));
             return new ColliderMotion
             {
-                shape = ColliderShape.Mesh, size = 0.5f * side * voxel, start = pose, end = pose, contributesDensity = true,
+                shape = ColliderShape.Mesh, size = 0.5f * (float3)sides * voxel, start = pose, end = pose, contributesDensity = true,
                 field = field, fieldUnit = 1f, voxel = voxel,
             };
         }
