@@ -57,14 +57,16 @@ namespace Rill.Tests
             Assert.That(plant.Rungs, Is.All.Zero);
         }
 
-        // 1.40 fits into nine tenths of the target for four tenths of a second; 1.21 always fits.
+        // 1.77 fits into nine tenths of the target for four tenths of a second; 1.40 always fits.
         [Test]
         public void Only_half_a_second_of_room_without_a_pause_leads_up()
         {
-            var plant = new BudgetPlant { Target = 1.6f, Load = time => time % 0.8f < 0.4f ? 1f : 1.36f };
-            plant.Controller.Restart(2);
+            var plant = new BudgetPlant { Target = 2f, Load = time => time % 0.8f < 0.4f ? 1f : 1.45f };
+            plant.Controller.Restart(3);
             plant.Run(20f);
-            Assert.That(plant.Rungs, Is.All.EqualTo(2));
+            Assert.That(plant.Rungs, Is.All.EqualTo(3));
+            plant.Load = _ => 1f;
+            Assert.That(Changes(plant.Run(1f)).Single().rung, Is.EqualTo(4), "without pauses it does");
         }
 
         // The error is low enough to save for a second and a half, and then too high for as long.
@@ -122,7 +124,8 @@ namespace Rill.Tests
         [Test]
         public void Times_that_come_seldom_count_for_the_time_since_the_last()
         {
-            BudgetPlant plant = new BudgetPlant { Target = 50f, Told = (frame, ms) => frame % 10 == 0 ? ms : 0f, Load = time => time < 20f ? 1f : 1.2f };
+            var plant = new BudgetPlant { Target = 50f, Told = (frame, ms) => frame % 10 == 0 ? ms : 0f };
+            plant.Load = time => time < 20f ? 1f : 1.2f;
             plant.Run(21.5f);
             Assert.That(plant.Controller.Milliseconds, Is.EqualTo(plant.TrueTime(plant.Last, 21f)).Within(3).Percent);
         }

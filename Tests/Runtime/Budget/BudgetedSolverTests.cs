@@ -23,7 +23,10 @@ namespace Rill.Tests
         {
             source = new Told();
             solver = new BudgetedSolver(source);
-            scene = new BudgetScene { asked = SolverSettings.Default, deepWater = true, gravityStep = 0.27f, particles = 1e6f, densityError = float.NaN };
+            scene = new BudgetScene
+            {
+                asked = SolverSettings.Default, deepWater = true, gravityStep = 0.27f, particles = 1e6f, densityError = float.NaN
+            };
             scene.asked.iterations = 1;
         }
 

@@ -82,7 +82,8 @@ namespace Rill.Tests
         public void A_device_that_becomes_half_as_fast_is_known_after_twelve_seconds()
         {
             var source = new FrameGpuTime();
-            StepTime last = Play(source, 1800 + 720, frame => frame / 30 % 2 == 0 ? 1f : 2f, (frame, fluid) => (frame < 1800 ? 1.0 : 2.0) * fluid + 2.0);
+            StepTime last = Play(source, 1800 + 720, frame => frame / 30 % 2 == 0 ? 1f : 2f,
+                (frame, fluid) => (frame < 1800 ? 1.0 : 2.0) * fluid + 2.0);
             Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(2.0 * Factor).Within(10).Percent);
         }
 

@@ -171,8 +171,10 @@ namespace Rill.Tests
             made.Add(field);
             NativeArray<float> texels = field.GetPixelData<float>(0);
             for (int i = 0; i < texels.Length; i++)
-                texels[i] = math.distance(voxel * (new float3(i % sides.x, i / sides.x % sides.y, i / (sides.x * sides.y)) + 0.5f - 0.5f * (float3)sides),
-                    center) - radius;
+            {
+                float3 place = new float3(i % sides.x, i / sides.x % sides.y, i / (sides.x * sides.y)) + 0.5f;
+                texels[i] = math.distance(voxel * (place - 0.5f * (float3)sides), center) - radius;
+            }
             field.Apply(false, true);
             var pose = new RigidPose(position, quaternion.AxisAngle(math.normalize(new float3(1f, 2f, 3f)), turn));
             return new ColliderMotion
