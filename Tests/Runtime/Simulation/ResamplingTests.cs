@@ -80,8 +80,12 @@ namespace Rill.Tests
             float3 before = Velocity(fluid);
             float volume = Volume(fluid), fastest = FluidAssert.Measure(fluid).speedMax;
             fluid.ParticleSpacing = factor * Spacing;
+            int step = fluid.StepCount;
             for (int i = 0; i < 8 && fluid.IsResampling; i++)
+            {
+                Assert.That(fluid.StepCount, Is.EqualTo(step), "it stands until then: what it did meanwhile would be lost");
                 yield return null;
+            }
             // One step of the new water has passed: gravity, and what it hits, act on both alike.
             float3 now = Velocity(fluid);
             TestContext.Out.WriteLine($"{before} then {now} m/s; fastest {fastest} then {FluidAssert.Measure(fluid).speedMax}");

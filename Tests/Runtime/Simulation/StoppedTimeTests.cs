@@ -93,6 +93,33 @@ namespace Rill.Tests
             Assert.That(fastest, Is.LessThan(moved == Moved.Box ? 0.5f : 8f));
         }
 
+        // Out of sight, at a quarter of its steps: what moves between two of them has not moved through the water at four times its speed.
+        [UnityTest]
+        public IEnumerator What_moves_while_a_fluid_is_slowed_does_not_throw_its_water([Values(Moved.Ball, Moved.Box)] Moved moved)
+        {
+            Camera camera = Eye();
+            Transform mover = null;
+            FluidSimulation fluid = Fluid("Basin", Box, Spacing, 6000, new Vector3(Box.x, 0.4f, Box.z), f =>
+            {
+                (f.CullingMode, f.CulledRate) = (FluidCullingMode.Slow, 0.25f);
+                mover = Make(f, moved);
+            });
+            yield return Frames(20);
+            Set(fluid, camera, Stop.Culled, stands: true);
+            yield return Frames(4);
+            int steps = fluid.StepCount;
+            float fastest = 0f;
+            for (int frame = 0; frame < 16; frame++)
+            {
+                Move(fluid, mover, moved, frame / 4 % 2 == 0 ? 0.4f : -0.4f);
+                yield return null;
+                fastest = math.max(fastest, Fastest(fluid));
+            }
+            TestContext.Out.WriteLine($"{fastest} m/s");
+            Assert.That(fluid.StepCount - steps, Is.EqualTo(4));
+            Assert.That(fastest, Is.LessThan(moved == Moved.Box ? 0.5f : 4f));
+        }
+
         [UnityTest]
         public IEnumerator A_box_that_drives_on_after_a_stop_does_not_shake_its_water([Values(Stop.TimeScale, Stop.Paused, Stop.Inactive)] Stop stop)
         {
