@@ -240,7 +240,7 @@ namespace Rill.Tests
                 last = playback.Time;
             }
             Assert.That((director.state, playback.IsDriven), Is.EqualTo((PlayState.Paused, false)));
-            Assert.That(last, Is.GreaterThan(0.0));
+            Assert.That(last, Is.EqualTo(7.5 * Frame).Within(0.6 * Frame), "the last of its frames");
         }
 
         // In frames of the recording.

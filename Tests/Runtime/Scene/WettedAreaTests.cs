@@ -126,7 +126,7 @@ namespace Rill.Tests
             box.OnEnter += Listen;
             yield return Frames(6);
             Assert.That(fluid.Solver.Reactions.HasWettedAreas);
-            Assert.That(newest.Area, Is.GreaterThan(0f));
+            Assert.That(newest.Area, Is.EqualTo(6f * 0.1f * 0.1f).Within(0.15f * 0.06f), "all of it is under water");
             box.OnEnter -= Listen;
             yield return Frames(2);
             Assert.That(fluid.Solver.Reactions.HasWettedAreas, Is.False);

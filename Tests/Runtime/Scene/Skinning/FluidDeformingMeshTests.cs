@@ -203,7 +203,7 @@ namespace Rill.Tests
             }
             Assert.That(deforming.BakedFields, Is.Zero);
             Assert.That(((IDeformingShape)deforming).Field, Is.Null);
-            Assert.That(deforming.VoxelSize, Is.GreaterThan(0f));
+            Assert.That(deforming.VoxelSize, Is.EqualTo(1.8f / 28f).Within(1e-5f), "m: 1.8 m in 32 voxels, of which two lie beyond at each end");
         }
 
         [UnityTest]
