@@ -1,4 +1,4 @@
-// Shadows that the mesh of the water casts, see WaterShadow.hlsl: a SubShader for each render pipeline.
+// Shadows of the water that is drawn as a mesh, see WaterShadow.hlsl: a SubShader for each render pipeline.
 Shader "Hidden/Rill/WaterShadow"
 {
     SubShader
@@ -12,7 +12,7 @@ Shader "Hidden/Rill/WaterShadow"
         {
             Name "ShadowCaster"
             Tags { "LightMode" = "ShadowCaster" }
-            Cull Back
+            Cull Front
             ZWrite On
             ZTest LEqual
             ZClip [_ZClip]
@@ -37,7 +37,7 @@ Shader "Hidden/Rill/WaterShadow"
         {
             Name "ShadowCaster"
             Tags { "LightMode" = "ShadowCaster" }
-            Cull Back
+            Cull Front
             ZWrite On
             ZTest LEqual
             ZClip [_ZClip]
@@ -62,7 +62,7 @@ Shader "Hidden/Rill/WaterShadow"
         {
             Name "ShadowCaster"
             Tags { "LightMode" = "ShadowCaster" }
-            Cull Back
+            Cull Front
             ZWrite On
             ZTest LEqual
             ColorMask 0
@@ -85,7 +85,7 @@ Shader "Hidden/Rill/WaterShadow"
         {
             Name "ShadowCaster"
             Tags { "LightMode" = "ShadowCaster" }
-            Cull Back
+            Cull Front
             ZWrite On
             ZTest LEqual
             ColorMask 0

@@ -42,6 +42,7 @@ namespace Rill
             new KernelNeed("SurfaceThickness", "BlurThickness", "BLUR", 256, 7680, 1, 1, 2),
             new KernelNeed("SurfaceThickness", "BlurPhases", "BLUR PHASES", 256, 11520, 1, 1, 2),
             new KernelNeed("WaterRays", "TraceRays", "", 64, 0, 1, 4, 8),
+            new KernelNeed("WaterShadow", "TraceShadow", "", 64, 0, 1, 1, 2),
             new KernelNeed("CoarseColliders", "OpenCells", "", 64, 484, 5, 3, 2),
             new KernelNeed("CoarseColliders", "OpenCells", "RILL_DEFORMING", 64, 484, 5, 3, 2),
             new KernelNeed("CoarseColliders", "LinkCells", "", 128, 0, 2, 1, 0),
@@ -427,8 +428,8 @@ namespace Rill
             new KernelNeed("WaterFaces", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("WaterInside", "Vertex", "", 0, 0, 1, 0, 1),
             new KernelNeed("WaterInside", "Fragment", "", 0, 0, 1, 0, 8),
-            new KernelNeed("WaterShadow", "Vertex", "", 0, 0, 1, 0, 0),
-            new KernelNeed("WaterShadow", "Fragment", "", 0, 0, 1, 0, 1),
+            new KernelNeed("WaterShadow", "Vertex", "", 0, 0, 0, 0, 0),
+            new KernelNeed("WaterShadow", "Fragment", "", 0, 0, 1, 0, 2),
         };
     }
 }

@@ -56,7 +56,8 @@ namespace Rill
                 case "SurfaceMesh":
                 case "SurfaceThickness":
                 case "SurfaceParticles":
-                case "WaterRays": return DeviceFeature.Surface;
+                case "WaterRays":
+                case "WaterShadow": return DeviceFeature.Surface;
                 case "ImplicitViscosity": return DeviceFeature.DynamicViscosity;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;

@@ -9,9 +9,7 @@ namespace Rill
     /// <summary>The light of the sun below the surface of the water, found once a frame for all cameras; see Caustics.compute.</summary>
     sealed class CausticMap : IDisposable
     {
-        const float TexelSize = 0.25f;      // d, or more where the map would be too large
         const float MinLightSine = 0.15f;    // of the light's angle with the level of the water; below that layers lie across the light
-        const int SizeStep = 32;            // texels: a light that turns slowly must not ask for another texture in each frame
         const int Columns = 4;
         const int SumWords = 2;             // a texel
 
@@ -61,46 +59,35 @@ namespace Rill
             Vector3 lightward = toDomain.MultiplyVector(toLight).normalized, level = toDomain.MultiplyVector(-gravity).normalized;
             if (Vector3.Dot(level, lightward) < MinLightSine)
                 level = lightward;
-            Vector3 x = Vector3.Cross(lightward, Mathf.Abs(lightward.y) < 0.9f ? Vector3.up : Vector3.right).normalized;
-            Vector3 y = Vector3.Cross(lightward, x);
-            Vector2 heights = Extent(level, mesh.domainSize);
-            Vector2 alongX = Extent(x, mesh.domainSize), alongY = Extent(y, mesh.domainSize);
-            float texel = Mathf.Max(TexelSize, Mathf.Max(alongX.y - alongX.x, alongY.y - alongY.x) / (texels - 2));
-            int width = Mathf.Min(Steps((alongX.y - alongX.x) / texel + 2f), texels);
-            int height = Mathf.Min(Steps((alongY.y - alongY.x) / texel + 2f), texels);
-            Make(width, height, layers);
-
-            // The box in the center.
-            float left = 0.5f * (alongX.x + alongX.y) - 0.5f * width * texel, bottom = 0.5f * (alongY.x + alongY.y) - 0.5f * height * texel;
-            axisX = x / texel;
-            axisX.w = -left / texel;
-            axisY = y / texel;
-            axisY.w = -bottom / texel;
+            Vector2 heights = LightGrid.Extent(level, mesh.domainSize);
+            // Above all water, also where it goes on beyond the walls.
+            var grid = new LightGrid(lightward, mesh.domainSize, 1f + (heights.y - heights.x) / Vector3.Dot(level, lightward), texels);
+            Make(grid.Width, grid.Height, layers);
+            (axisX, axisY) = (grid.AxisX, grid.AxisY);
             light = lightward;
             light.w = layers;
             up = level;
             up.w = heights.x;
-            // Above all water, also where it goes on beyond the walls.
-            float above = Extent(lightward, mesh.domainSize).y + 1f + (heights.y - heights.x) / Vector3.Dot(level, lightward);
-            Vector4 origin = x * left + y * bottom + lightward * above;
+            Vector4 origin = grid.Origin;
             origin.w = index;
 
             commands.Clear();
             commands.BeginSample(Marker);
             SetOn(mesh);
             commands.SetComputeVectorParam(shader, Ids.Origin, origin);
-            commands.SetComputeVectorParam(shader, Ids.StepX, x * texel);
-            commands.SetComputeVectorParam(shader, Ids.StepY, y * texel);
+            commands.SetComputeVectorParam(shader, Ids.StepX, grid.StepX);
+            commands.SetComputeVectorParam(shader, Ids.StepY, grid.StepY);
             SetField(findRange, mesh);
             commands.DispatchCompute(shader, findRange, 1, 1, 1);
             SetField(trace, mesh);
             commands.SetComputeBufferParam(shader, trace, Ids.Sums, sums);
-            SurfaceIds.Dispatch(commands, shader, trace, width, height);
+            SurfaceIds.Dispatch(commands, shader, trace, grid.Width, grid.Height);
             commands.SetComputeBufferParam(shader, store, Ids.Range, range);
             commands.SetComputeBufferParam(shader, store, Ids.Sums, sums);
             commands.SetComputeTextureParam(shader, store, Ids.MapOut, texture);
             shader.GetKernelThreadGroupSizes(store, out uint groupX, out uint groupY, out _);
-            commands.DispatchCompute(shader, store, (width + (int)groupX - 1) / (int)groupX, (height + (int)groupY - 1) / (int)groupY, layers);
+            commands.DispatchCompute(shader, store, (grid.Width + (int)groupX - 1) / (int)groupX, (grid.Height + (int)groupY - 1)
+                / (int)groupY, layers);
             commands.EndSample(Marker);
             Graphics.ExecuteCommandBuffer(commands);
         }
@@ -172,16 +159,6 @@ namespace Rill
             { enableRandomWrite = true }, FilterMode.Bilinear);
             sums = GpuBuffer.Structured<uint>("Rill.Caustics.Sums", (long)SumWords * width * height * layers);
             BufferClear.Now(sums);
-        }
-
-        static int Steps(float texels) => (Mathf.CeilToInt(texels) + SizeStep - 1) / SizeStep * SizeStep;
-
-        // Of the domain along an axis: lowest and highest, d.
-        static Vector2 Extent(Vector3 axis, Vector3 box)
-        {
-            Vector3 reach = Vector3.Scale(axis, box);
-            return new Vector2(Mathf.Min(reach.x, 0f) + Mathf.Min(reach.y, 0f) + Mathf.Min(reach.z, 0f),
-                Mathf.Max(reach.x, 0f) + Mathf.Max(reach.y, 0f) + Mathf.Max(reach.z, 0f));
         }
 
         static class Ids

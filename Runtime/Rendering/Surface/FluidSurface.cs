@@ -369,7 +369,7 @@ namespace Rill
                 meshDraw.SetKeywords(refraction, reflection != null);
                 hasFrame = true;
                 if (CastsShadow)
-                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, causticMap != null);
+                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, causticMap != null, KnownLight);
                 return;
             }
             hasFrame = solver.Surface != null && solver.Mesh == null;
@@ -442,6 +442,7 @@ namespace Rill
             recorder?.Describe(description, frame.filterPasses);
             meshDraw?.Describe(description);
             causticMap?.Describe(description);
+            shadow?.Describe(description);
             BuiltInSurfaces.Describe(description);
         }
 

@@ -4,10 +4,13 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>The shadow of a fluid's surface, its ellipsoids or its mesh, drawn into shadow maps alone.</summary>
+    /// <summary>The shadow of a fluid's surface, of its ellipsoids or of the water that is drawn as a mesh, drawn into shadow maps alone.</summary>
     sealed class SurfaceShadow : IDisposable
     {
+        const int BoxVertices = 36;
+
         Material material, ofMesh;
+        SunPaths sunPaths;      // made when first needed
 
         public MaterialPropertyBlock Properties { get; } = new MaterialPropertyBlock();
 
@@ -23,16 +26,25 @@ namespace Rill
         /// <param name="parameters">Made with <see cref="Properties"/>.</param>
         /// <param name="opacity">How much of the light is gone, 0 to 1.</param>
         /// <param name="isBehind">Whether it falls on nothing that stands in the water.</param>
-        public void Draw(RenderParams parameters, in MeshFrame mesh, float opacity, bool isBehind)
+        /// <param name="sun">Light whose shadow is wanted for sure; null where none is known.</param>
+        public void Draw(RenderParams parameters, in MeshFrame mesh, float opacity, bool isBehind, Light sun)
         {
             mesh.SetOn(Properties);
+            if (SunPaths.Knows(sun))
+                (sunPaths ??= new SunPaths(StageShader.LoadCompute("WaterShadow"))).Update(mesh, -sun.transform.forward, Properties);
+            else
+                SunPaths.SetNone(Properties);
             Properties.SetFloat(Ids.ShadowIsBehind, isBehind ? 1f : 0f);
             Prepare(ref parameters, ref ofMesh, "WaterShadow", opacity);
-            Graphics.RenderPrimitivesIndexedIndirect(parameters, MeshTopology.Triangles, mesh.indices, mesh.arguments, 1, MeshDraw.MonoCommand);
+            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, BoxVertices);
         }
+
+        public void Describe(StageDescription stage) => sunPaths?.Describe(stage);
 
         public void Dispose()
         {
+            sunPaths?.Dispose();
+            sunPaths = null;
             EngineObject.Destroy(ref material);
             EngineObject.Destroy(ref ofMesh);
         }
