@@ -12,7 +12,7 @@
 struct FaceVaryings
 {
     float4 clip : SV_Position;
-    float3 position : TEXCOORD0;    // where the field has it, d
+    float3 shift : TEXCOORD0;       // from where the field has it, d
     float3 drawn : TEXCOORD1;       // where it is at the time of the frame, d
     float3 world : TEXCOORD2;
     float3 normal : TEXCOORD3;      // domain
@@ -25,8 +25,8 @@ FaceVaryings FaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     if (instance != 0)
         return result;      // of a second eye, which has a draw of its own
     MeshVertex v = LoadMeshVertex(vertex);
-    result.position = v.position;
-    result.drawn = v.position + MeshShift(v, _DrawnDomainSize.xyz);
+    result.shift = MeshShift(v, _DrawnDomainSize.xyz);
+    result.drawn = v.position + result.shift;
     result.normal = v.normal;
     result.world = mul(_DomainToWorld, float4(result.drawn, 1.0)).xyz;
     result.clip = WindowClip(SurfaceClip(result.world, _SurfaceEye));
@@ -38,7 +38,7 @@ float4 FaceFragment(FaceVaryings input) : SV_Target
     if (!IsBeyondNearPlane(input.world, _SurfaceEye))
         discard;
     float3 normal = FlatOnWalls(input.drawn, normalize(input.normal));
-    return float4(input.position, PackFace(normalize(mul((float3x3)_DomainToWorld, normal))));
+    return PackFace(normalize(mul((float3x3)_DomainToWorld, normal)), input.shift);
 }
 
 struct CopyVaryings

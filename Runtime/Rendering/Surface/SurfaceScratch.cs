@@ -63,7 +63,7 @@ namespace Rill
             lastFrame = Time.frameCount;
             int3 size = SizeOf(view.Ends);
             largest = Math.Max(largest, TexelsOf(view.Ends));
-            HoldTexture(ref faces, "Rill.Water.Faces", size, GraphicsFormat.R32G32B32A32_SFloat, false);
+            HoldTexture(ref faces, "Rill.Water.Faces", size, GraphicsFormat.R16G16B16A16_SFloat, false);
             HoldTexture(ref faceDepth, "Rill.Water.FaceDepth", size, GraphicsFormat.None, false);
             HoldTexture(ref sceneCopy, "Rill.Water.Scene", new int3(width, height, size.z), GraphicsFormat.R32_SFloat, false);
         }

@@ -33,7 +33,7 @@ namespace Rill
         }
 
         /// <summary>Why light cannot be followed on this device; null where it can.</summary>
-        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.ARGBFloat, false)
+        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, false)
             ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBFloat, true) ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, true);
 
         /// <summary>Fills the textures of the view, whose window is placed and whose constants are written.</summary>
