@@ -89,6 +89,42 @@ namespace Rill.Tests
             Assert.That(deepest, Is.GreaterThan(-0.25f * Spacing), "nothing is in the arm");
         }
 
+        // Particles of 0.15 m feel it 0.3 m off, which is near the edges of its field. Sides of no multiple of a group of threads.
+        [UnityTest]
+        public IEnumerator Its_distances_are_there_up_to_the_edges_of_its_field()
+        {
+            const float large = 0.15f;
+            FluidDeformingMesh deforming = AddArm(mesh => mesh.Resolution = 30);
+            FluidSimulation fluid = Fluid("Air", new Vector3(2.1f, 1.2f, 1.2f), large, 2000, Vector3.zero, f =>
+            {
+                f.Gravity = Vector3.zero;
+                f.transform.position = new Vector3(0.5f, 0f, 0f);
+            });
+            yield return null;
+            var random = new Unity.Mathematics.Random(7u);
+            for (int i = 0; i < 300; i++)
+                Add(fluid, random.NextFloat3(new float3(-0.45f, -0.5f, -0.5f), new float3(1.45f, 0.5f, 0.5f)), 0f);
+            yield return Frames(2);
+            GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
+            int3 sides = ((IDeformingShape)deforming).Field.Resolution;
+            ParticleState state = TestFluid.Read(fluid.Solver);
+            float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+            int far = 0;
+            for (int i = 0; i < state.Count; i++)
+            {
+                float3 place = fluid.DomainToWorld.MultiplyPoint3x4(state.positions[i].xyz);
+                float along = math.clamp(place.x, SkinnedArm.Radius, SkinnedArm.Length - SkinnedArm.Radius);
+                float wanted = math.min((math.length(place - new float3(along, 0f, 0f)) - SkinnedArm.Radius) / large, 2f);
+                if (wanted < 0f)
+                    continue;
+                Assert.That(distances[i], Is.EqualTo(wanted).Within(0.15f), $"at {place}");
+                far += wanted > 1.2f && wanted < 2f ? 1 : 0;
+            }
+            TestContext.Out.WriteLine($"{sides} voxels, {far} of {state.Count} particles far off");
+            Assert.That(math.any(sides % 4 != 0));
+            Assert.That(far, Is.GreaterThan(30));
+        }
+
         [UnityTest, Category("LongRun")]
         public IEnumerator Water_around_a_swinging_arm_stays_out_of_it([Values] bool deep)
         {
@@ -203,7 +239,7 @@ namespace Rill.Tests
             }
             Assert.That(deforming.BakedFields, Is.Zero);
             Assert.That(((IDeformingShape)deforming).Field, Is.Null);
-            Assert.That(deforming.VoxelSize, Is.EqualTo(1.8f / 28f).Within(1e-5f), "m: 1.8 m in 32 voxels, of which two lie beyond at each end");
+            Assert.That(deforming.VoxelSize, Is.EqualTo(1.8f / 28f).Within(1e-5f), "m: an arm of 1 m and 0.4 m beyond, in 28 of 32 voxels");
         }
 
         [UnityTest]

@@ -128,6 +128,32 @@ namespace Rill.Tests
         static float DistanceTo(in ColliderMotion collider, float3 center, float radius, float3 p)
             => math.distance(math.mul(math.inverse(collider.end.rotation), p - collider.end.position), center) - radius;
 
+        // As a bake into an asset that is in use.
+        [Test]
+        public void A_field_that_changes_in_place_is_copied_again_and_one_that_does_not_is_not()
+        {
+            using (TestFluid fluid = Fluid())
+            {
+                ColliderMotion ball = Ball(16);
+                ColliderTests.Use(fluid, ball);
+                fluid.Add(new[] { (WorldCenter + new float3(0f, 0f, Radius + 1f)) * Spacing });
+                Assert.That(Distance(), Is.EqualTo(1f).Within(0.05f));
+                NativeArray<float> texels = ball.field.GetPixelData<float>(0);
+                for (int i = 0; i < texels.Length; i++)
+                    texels[i] -= 0.3f;
+                Assert.That(Distance(), Is.EqualTo(1f).Within(0.05f), "not before it is applied");
+                ball.field.Apply(false, false);
+                Assert.That(Distance(), Is.EqualTo(0.7f).Within(0.05f));
+
+                float Distance()
+                {
+                    fluid.Step();
+                    GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
+                    return GpuTest.Read<float>(fluid.Solver.Colliders.Distances, 1)[0];
+                }
+            }
+        }
+
         static TestFluid Fluid()
         {
             SolverSettings settings = SolverSettings.Default;
@@ -175,7 +201,7 @@ namespace Rill.Tests
                 float3 place = new float3(i % sides.x, i / sides.x % sides.y, i / (sides.x * sides.y)) + 0.5f;
                 texels[i] = math.distance(voxel * (place - 0.5f * (float3)sides), center) - radius;
             }
-            field.Apply(false, true);
+            field.Apply(false, false);
             var pose = new RigidPose(position, quaternion.AxisAngle(math.normalize(new float3(1f, 2f, 3f)), turn));
             return new ColliderMotion
             {
