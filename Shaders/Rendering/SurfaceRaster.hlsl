@@ -5,12 +5,6 @@
 #include "SurfaceQuadric.hlsl"
 #include "DrawnSurface.hlsl"
 
-#if RILL_OPENGL
-#define RILL_CONSERVATIVE_DEPTH SV_DepthGreaterEqual
-#else
-#define RILL_CONSERVATIVE_DEPTH SV_DepthLessEqual
-#endif
-
 struct RasterVaryings
 {
     float4 clip : SV_Position;

@@ -40,10 +40,23 @@ float3 HashedInBall(uint id, uint k)
     return radius * float3(ring * cos(angle), ring * sin(angle), z);
 }
 
-// Radii fall by a power law, from the first to the last.
-float DropletRadius(uint k)
+static const float kMinDrawn = 1.25;            // radius on the picture below which the last of a particle's droplets go to the others, pixels
+static const uint kMinDroplets = 3;
+
+// Radii fall by a power law, from the first to the last; 0 beyond the last that is drawn. first: of the first on the picture, pixels.
+float DropletRadius(uint k, float first)
 {
-    return kFirstRadius * pow(kSmallestDroplet, k / (kDroplets - 1.0));
+    float ratio = pow(kSmallestDroplet, 1.0 / (kDroplets - 1.0)), cubed = ratio * ratio * ratio;
+    float drawn = clamp(floor(log(kMinDrawn / first) / log(ratio)) + 1.0, kMinDroplets, kDroplets);
+    float grown = pow((1.0 - pow(cubed, kDroplets)) / (1.0 - pow(cubed, drawn)), 1.0 / 3.0);
+    return k < drawn ? kFirstRadius * grown * pow(ratio, k) : 0.0;
+}
+
+// Width of a pixel at a point of the domain, d.
+float PixelAt(float3 position)
+{
+    float4 clip = SurfaceClip(mul(_DomainToWorld, float4(position, 1.0)).xyz, eyeIndex);
+    return PictureScale(eyeIndex).y * (IsOrthographic() ? 1.0 : max(DepthAlongView(clip, eyeIndex), 1e-6)) * 2.0 / SceneSize().y / Spacing();
 }
 
 DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
@@ -59,8 +72,11 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     SurfaceParticle drop = _SurfaceElements[_MeshDrops[vertex / (6 * kDroplets)]];
     uint id = drop.a.w;
     float3 chord = float3(UnpackHalves(drop.b.y), UnpackHalves(drop.b.z).x);
-    float radius = DropletRadius(k);
-    float3 position = asfloat(drop.a.xyz) + chord * _FrameLag.x + kSpread * HashedInBall(id, k);
+    float3 position = asfloat(drop.a.xyz) + chord * _FrameLag.x;
+    float radius = DropletRadius(k, kFirstRadius / PixelAt(position));
+    if (radius == 0.0)
+        return result;
+    position += kSpread * HashedInBall(id, k);
     position = clamp(position, radius, _DrawnDomainSize.xyz - radius);
 
     // As long as it flies during the exposure, and thinner by that: its volume stays.
@@ -71,15 +87,18 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     TangentsOf(axis, x, y);
     float3x3 toWorld = (float3x3)_DomainToWorld;
     float3 center = mul(_DomainToWorld, float4(position, 1.0)).xyz;
-    float4 clip = SurfaceClip(center, eyeIndex);
-    float pixel = PictureScale(eyeIndex).y * (IsOrthographic() ? 1.0 : DepthAlongView(clip, eyeIndex)) * 2.0 / SceneSize().y;
-    float thinnest = kMinPixels * pixel / Spacing(), drawnAcross = max(across, thinnest), drawnAlong = max(along, thinnest);
+    float pixel = PixelAt(position), drawnAcross = max(across, kMinPixels * pixel), drawnAlong = max(along, kMinPixels * pixel);
     result.center = float4(center, across * along / (drawnAcross * drawnAlong));
-    result.a = float4(mul(toWorld, axis) * drawnAlong, drawnAcross * Spacing() / pixel);
+    result.a = float4(mul(toWorld, axis) * drawnAlong, drawnAcross / pixel);
     result.b = float4(mul(toWorld, x) * drawnAcross, 0.0);
     result.c = float4(mul(toWorld, y) * drawnAcross, 0.0);
-    result.world = PointOnQuad(center, QuadCorner(vertex), SilhouetteRadius(center, drawnAlong * Spacing()));
+    float reach = drawnAlong * Spacing();
+    result.world = PointOnQuad(center, QuadCorner(vertex), SilhouetteRadius(center, reach));
     result.clip = WorldToClip(result.world);
+    // As near as any of it, along the view.
+    float4 nearest = WorldToClip(center + RILL_VIEW_MATRIX[2].xyz * reach);
+    if (nearest.w > 1e-4)
+        result.clip.z = nearest.z / nearest.w * result.clip.w;
     return result;
 }
 
@@ -98,7 +117,7 @@ float3 SeenByDroplet(float3 world, float3 along, float2 picture, float z)
 }
 
 // A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small.
-float4 DropFragment(DropVaryings input, out float depth : SV_Depth) : SV_Target
+float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH) : SV_Target
 {
     RestoreView(input);
     Ellipsoid e;

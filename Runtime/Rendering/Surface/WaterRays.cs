@@ -83,13 +83,12 @@ namespace Rill
             {
                 properties.SetInt(SurfaceIds.SurfaceEye, eye);
                 cmd.SetRenderTarget(scratch.Faces, scratch.FaceDepth, 0, CubemapFace.Unknown, eye);
-                // Before the viewport makes the clear one of a part: a tiler need not load then what was there.
-                cmd.ClearRenderTarget(true, true, Color.clear);
+                cmd.ClearRenderTarget(true, false, Color.clear);        // the depth says where there are faces
                 cmd.SetViewport(window);
                 cmd.DrawProceduralIndirect(mesh.indices, Matrix4x4.identity, raster, FacePass, MeshTopology.Triangles, mesh.arguments,
                     MeshDraw.MonoCommand, properties);
-                cmd.SetRenderTarget(scratch.SceneCopy, 0, CubemapFace.Unknown, eye);
-                cmd.ClearRenderTarget(false, true, Color.clear);
+                cmd.SetRenderTarget(new RenderTargetIdentifier(scratch.SceneCopy, 0, CubemapFace.Unknown, eye), RenderBufferLoadAction.DontCare,
+                    RenderBufferStoreAction.Store);
                 cmd.SetViewport(picture);
                 cmd.DrawProcedural(Matrix4x4.identity, raster, CopyPass, MeshTopology.Triangles, 3, 1, properties);
             }
