@@ -12,13 +12,14 @@ namespace Rill.Tests
         const float Spacing = 0.05f, HasRoom = 0.25f;
         const int Points = 12;      // along each side
 
-        static readonly float3[] Boxes = { 32f, new float3(29f, 34.5f, 17f), new float3(18f, 21f, 37.5f) };
+        // Cells of 4 d, of 5 x 3.8 x 3.5 d, and of 3.8 x 3.5 x 5 d.
+        static readonly float3[] Boxes = { 32f, new float3(10f, 34.5f, 14f), new float3(30f, 14f, 10f) };
 
         [Test]
         public void Open_fractions_of_cells_and_faces_are_those_of_counted_points([ValueSource(nameof(Boxes))] float3 box,
             [Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
         {
-            ColliderMotion collider = ColliderTests.Still(shape, shape == ColliderShape.Box ? new float3(5f, 4f, 3f) : 5f,
+            ColliderMotion collider = ColliderTests.Still(shape, shape == ColliderShape.Box ? new float3(4f, 3.5f, 3f) : 4.5f,
                 box * new float3(0.45f, 0.5f, 0.55f), quaternion.Euler(0.3f, 0.5f, 0.2f));
             using (var fluid = new TestFluid(box * Spacing, Spacing, 64, ColliderDeepWaterTests.Deep))
             {
@@ -62,9 +63,9 @@ namespace Rill.Tests
                 TestContext.Out.WriteLine($"{cut} cells: rms {Math.Sqrt(squares / cut):0.0000}, worst {worst:0.000}; {allFree} of {cutFaces} faces: rms " +
                     $"{Math.Sqrt(faceSquares / cutFaces):0.0000}, worst {worstFace:0.000}");
                 Assert.That(new[] { cut, cutFaces }, Is.All.GreaterThan(15));
-                Assert.That(Math.Sqrt(squares / cut), Is.LessThan(0.025));
-                Assert.That(worst, Is.LessThan(0.07));
-                Assert.That(Math.Sqrt(faceSquares / cutFaces), Is.LessThan(0.06));
+                Assert.That(Math.Sqrt(squares / cut), Is.LessThan(0.035));
+                Assert.That(worst, Is.LessThan(0.08));
+                Assert.That(Math.Sqrt(faceSquares / cutFaces), Is.LessThan(0.07));
                 Assert.That(allFree, Is.GreaterThan(2 * cutFaces / 3));
             }
         }
