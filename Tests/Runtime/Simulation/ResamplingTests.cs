@@ -4,6 +4,7 @@ using NUnit.Framework;
 using Rill.Testing;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 using UnityEngine.TestTools;
 
 namespace Rill.Tests
@@ -92,6 +93,23 @@ namespace Rill.Tests
             Assert.That(Volume(fluid), Is.EqualTo(volume).Within(0.01f * volume));
             Assert.That(now.x, Is.EqualTo(before.x).Within(0.02f * before.x));
             Assert.That(FluidAssert.Measure(fluid).speedMax, Is.LessThan(fastest + 1f), "no burst");
+        }
+
+        [UnityTest]
+        public IEnumerator A_restore_gives_up_another_resolution_that_is_on_its_way()
+        {
+            fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 10000, new Vector3(0.6f, 0.2f, 0.6f));
+            yield return Frames(4);
+            FluidSnapshotRequest request = fluid.RequestSnapshot();
+            AsyncGPUReadback.WaitAllRequests();
+            yield return Frames(2);
+            fluid.ParticleSpacing = 0.04f;
+            Assert.That(fluid.IsResampling);
+            fluid.Restore(request.Snapshot);
+            Assert.That(fluid.IsResampling, Is.False);
+            int step = fluid.StepCount;
+            yield return Frames(6);
+            Assert.That((fluid.ParticleSpacing, fluid.StepCount), Is.EqualTo((Spacing, step + 6)));
         }
 
         [UnityTest]

@@ -1,3 +1,5 @@
+using System.Linq;
+using System.Runtime.InteropServices;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -115,6 +117,26 @@ namespace Rill.Tests
                 LeaveNothing();
                 return steps;
             }
+        }
+
+        // The snapshot's emitter and drain are gone: what waits for the one, and what the other counted, is given up by the next step.
+        [Test]
+        public void What_waits_for_an_emitter_that_is_no_more_is_given_up()
+        {
+            Make(false);
+            Run(Before);
+            FluidSnapshot first = Take();
+            uint[] before = MemoryMarshal.Cast<byte, uint>(first.Contents.Bytes(SnapshotSection.EmitterStates)).ToArray();
+            Assert.That(before.Take(EmitterStates.Words), Has.Some.Not.Zero);
+            Do(Call.RemoveEmitter);
+            Do(Call.RemoveDrain);
+            Run(2);
+            GoTo(Before);
+            scene.Fluid.Restore(first);
+            TimeRecord time = Take().Contents.Get<TimeRecord>(SnapshotSection.Time);
+            Assert.That((time.goneEmitters, time.goneDrains), Is.EqualTo((1u, 1u)), "until the next step");
+            Run(1);
+            Assert.That((scene.Count(ParticleCounter.Waiting), scene.AssertConserved().recycling), Is.EqualTo((0, 0)));
         }
     }
 }
