@@ -3,6 +3,7 @@
 #define RILL_SCENE_TRACE_INCLUDED
 
 static const uint kTraceRefinements = 6;
+static const float kEdgePixels = 4.0;
 static const float kTraceSlack = 0.01;      // of the depth: as thick as this the scene is taken to be at least
 
 struct SceneTrace
@@ -100,8 +101,9 @@ SceneTrace TraceScene(float3 from, float3 path, uint maxSteps, float border)
             refined++;
             if (refined == kTraceRefinements)
             {
-                // Still far behind: it goes behind an edge.
+                // Still far behind: it goes behind an edge, up to which it is seen, but for what a filtered sample would take of the edge.
                 result.found = isDone = highBehind < kTraceSlack * highZ + 2.0 * abs(highZ - lowZ);
+                seen = max(0.0, low - kEdgePixels * last / max(pixels, 1e-3));
                 isRefining = false;
                 wasBehind = true;
             }

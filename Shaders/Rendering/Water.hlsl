@@ -1,5 +1,6 @@
 // Shades the water: one rectangle over the textures that WaterRays.compute has filled for this camera, with depth, or, in RILL_UNDER_WATER, all that
-// an eye in the water sees, whose rays it follows itself. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+// an eye in the water sees, whose rays it follows itself. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of
+// Unity's.
 //
 //   _RayFaces, _RayEnds, _RayDirections, _RayMirrors  in  Texture2DArrays, a slice for each eye, see WaterRays.compute
 //   the buffers of MeshField.hlsl, in RILL_UNDER_WATER

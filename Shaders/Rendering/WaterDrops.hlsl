@@ -19,8 +19,8 @@ static const float kSmallestDroplet = 0.2;      // radius of the last of a parti
 static const float kFirstRadius = 0.4401;       // of the first, d: with those radii all together have a volume of d^3
 static const float kSpread = 0.75;              // of a particle's droplets around it, d
 static const float kMinPixels = 0.6;            // radius of a droplet on the picture: a smaller one is fainter instead
-static const float kShapedPixels = 5.0;         // and from which on what it shows upside down is seen: of a smaller one that is noise
-static const float kFaintest = 0.2;             // coverage of the smallest
+static const float kGlintPixels = 2.5, kShapedPixels = 6.0;   // and up to which, and from which on, what it shows upside down is not and is seen
+static const float kGathered = 0.1;             // coverage of a small one by the light that it gathers from everywhere
 
 struct DropVaryings
 {
@@ -116,6 +116,20 @@ float3 SeenByDroplet(float3 world, float3 along, float2 picture, float z)
     return color;
 }
 
+// Mirrored on its surface, and bent twice.
+float3 SeenInDroplet(Ellipsoid e, float3 world, float3 normal, float3 ray, float2 picture, float z)
+{
+    float index = _SurfaceOptics.x, reflectance = Reflectance(-dot(normal, ray), 1.0 / index);
+    float3 bent = refract(ray, normal, 1.0 / index);
+    float2 hit;
+    HitBall(ToBall(e, world - e.center), ToBall(e, bent), hit);
+    float3 leaves = world + bent * hit.y, outward = EllipsoidNormal(e, leaves);
+    float3 beyond = refract(bent, -outward, index);
+    if (dot(beyond, beyond) < 0.5)
+        beyond = reflect(bent, -outward);
+    return lerp(SeenByDroplet(leaves, beyond, picture, z), Mirrored(world, reflect(ray, normal), _SurfaceOptics.z), reflectance);
+}
+
 // A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small.
 float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH) : SV_Target
 {
@@ -132,24 +146,17 @@ float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPT
     float3 world = input.world + ray * hit.x, normal = EllipsoidNormal(e, world);
     float4 clip = WorldToClip(world);
     depth = DeviceDepth(clip);
-    float coverage = saturate(input.center.w), shaped = smoothstep(1.0, kShapedPixels, input.a.w);
+    float coverage = saturate(input.center.w), shaped = smoothstep(kGlintPixels, kShapedPixels, input.a.w);
     float4 onPicture = SurfaceClip(world, eyeIndex);
-    float2 picture = onPicture.xy / onPicture.w;
     float z = DepthAlongView(onPicture, eyeIndex);
 
+    // What is behind a small droplet goes on being seen, but for what it gathers; its glint stays.
     MainLight light = LightOfWater();
-    float index = _SurfaceOptics.x, reflectance = Reflectance(lerp(1.0, -dot(normal, ray), shaped), 1.0 / index);
-    float3 color = Mirrored(world, reflect(ray, normal), _SurfaceOptics.z) * reflectance
-        + light.color * Highlight(normal, -ray, light.direction, 0.05);
-    float3 bent = refract(ray, normal, 1.0 / index);
-    HitBall(ToBall(e, world - e.center), ToBall(e, bent), hit);
-    float3 leaves = world + bent * hit.y, outward = EllipsoidNormal(e, leaves);
-    float3 beyond = refract(bent, -outward, index);
-    if (dot(beyond, beyond) < 0.5)
-        beyond = reflect(bent, -outward);
-    float3 seen = SeenByDroplet(leaves, beyond, picture, z);
-    // What is behind a small droplet goes on being seen; its glints stay.
-    float body = coverage * lerp(kFaintest, 1.0, shaped);
-    color = color * coverage + seen * ((1.0 - reflectance) * body);
-    return float4(ApplyFog(color, body, z), body);
+    float3 color = light.color * Highlight(normal, -ray, light.direction, 0.05);
+    if (shaped < 1.0)
+        color += (1.0 - shaped) * kGathered * Ambient(world, float3(0.0, 1.0, 0.0));
+    if (shaped > 0.0)
+        color += shaped * SeenInDroplet(e, world, normal, ray, onPicture.xy / onPicture.w, z);
+    float body = coverage * lerp(kGathered, 1.0, shaped);
+    return float4(ApplyFog(color * coverage, body, z), body);
 }
