@@ -4,13 +4,12 @@
 
 static const uint kBrick = 4;    // nodes of a brick along an axis
 static const uint kVertexBytes = 28;    // bytes of a vertex: float3 position, snorm16x4 normal, half4 displacement
-static const uint kMonoDrawAt = 0;    // byte in _MeshArguments; draws first, then groups of kernels
-static const uint kStereoDrawAt = 20;    // byte in _MeshArguments; draws first, then groups of kernels
-static const uint kMarkArgumentsAt = 40;    // byte in _MeshArguments; draws first, then groups of kernels
-static const uint kAddArgumentsAt = 52;    // byte in _MeshArguments; draws first, then groups of kernels
-static const uint kBrickArgumentsAt = 64;    // byte in _MeshArguments; draws first, then groups of kernels
-static const uint kVertexArgumentsAt = 76;    // byte in _MeshArguments; draws first, then groups of kernels
-static const uint kDropDrawAt = 96;    // byte in _MeshArguments; draws first, then groups of kernels
+static const uint kDrawAt = 0;    // byte in _MeshArguments; draws first, then groups of kernels
+static const uint kMarkArgumentsAt = 20;    // byte in _MeshArguments; draws first, then groups of kernels
+static const uint kAddArgumentsAt = 32;    // byte in _MeshArguments; draws first, then groups of kernels
+static const uint kBrickArgumentsAt = 44;    // byte in _MeshArguments; draws first, then groups of kernels
+static const uint kVertexArgumentsAt = 56;    // byte in _MeshArguments; draws first, then groups of kernels
+static const uint kDropDrawAt = 80;    // byte in _MeshArguments; draws first, then groups of kernels
 static const uint kDroplets = 12;    // droplets of a particle that flies by itself
 static const uint kFieldBricks = 32;    // bricks in the field's texture, along x and y
 

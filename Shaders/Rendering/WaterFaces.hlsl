@@ -18,12 +18,10 @@ struct FaceVaryings
     float3 normal : TEXCOORD3;      // domain
 };
 
-FaceVaryings FaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+FaceVaryings FaceVertex(uint vertex : SV_VertexID)
 {
     FaceVaryings result = (FaceVaryings)0;
     result.clip = float4(2, 2, 2, 1);
-    if (instance != 0)
-        return result;      // of a second eye, which has a draw of its own
     MeshVertex v = LoadMeshVertex(vertex);
     result.shift = MeshShift(v, _DrawnDomainSize.xyz);
     result.drawn = v.position + result.shift;

@@ -15,12 +15,6 @@ namespace Rill
     /// </remarks>
     sealed class MeshDraw : IDisposable
     {
-        /// <summary>Command of a draw of one instance, in <see cref="MeshFrame.arguments"/>.</summary>
-        public const int MonoCommand = 0;
-
-        /// <summary>And of two, one for each eye.</summary>
-        public const int StereoCommand = 1;
-
         const int RectangleVertices = 6;
         const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
 

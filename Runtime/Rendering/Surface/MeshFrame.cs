@@ -9,8 +9,7 @@ namespace Rill
         /// <summary>28 bytes a vertex, raw; three 32-bit indices a triangle, raw too.</summary>
         public GraphicsBuffer vertices, indices;
 
-        /// <summary>Two GraphicsBuffer.IndirectDrawIndexedArgs: <see cref="MeshDraw.MonoCommand"/> and
-        /// <see cref="MeshDraw.StereoCommand"/>.</summary>
+        /// <summary>Begins with a GraphicsBuffer.IndirectDrawIndexedArgs of one instance.</summary>
         public GraphicsBuffer arguments;
 
         /// <summary>A word for each brick of the domain.</summary>
@@ -101,6 +100,7 @@ namespace Rill
             cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
             cmd.SetComputeMatrixParam(shader, Ids.WorldToDomain, domainToWorld.inverse);
             cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, domainSize);
+            cmd.SetComputeVectorParam(shader, Ids.FrameLag, lag);
         }
 
         /// <summary>Sets the field for a kernel.</summary>

@@ -86,7 +86,7 @@ namespace Rill
                 cmd.ClearRenderTarget(true, false, Color.clear);        // the depth says where there are faces
                 cmd.SetViewport(window);
                 cmd.DrawProceduralIndirect(mesh.indices, Matrix4x4.identity, raster, FacePass, MeshTopology.Triangles, mesh.arguments,
-                    MeshDraw.MonoCommand, properties);
+                    0, properties);
                 cmd.SetRenderTarget(new RenderTargetIdentifier(scratch.SceneCopy, 0, CubemapFace.Unknown, eye), RenderBufferLoadAction.DontCare,
                     RenderBufferStoreAction.Store);
                 cmd.SetViewport(picture);

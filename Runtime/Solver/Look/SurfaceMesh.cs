@@ -24,8 +24,7 @@ namespace Rill
 
         /// <summary>byte in _MeshArguments; draws first, then groups of kernels</summary>
         [GenerateHlsl("SurfaceMesh")]
-        const uint MonoDrawAt = 0, StereoDrawAt = 20, MarkArgumentsAt = 40, AddArgumentsAt = 52,
-            BrickArgumentsAt = 64, VertexArgumentsAt = 76, DropDrawAt = 96;
+        const uint DrawAt = 0, MarkArgumentsAt = 20, AddArgumentsAt = 32, BrickArgumentsAt = 44, VertexArgumentsAt = 56, DropDrawAt = 80;
 
         /// <summary>droplets of a particle that flies by itself</summary>
         [GenerateHlsl("SurfaceMesh")] const uint Droplets = 12;
@@ -36,7 +35,7 @@ namespace Rill
         /// <summary>bricks in the field's texture, along x and y</summary>
         [GenerateHlsl("SurfaceMesh")] const int FieldBricks = 32;
 
-        const int ArgumentWords = 32;
+        const int ArgumentWords = 28;
         const int BrickNodes = Brick * Brick * Brick;
         const int SmoothingPairs = 2;
         const float SmoothStep = 0.5f, SpreadStep = -0.53f;     // Taubin 1995
@@ -126,7 +125,7 @@ namespace Rill
         /// <summary>uint, 6 for each quad.</summary>
         public GraphicsBuffer Indices => meshIndices;
 
-        /// <summary>Two GraphicsBuffer.IndirectDrawIndexedArgs: for one eye and for two.</summary>
+        /// <summary>Begins with a GraphicsBuffer.IndirectDrawIndexedArgs.</summary>
         public GraphicsBuffer Arguments => arguments;
 
         /// <summary>uint, indices of the elements that are drops; as many as the counters say, in any order.</summary>

@@ -40,7 +40,7 @@ namespace Rill.Tests
             vertexBuffer = Raw("Rill.Tests.Vertices", GraphicsBuffer.Target.Raw, vertices.ToArray());
             indexBuffer = Raw("Rill.Tests.Indices", GraphicsBuffer.Target.Index | GraphicsBuffer.Target.Raw, triangles.ToArray());
             arguments = Raw("Rill.Tests.Arguments", GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw,
-                new[] { triangles.Count, 1, 0, 0, 0, triangles.Count, 2, 0, 0, 0 });
+                new[] { triangles.Count, 1, 0, 0, 0 });
         }
 
         public int Triangles => triangles.Count / 3;
