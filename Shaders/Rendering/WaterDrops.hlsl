@@ -41,15 +41,15 @@ float3 HashedInBall(uint id, uint k)
 }
 
 static const float kMinDrawn = 1.25;            // radius on the picture below which the last of a particle's droplets go to the others, pixels
-static const uint kMinDroplets = 3;
+static const float kMinDroplets = 3.0;
 
 // Radii fall by a power law, from the first to the last; 0 beyond the last that is drawn. first: of the first on the picture, pixels.
 float DropletRadius(uint k, float first)
 {
     float ratio = pow(kSmallestDroplet, 1.0 / (kDroplets - 1.0)), cubed = ratio * ratio * ratio;
-    float drawn = clamp(floor(log(kMinDrawn / first) / log(ratio)) + 1.0, kMinDroplets, kDroplets);
-    float grown = pow((1.0 - pow(cubed, kDroplets)) / (1.0 - pow(cubed, drawn)), 1.0 / 3.0);
-    return k < drawn ? kFirstRadius * grown * pow(ratio, k) : 0.0;
+    float drawn = clamp(floor(log(kMinDrawn / first) / log(ratio)) + 1.0, kMinDroplets, float(kDroplets));
+    float grown = pow((1.0 - pow(cubed, float(kDroplets))) / (1.0 - pow(cubed, drawn)), 1.0 / 3.0);
+    return float(k) < drawn ? kFirstRadius * grown * pow(ratio, float(k)) : 0.0;
 }
 
 // Width of a pixel at a point of the domain, d.

@@ -114,7 +114,8 @@ namespace Rill.Tests
                 scene = new MeshScene(i == 0 ? 16 : 512, new Vector3(1.6f, 0.6f, 1.6f), Spacing, 0f);
                 scene.Camera.orthographic = true;
                 scene.Camera.orthographicSize = 0.7f;
-                scene.Camera.transform.SetPositionAndRotation(new Vector3(0.013f, 1f, 0.007f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
+                scene.Camera.transform.SetPositionAndRotation(new Vector3(0.013f, 1f, 0.007f),
+                    Quaternion.LookRotation(Vector3.down, Vector3.forward));
                 scene.Surface.Sun.intensity = 1f;
                 scene.Surface.Sun.transform.rotation = Quaternion.Euler(80f, 30f, 0f);
                 scene.Put(p => 0.01f * math.sin(2f * math.PI / 0.19f * p.x) + 0.01f * math.sin(2f * math.PI / 0.23f * p.z) - p.y);
