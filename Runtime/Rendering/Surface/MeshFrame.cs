@@ -100,7 +100,6 @@ namespace Rill
             cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
             cmd.SetComputeMatrixParam(shader, Ids.WorldToDomain, domainToWorld.inverse);
             cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, domainSize);
-            cmd.SetComputeVectorParam(shader, Ids.FrameLag, lag);
         }
 
         /// <summary>Sets the field for a kernel.</summary>

@@ -133,7 +133,7 @@ namespace Rill.Tests
                 Assert.That(mesh.positions, Is.Empty);
                 Assert.That(Kinds(fluid)[SurfaceElementKind.Drop], Is.EqualTo(6));
                 Assert.That(mesh[SurfaceMesh.Counter.Drops], Is.EqualTo(6));
-                uint[] arguments = GpuTest.Read<uint>(fluid.Solver.Mesh.Arguments, 32);
+                uint[] arguments = GpuTest.Read<uint>(fluid.Solver.Mesh.Arguments, 4 * SurfaceMesh.MonoDropCommand + 8);
                 Assert.That(arguments.Skip(4 * SurfaceMesh.MonoDropCommand).Take(8),
                     Is.EqualTo(new uint[] { 6 * 12 * 6, 1, 0, 0, 6 * 12 * 6, 2, 0, 0 }));
             }
