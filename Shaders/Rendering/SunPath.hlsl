@@ -5,7 +5,7 @@
 #include "MeshField.hlsl"
 
 float4 _SunAxisX, _SunAxisY;        // (p, 1) times these: x and y in the map, texels
-float4 _SunLight;                   // xyz: unit, towards the light; w 0 where there is no map
+float4 _SunLight;                   // xyz: unit, towards the light; w 0 without a map
 float4 _SunSize;                    // xy: texels
 
 static const uint kMaxStretches = 6;

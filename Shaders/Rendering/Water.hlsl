@@ -51,7 +51,7 @@ float3 SceneColorAt(float2 picture)
     return RILL_SCENE_COLOR(picture * 0.5 + 0.5).rgb;
 }
 
-// What is seen at the end of a ray and on its way. world: where it begins; lit: see ScatteredLight.
+// Light from the end of a ray and from along it. world: where it begins; lit: see ScatteredLight.
 float3 SeenAlong(WaterRay ray, float3 world, float3 lit)
 {
     float3 rate = _Absorption.rgb + _Scattering.w;
@@ -168,10 +168,10 @@ WaterPoint PointOn(float2 picture)
         discard;
     WaterPoint p;
     p.normal = UnpackDirection(face.yz);
-    SurfaceRay view = RayThrough(picture, eyeIndex), middle = RayThrough(TexelPicture(texel.xy), eyeIndex);
+    SurfaceRay view = RayThrough(picture, eyeIndex), center = RayThrough(TexelPicture(texel.xy), eyeIndex);
     p.z = FromSurfaceDepth(face.x, eyeIndex);
-    // From the middle of the texel along its plane: no steps where textures are smaller than the screen.
-    float3 there = middle.origin + middle.direction * p.z;
+    // From the center of the texel along its plane: no steps where textures are smaller than the screen.
+    float3 there = center.origin + center.direction * p.z;
     float z = dot(p.normal, there - view.origin) / min(dot(p.normal, view.direction), -1e-4);
     p.z = abs(z - p.z) < 0.02 * p.z ? z : p.z;
     p.world = view.origin + view.direction * p.z;

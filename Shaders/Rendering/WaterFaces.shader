@@ -1,4 +1,4 @@
-// What WaterRays draws for each camera before the water's rays are followed, by pass number, see WaterFaces.hlsl. No pipeline draws with it.
+// Draws for each camera, by pass number, that come before the water's rays are followed, see WaterFaces.hlsl. No pipeline draws with it.
 Shader "Hidden/Rill/WaterFaces"
 {
     SubShader

@@ -33,7 +33,7 @@ struct WaterRay
     float2 picture;         // where the scene is seen
     float3 direction;       // world, unit: that in which it ends
     float path;             // through water, m
-    float mirrored;         // part of the light that the faces on its way mirror, and not the first
+    float mirrored;         // part of the light that the faces along it mirror, and not the first
     float3 turned;          // world, unit: from where most of that comes
     float turnedPath;       // part of the path up to there
     bool turnsInWater;      // it comes from the water
@@ -93,7 +93,7 @@ WaterRay TraceWater(float3 p, float3 along)
         {
             isDone = false;
             p += along * reach;
-            normal = found ? MeshNormal(p) * side : normal;     // the way that the ray goes
+            normal = found ? MeshNormal(p) * side : normal;     // turned to where the ray goes
             float cosine = dot(along, normal);
             normal = normalize(normal + along * max(0.02 - cosine, 0.0));
             cosine = dot(along, normal);
@@ -133,7 +133,7 @@ WaterRay TraceWater(float3 p, float3 along)
     return ray;
 }
 
-// Where what the surface mirrors meets the scene. steps: what is hardly seen is followed in fewer.
+// Returns where the scene is that the surface mirrors. What is hardly seen is followed in fewer steps.
 SceneTrace TraceMirrored(float3 world, float3 direction, float reflectance)
 {
     uint steps = (uint)clamp(reflectance * 4.0 * kReflectionSteps, kReflectionSteps / 4, kReflectionSteps);

@@ -39,7 +39,7 @@ namespace Rill
             StepY = y * texel;
         }
 
-        /// <summary>Of a box along an axis: lowest and highest, d.</summary>
+        /// <summary>Returns the lowest and the highest coordinate of a box along an axis, d.</summary>
         public static Vector2 Extent(Vector3 axis, Vector3 box)
         {
             Vector3 reach = Vector3.Scale(axis, box);

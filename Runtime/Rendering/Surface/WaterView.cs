@@ -4,11 +4,11 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Rill
 {
-    /// <summary>What one camera needs of one fluid's mesh: where the light comes from that it sees through the surface, with a slice for each
-    /// eye. See PackedRay of WaterRays.hlsl.</summary>
+    /// <summary>Textures of one camera that say where the light comes from that it sees through one fluid's mesh, with a slice for each eye. See
+    /// PackedRay of WaterRays.hlsl.</summary>
     sealed class WaterView : CameraView
     {
-        /// <summary>Of the draws, which live on until the next frame.</summary>
+        /// <summary>Properties of the draws, which live on until the next frame.</summary>
         public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();
 
         /// <summary>Floats; the others are half floats.</summary>
@@ -91,7 +91,7 @@ namespace Rill
             EngineObject.Release(ref Mirrors);
         }
 
-        /// <summary>Of WaterRays.compute and Water.hlsl.</summary>
+        /// <summary>Properties of WaterRays.compute and Water.hlsl.</summary>
         public static class Ids
         {
             public static readonly int RayFaces = Shader.PropertyToID("_RayFaces");
