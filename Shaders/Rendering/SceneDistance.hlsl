@@ -18,7 +18,7 @@ struct SceneVaryings
 SceneVaryings SceneVertex(uint vertex : SV_VertexID)
 {
     SceneVaryings result;
-    float2 at = float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
+    float2 at = TriangleCorner(vertex);
     result.picture = ((at * 0.5 + 0.5) * _ThicknessWindow.zw + _ThicknessWindow.xy) * _ThicknessSize.zw * 2.0 - 1.0;
     result.clip = ViewportPosition(at, 0.5);
     return result;

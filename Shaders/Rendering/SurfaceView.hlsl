@@ -128,6 +128,12 @@ float4 WindowClip(float4 clip)
 #endif
 }
 
+// Of one triangle that covers a viewport, -1 to 1 with y up.
+float2 TriangleCorner(uint vertex)
+{
+    return float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
+}
+
 // Of a rectangle as two triangles, on the picture.
 float2 RectangleCorner(uint vertex, float2 low, float2 high)
 {

@@ -48,7 +48,7 @@ struct CopyVaryings
 CopyVaryings CopyVertex(uint vertex : SV_VertexID)
 {
     CopyVaryings result;
-    float2 at = float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
+    float2 at = TriangleCorner(vertex);
     result.picture = at;
     result.clip = ViewportPosition(at, 0.5);
     return result;

@@ -325,17 +325,15 @@ namespace Rill
             BuiltInSurfaces.ReleaseUnused();
         }
 
-        // On a device that cannot, the surface on the screen is drawn instead.
-        bool DrawsMesh
+        // On a device that cannot, the surface on the screen is drawn instead, and the device is not asked again.
+        bool CanDrawMesh()
         {
-            get
+            if (!hasSaidMeshProblem && WaterRays.DeviceProblem is string why)
             {
-                string why = method == SurfaceMethod.Mesh ? WaterRays.DeviceProblem : null;
-                if (why != null && !hasSaidMeshProblem)
-                    Debug.LogWarning($"Rill: FluidSurface '{name}' is drawn in screen space: {why}. Set its Method to Screen Space there.", this);
-                hasSaidMeshProblem |= why != null;
-                return method == SurfaceMethod.Mesh && why == null;
+                Debug.LogWarning($"Rill: FluidSurface '{name}' is drawn in screen space: {why}. Set its Method to Screen Space there.", this);
+                hasSaidMeshProblem = true;
             }
+            return !hasSaidMeshProblem;
         }
 
         bool CastsShadow => CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
@@ -343,7 +341,7 @@ namespace Rill
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
-            if (DrawsMesh)
+            if (method == SurfaceMethod.Mesh && CanDrawMesh())
                 Simulation.NeedMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {

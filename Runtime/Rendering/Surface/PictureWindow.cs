@@ -34,6 +34,16 @@ namespace Rill
         /// <summary>First texel of the grid, width and height.</summary>
         public Vector4 Rect => new Vector4(x, y, Width, Height);
 
+        /// <summary>The part of a camera's picture that bounds cover.</summary>
+        /// <param name="bounds">Lowest x and y, highest x and y on the picture, -1 to 1.</param>
+        /// <param name="scale">Width of the grid over that of the picture.</param>
+        public static PictureWindow Of(in FluidViews camera, Vector4 bounds, float scale)
+            => Around(Scaled(camera.width, scale), Scaled(camera.height, scale), bounds);
+
+        /// <summary>Returns how many texels of a grid so many pixels take, at least 1.</summary>
+        /// <param name="scale">Width of the grid over that of the picture.</param>
+        public static int Scaled(int pixels, float scale) => Mathf.Max((int)(pixels * scale), 1);
+
         /// <param name="width">Of the grid, texels.</param>
         /// <param name="height">Of the grid, texels.</param>
         /// <param name="bounds">Lowest x and y, highest x and y on the picture, -1 to 1.</param>

@@ -71,7 +71,7 @@ namespace Rill
         /// <param name="bounds">Lowest x and y, highest x and y of the fluid's box on the picture, -1 to 1.</param>
         public void Place(in FluidViews camera, Vector4 bounds)
         {
-            Window = WindowOf(camera, bounds);
+            Window = PictureWindow.Of(camera, bounds, Scale);
             if (Smoothed != null)
                 Window = Window.Within(Smoothed.width, Smoothed.height);
             ThicknessWindow = Window.Coarser(ThicknessDivisor);
@@ -83,7 +83,7 @@ namespace Rill
         /// <summary>Whether the textures do for a frame as they are.</summary>
         public bool Holds(in FluidViews camera, Vector4 bounds, in SurfaceFrame fluid)
         {
-            PictureWindow window = WindowOf(camera, bounds), thickness = window.Coarser(ThicknessDivisor);
+            PictureWindow window = PictureWindow.Of(camera, bounds, Scale), thickness = window.Coarser(ThicknessDivisor);
             return Smoothed != null && Smoothed.volumeDepth == camera.eyes && window.Width <= Smoothed.width && window.Height <= Smoothed.height
                 && Thickness.graphicsFormat == ThicknessFormat(fluid.phases)
                 && thickness.Width <= Thickness.width && thickness.Height <= Thickness.height
@@ -94,10 +94,10 @@ namespace Rill
         /// <param name="bounds">Lowest x and y, highest x and y of the fluid's box on the picture, -1 to 1.</param>
         public void Prepare(in FluidViews camera, Vector4 bounds, in SurfaceFrame fluid)
         {
-            PictureWindow window = WindowOf(camera, bounds), thickness = window.Coarser(ThicknessDivisor);
+            PictureWindow window = PictureWindow.Of(camera, bounds, Scale), thickness = window.Coarser(ThicknessDivisor);
             // The camera's full resolution, whatever is drawn of it now.
-            int maxWidth = Math.Max((int)window.Grid.x, Scaled(camera.camera.pixelWidth, Scale)),
-                maxHeight = Math.Max((int)window.Grid.y, Scaled(camera.camera.pixelHeight, Scale));
+            int maxWidth = Math.Max((int)window.Grid.x, PictureWindow.Scaled(camera.camera.pixelWidth, Scale)),
+                maxHeight = Math.Max((int)window.Grid.y, PictureWindow.Scaled(camera.camera.pixelHeight, Scale));
             if (size.Fit(Math.Min(window.Width + PictureWindow.Play, maxWidth), Math.Min(window.Height + PictureWindow.Play, maxHeight), maxWidth,
                 maxHeight) || Smoothed == null || Smoothed.volumeDepth != camera.eyes)
                 MakeSurface(camera.eyes);
@@ -107,9 +107,6 @@ namespace Rill
             PrepareFoam(HasFoam(fluid));
             PrepareMotion(camera.needsMotion);
         }
-
-        PictureWindow WindowOf(in FluidViews camera, Vector4 bounds)
-            => PictureWindow.Around(Scaled(camera.width, Scale), Scaled(camera.height, Scale), bounds);
 
         static bool HasFoam(in SurfaceFrame fluid) => fluid.foam.particles != null;
 
@@ -155,8 +152,6 @@ namespace Rill
         }
 
         static int Coarse(int texels, int divisor) => (texels + divisor - 1) / divisor;
-
-        static int Scaled(int pixels, float scale) => Math.Max((int)(pixels * scale), 1);
 
         public override void Dispose()
         {

@@ -28,17 +28,17 @@ namespace Rill
         /// <param name="scale">Width of the textures over that of the picture.</param>
         public bool Holds(in FluidViews camera, Vector4 bounds, float scale)
         {
-            PictureWindow window = WindowOf(camera, bounds, scale);
+            PictureWindow window = PictureWindow.Of(camera, bounds, scale);
             return Ends != null && Ends.volumeDepth == camera.eyes && window.Width <= Ends.width && window.Height <= Ends.height;
         }
 
         /// <summary>Makes the textures where they are missing, too small, or for long much too large.</summary>
         public void Prepare(in FluidViews camera, Vector4 bounds, float scale)
         {
-            PictureWindow window = WindowOf(camera, bounds, scale);
+            PictureWindow window = PictureWindow.Of(camera, bounds, scale);
             // The camera's full resolution, whatever is drawn of it now.
-            int maxWidth = Math.Max((int)window.Grid.x, Scaled(camera.camera.pixelWidth, scale)),
-                maxHeight = Math.Max((int)window.Grid.y, Scaled(camera.camera.pixelHeight, scale));
+            int maxWidth = Math.Max((int)window.Grid.x, PictureWindow.Scaled(camera.camera.pixelWidth, scale)),
+                maxHeight = Math.Max((int)window.Grid.y, PictureWindow.Scaled(camera.camera.pixelHeight, scale));
             if (size.Fit(Math.Min(window.Width + PictureWindow.Play, maxWidth), Math.Min(window.Height + PictureWindow.Play, maxHeight), maxWidth,
                 maxHeight) || Ends == null || Ends.volumeDepth != camera.eyes)
                 Make(camera.eyes);
@@ -50,7 +50,7 @@ namespace Rill
 
         /// <summary>Sets which part of the picture is in use, as far as the textures go.</summary>
         public void Place(in FluidViews camera, Vector4 bounds, float scale) =>
-            Window = WindowOf(camera, bounds, scale).Within(Ends.width, Ends.height);
+            Window = PictureWindow.Of(camera, bounds, scale).Within(Ends.width, Ends.height);
 
         public override void Dispose()
         {
@@ -65,11 +65,6 @@ namespace Rill
             SurfaceView.Describe(stage, Directions);
             SurfaceView.Describe(stage, Mirrors);
         }
-
-        static PictureWindow WindowOf(in FluidViews camera, Vector4 bounds, float scale)
-            => PictureWindow.Around(Scaled(camera.width, scale), Scaled(camera.height, scale), bounds);
-
-        static int Scaled(int pixels, float scale) => Math.Max((int)(pixels * scale), 1);
 
         void Make(int eyes)
         {
