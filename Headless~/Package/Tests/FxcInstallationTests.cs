@@ -107,16 +107,32 @@ namespace Host.Tests
                     Does.Contain("apt-get install wine64"));
         }
 
-        [Test]
-        public void A_crash_is_said_of_the_shader_that_it_happened_on_and_the_rest_is_compiled()
+        // The real one, whose wine first runs some lines of shell.
+        FxcCompiler Compiler(string first)
         {
             TakeDll();
             string wine = FxcInstallation.ToolFolders.SelectMany(f => new[] { "wine64", "wine" }, Path.Combine).First(File.Exists);
             File.CreateSymbolicLink(Path.Combine(tools, Gcc), FxcInstallation.ToolFolders.Select(f => Path.Combine(f, Gcc)).First(File.Exists));
+            Script("wine64", first + "\nexec " + wine + " \"$@\"\n");
+            return new FxcCompiler(cache, new[] { tools });
+        }
+
+        // As wine does when its server ends while it connects.
+        [Test]
+        public void A_wine_that_dies_is_started_again()
+        {
+            string deaths = Path.Combine(folder, "deaths");
+            var results = Compiler($"if [ $(wc -c < jobs) -gt 4 ] && [ $(cat {deaths} 2> /dev/null | wc -l) -lt 2 ]; " +
+                $"then echo >> {deaths}; exit 1; fi").CompileAll(new[] { Request("one"), Request("two") });
+            Assert.That(results.Select(r => r.Success), Is.EqualTo(new[] { true, true }));
+            Assert.That(File.ReadAllText(deaths).Length, Is.EqualTo(2), "deaths");
+        }
+
+        [Test]
+        public void A_crash_is_said_of_the_shader_that_it_happened_on_and_the_rest_is_compiled()
+        {
             // Dies when the first of its jobs is the one called "poison".
-            Script("wine64", "if head -c 80 jobs | grep -q poison; then exit 7; fi\nexec " + wine + " \"$@\"\n");
-            var compiler = new FxcCompiler(cache, new[] { tools });
-            var results = compiler.CompileAll(new[] { Request("poison"), Request("one"), Request("two") });
+            var results = Compiler("if head -c 80 jobs | grep -q poison; then exit 7; fi").CompileAll(new[] { Request("poison"), Request("one"), Request("two") });
             Assert.That(results.Select(r => r.Success), Is.EqualTo(new[] { false, true, true }));
             Assert.That(results[0].Messages.Single().ToString(), Is.EqualTo("poison(1): error: FXC ended with code 7 while it compiled this"));
         }
@@ -128,7 +144,8 @@ namespace Host.Tests
             Script(Gcc, "touch fxc-worker.exe\n");
             Script("wine64", "if [ $(wc -c < jobs) -gt 4 ]; then exec sleep 100; fi\n");
             var worker = new FxcWorker(new FxcInstallation(cache, new[] { tools }), TimeSpan.FromSeconds(0.5));
-            Assert.That(worker.Run(new[] { Request("long") }, out string ending), Is.Empty);
+            Assert.That(worker.Run(new[] { Request("long") }, out string ending, out bool hung), Is.Empty);
+            Assert.That(hung);
             Assert.That(ending, Does.StartWith("was stopped after"));
         }
 

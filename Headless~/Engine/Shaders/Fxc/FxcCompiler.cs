@@ -9,7 +9,7 @@ namespace Host.Shaders
     sealed class FxcCompiler
     {
         // A start of wine costs as much as some kernels.
-        const int MinPerWorker = 4;
+        const int MinPerWorker = 4, MaxDeaths = 3;
         static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
 
         readonly FxcCache cache;
@@ -66,20 +66,26 @@ namespace Host.Shaders
         {
             var worker = new FxcWorker(installation.Value, Patience);
             var done = new List<(string, FxcWorker.Answer)>();
+            int deaths = 0;     // on the first request that is not done
             while (done.Count < wanted.Count)
             {
-                List<FxcWorker.Answer> answers = worker.Run(wanted.Skip(done.Count).Select(w => w.Value).ToList(), out string ending);
+                List<FxcWorker.Answer> answers = worker.Run(wanted.Skip(done.Count).Select(w => w.Value).ToList(), out string ending,
+                    out bool hung);
+                if (answers.Count > 0)
+                    deaths = 0;
                 foreach (FxcWorker.Answer answer in answers)
                 {
                     string key = wanted[done.Count].Key;
                     cache.Store(key, answer);
                     done.Add((key, answer));
                 }
-                // The request that it died on is answered by that; the rest gets a new process. Not kept: the next time it may be well.
-                if (done.Count < wanted.Count)
-                    done.Add((wanted[done.Count].Key,
-                        new FxcWorker.Answer { Outcome = -1, Log = $"error: FXC {ending} while it compiled this",
-                        Dxbc = Array.Empty<byte>() }));
+                // A process can die of wine alone, whose server may end just as it connects: another one is asked, and the request
+                // is to blame when that dies too. The rest gets a new process. Not kept: the next time it may be well.
+                if (done.Count == wanted.Count || (!hung && ++deaths < MaxDeaths))
+                    continue;
+                done.Add((wanted[done.Count].Key,
+                    new FxcWorker.Answer { Outcome = -1, Log = $"error: FXC {ending} while it compiled this", Dxbc = Array.Empty<byte>() }));
+                deaths = 0;
             }
             return done;
         }

@@ -29,10 +29,12 @@ namespace Host.Shaders
 
         /// <summary>An answer each, in order; fewer when FXC crashed or hung on the one after the last.</summary>
         /// <param name="ending">How the process ended, for that one's message.</param>
-        public List<Answer> Run(IReadOnlyList<FxcRequest> requests, out string ending)
+        /// <param name="hung">True when it was stopped for its silence.</param>
+        public List<Answer> Run(IReadOnlyList<FxcRequest> requests, out string ending, out bool hung)
         {
             var answers = new List<Answer>();
             string end = null;
+            bool stopped = false;
             FxcInstallation.InNewFolder(installation.Folder, folder =>
             {
                 // Files, not pipes: what wine starts beside the program would keep a pipe open.
@@ -42,7 +44,8 @@ namespace Host.Shaders
                 var said = new StringBuilder();
                 process.ErrorDataReceived += (_, e) => { lock (said) said.AppendLine(e.Data); };
                 process.BeginErrorReadLine();
-                end = WaitFor(process, results);
+                stopped = !Ends(process, results);
+                end = stopped ? $"was stopped after {patience.TotalSeconds:0.#} s without an answer" : $"ended with code {process.ExitCode}";
                 if (File.Exists(results))
                     answers = ReadAnswers(results);
                 lock (said)
@@ -50,10 +53,11 @@ namespace Host.Shaders
                         end += ": " + text;
             });
             ending = end;
+            hung = stopped;
             return answers;
         }
 
-        string WaitFor(Process process, string results)
+        bool Ends(Process process, string results)
         {
             long length = 0;
             var quiet = Stopwatch.StartNew();
@@ -67,9 +71,9 @@ namespace Host.Shaders
                     continue;
                 process.Kill(entireProcessTree: true);
                 process.WaitForExit(10000);
-                return $"was stopped after {patience.TotalSeconds:0.#} s without an answer";
+                return false;
             }
-            return $"ended with code {process.ExitCode}";
+            return true;
         }
 
         static void WriteJobs(string path, IReadOnlyList<FxcRequest> requests)
