@@ -63,7 +63,7 @@ namespace Rill
                     : index == 3 ? "SurfaceShadow" : index == 4 ? "SurfaceMotion" : null;
                 case StageSet.Water:
                     return index == 0 ? "Water" : index == 1 ? "WaterInside" : index == 2 ? "WaterDrops" : index == 3 ? "WaterRays"
-                    : index == 4 ? "WaterShadow" : null;
+                    : index == 4 ? "WaterShadow" : index == 5 ? "WaterSpray" : null;
                 case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : index == 2 ? "SurfaceFoam" : null;
                 default: return index == 0 ? Only(group) : null;
             }

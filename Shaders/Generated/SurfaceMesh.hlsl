@@ -10,6 +10,7 @@ static const uint kAddArgumentsAt = 32;    // byte in _MeshArguments; draws firs
 static const uint kBrickArgumentsAt = 44;    // byte in _MeshArguments; draws first, then groups of kernels
 static const uint kVertexArgumentsAt = 56;    // byte in _MeshArguments; draws first, then groups of kernels
 static const uint kDropDrawAt = 80;    // byte in _MeshArguments; draws first, then groups of kernels
+static const uint kDropletArgumentsAt = 112;    // byte in _MeshArguments: groups of a kernel with a thread for each droplet
 static const uint kDroplets = 12;    // droplets of a particle that flies by itself
 static const uint kFieldBricks = 32;    // bricks in the field's texture, along x and y
 

@@ -5,6 +5,8 @@
 #ifndef RILL_FOAM_LAYER_INCLUDED
 #define RILL_FOAM_LAYER_INCLUDED
 
+#include "FoamLight.hlsl"
+
 Texture2DArray<float4> _SurfaceFoam;
 
 struct FoamLayer
@@ -27,12 +29,6 @@ FoamLayer FoamLayerAt(float2 picture, uint eye, SamplerState linearClamp)
     layer.under = 1.0 - exp(-foam.z);
     layer.below = foam.w / max(foam.z, 1e-6);
     return layer;
-}
-
-// Foam scatters light to all sides: however the surface under it is turned, some arrives.
-float3 LitFoam(float3 around, float3 lightColor, float cosine)
-{
-    return _FoamColor.rgb * (around + lightColor * (0.35 + 0.45 * saturate(cosine)));
 }
 
 #endif

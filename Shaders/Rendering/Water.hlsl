@@ -2,6 +2,7 @@
 // an eye in the water sees, whose rays it follows itself. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of
 // Unity's.
 //
+//   _Bubbles      in   see SprayLayer.hlsl; where RILL_FOAM is on
 //   _RayFaces, _RayEnds, _RayDirections, _RayMirrors  in  Texture2DArrays, a slice for each eye, see WaterRays.compute
 //   the buffers of MeshField.hlsl, in RILL_UNDER_WATER
 //   the scene's color, where RILL_REFRACTION is on, and its depth, as the pipeline gives them
@@ -144,6 +145,10 @@ float4 UnderWaterFragment(UnderWaterVaryings input) : SV_Target
 
 #else
 
+#ifdef RILL_FOAM
+#include "SprayLayer.hlsl"
+#endif
+
 Texture2DArray<float4> _RayFaces;
 Texture2DArray<float4> _RayEnds;
 Texture2DArray<float4> _RayDirections;
@@ -216,15 +221,25 @@ float4 WaterFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Tar
     float reflectance = Reflectance(dot(p.normal, p.toEye), 1.0 / _SurfaceOptics.x);
     float3 mirrored = Reflected(p.world, reflect(-p.toEye, p.normal), sqrt(p.alpha), p.mirrored) * reflectance
         + lightColor * Highlight(p.normal, p.toEye, light.direction, p.alpha);
-    float3 lit = ScatteredLight(Ambient(p.world, p.normal), lightColor, dot(p.normal, light.direction));
+    float3 around = Ambient(p.world, p.normal);
+    float toLight = dot(p.normal, light.direction);
+    float3 lit = ScatteredLight(around, lightColor, toLight);
+    float covered = 0.0;
+    float3 bubbles = 0.0;
+#ifdef RILL_FOAM
+    float2 under = BubblesAt(input.picture.xy, eyeIndex, rill_linear_clamp_sampler);
+    under.y = min(under.y, p.ray.path);
+    covered = under.x;
+    bubbles = LitFoam(around, lightColor, toLight) * exp(-(_Absorption.rgb + _Scattering.w) * under.y) + lit * (1.0 - exp(-_Scattering.w * under.y));
+#endif
 
 #ifdef RILL_REFRACTION
-    float3 color = SeenAlong(p.ray, p.world, lit) * (1.0 - reflectance) + mirrored;
+    float3 color = lerp(SeenAlong(p.ray, p.world, lit), bubbles, covered) * (1.0 - reflectance) + mirrored;
     float coverage = 1.0;
 #else
-    float3 through = exp(-(_Absorption.rgb + _Scattering.w) * p.ray.path);
+    float3 through = exp(-(_Absorption.rgb + _Scattering.w) * p.ray.path) * (1.0 - covered);
     float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);
-    float3 color = lit * (1.0 - exp(-_Scattering.w * p.ray.path)) * (1.0 - reflectance) + mirrored;
+    float3 color = lerp(lit * (1.0 - exp(-_Scattering.w * p.ray.path)), bubbles, covered) * (1.0 - reflectance) + mirrored;
 #endif
     return float4(ApplyFog(color, coverage, p.z), coverage);
 }

@@ -26,6 +26,7 @@ Shader "Rill/Water"
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #include "Water.hlsl"
             ENDHLSL
         }
@@ -55,6 +56,7 @@ Shader "Rill/Water"
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #include "Water.hlsl"
             ENDHLSL
         }
@@ -82,6 +84,7 @@ Shader "Rill/Water"
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
             #include "Water.hlsl"
             ENDHLSL
@@ -109,6 +112,7 @@ Shader "Rill/Water"
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
             #include "Water.hlsl"
             ENDHLSL

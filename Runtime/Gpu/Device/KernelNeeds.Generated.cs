@@ -43,6 +43,10 @@ namespace Rill
             new KernelNeed("SurfaceThickness", "BlurPhases", "BLUR PHASES", 256, 11520, 1, 1, 2),
             new KernelNeed("WaterRays", "TraceRays", "", 64, 0, 1, 4, 8),
             new KernelNeed("WaterShadow", "TraceShadow", "", 64, 0, 1, 1, 2),
+            new KernelNeed("WaterSpray", "AddFoam", "ADD_FOAM", 128, 0, 3, 1, 2),
+            new KernelNeed("WaterSpray", "AddDroplets", "ADD_DROPLETS", 128, 0, 4, 1, 2),
+            new KernelNeed("WaterSpray", "ResolveSpray", "", 64, 0, 1, 1, 1),
+            new KernelNeed("WaterSpray", "ResolveFoam", "WITH_FOAM", 64, 0, 1, 2, 2),
             new KernelNeed("CoarseColliders", "OpenCells", "", 64, 484, 5, 3, 2),
             new KernelNeed("CoarseColliders", "OpenCells", "RILL_DEFORMING", 64, 484, 5, 3, 2),
             new KernelNeed("CoarseColliders", "LinkCells", "", 128, 0, 2, 1, 0),
@@ -421,8 +425,8 @@ namespace Rill
             new KernelNeed("SurfaceShadow", "Vertex", "", 0, 0, 1, 0, 0),
             new KernelNeed("SurfaceShadow", "Fragment", "", 0, 0, 0, 0, 0),
             new KernelNeed("Water", "Vertex", "", 0, 0, 0, 0, 0),
-            new KernelNeed("Water", "Fragment", "", 0, 0, 0, 0, 12),
-            new KernelNeed("WaterDrops", "Vertex", "", 0, 0, 2, 0, 1),
+            new KernelNeed("Water", "Fragment", "", 0, 0, 0, 0, 13),
+            new KernelNeed("WaterDrops", "Vertex", "", 0, 0, 2, 0, 0),
             new KernelNeed("WaterDrops", "Fragment", "", 0, 0, 0, 0, 6),
             new KernelNeed("WaterFaces", "Vertex", "", 0, 0, 1, 0, 0),
             new KernelNeed("WaterFaces", "Fragment", "", 0, 0, 0, 0, 1),
@@ -430,6 +434,8 @@ namespace Rill
             new KernelNeed("WaterInside", "Fragment", "", 0, 0, 1, 0, 8),
             new KernelNeed("WaterShadow", "Vertex", "", 0, 0, 0, 0, 0),
             new KernelNeed("WaterShadow", "Fragment", "", 0, 0, 1, 0, 2),
+            new KernelNeed("WaterSpray", "Vertex", "", 0, 0, 0, 0, 0),
+            new KernelNeed("WaterSpray", "Fragment", "", 0, 0, 0, 0, 4),
         };
     }
 }

@@ -57,6 +57,7 @@ namespace Rill
                 case "SurfaceThickness":
                 case "SurfaceParticles":
                 case "WaterRays":
+                case "WaterSpray":
                 case "WaterShadow": return DeviceFeature.Surface;
                 case "ImplicitViscosity": return DeviceFeature.DynamicViscosity;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
@@ -73,6 +74,7 @@ namespace Rill
             {
                 case "":
                 case "ADD":
+                case "ADD_DROPLETS":
                 case "ADD_ELEMENTS":
                 case "ADD_NEW":
                 case "APPLY":
@@ -145,6 +147,8 @@ namespace Rill
                 case "CARRIES":
                 case "RILL_DEFORMING":
                 case "WITH_COLLIDERS": return DeviceFeature.Colliders;
+                case "ADD_FOAM":
+                case "WITH_FOAM": return DeviceFeature.Foam;
                 case "DEEP": return DeviceFeature.DeepWater;
                 case "REACT":
                 case "TAKE":

@@ -56,7 +56,7 @@ namespace Rill
         }
 
         // Of the fluid's box along the view, or more; m.
-        static float FarthestDepth(Matrix4x4 worldToView, in SurfaceFrame fluid)
+        public static float FarthestDepth(Matrix4x4 worldToView, in SurfaceFrame fluid)
         {
             Vector3 middle = worldToView.MultiplyPoint3x4(fluid.domainToWorld.MultiplyPoint3x4(0.5f * fluid.domainSize));
             return Mathf.Max(-middle.z, 0f) + 0.5f * fluid.spacing * fluid.domainSize.magnitude;

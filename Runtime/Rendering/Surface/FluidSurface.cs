@@ -140,7 +140,11 @@ namespace Rill
 
         /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own may know nothing of
         /// foam.</summary>
-        internal bool DrawsFoam => isActiveAndEnabled && ShadesAll && method == SurfaceMethod.ScreenSpace;
+        internal bool DrawsFoam => isActiveAndEnabled && (IsDrawnAsMesh || ShadesAll);
+
+        bool IsDrawnAsMesh => nextMesh.HasValue || Simulation != null && HasFoundMesh;
+
+        bool HasFoundMesh => Simulation.Solver?.Mesh != null && Simulation.HasStages(StageSet.Water) && CanDrawMesh();
 
         // Whether the shader shades foam and phases too: the package's own, and one that is made of Surface.hlsl with its keywords.
         bool ShadesAll
@@ -359,12 +363,17 @@ namespace Rill
         private protected override void Draw()
         {
             PbfSolver solver = Simulation.Solver;
-            mesh = solver.Mesh != null && Simulation.HasStages(StageSet.Water) ? MeshFrame.Of(Simulation, solver.Mesh, quality) : nextMesh;
+            mesh = HasFoundMesh ? MeshFrame.Of(Simulation, solver.Mesh, quality) : nextMesh;
+            if (mesh is MeshFrame found && TryGetComponent(out FluidFoam foamOnMesh))
+            {
+                found.foam = foamOnMesh.Frame;
+                mesh = found;
+            }
             FollowCaustics();
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
-                meshDraw.SetKeywords(refraction, reflection != null);
+                meshDraw.SetKeywords(refraction, reflection != null, mesh.Value.HasFoam);
                 hasFrame = true;
                 if (CastsShadow)
                     shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, causticMap != null, KnownLight);

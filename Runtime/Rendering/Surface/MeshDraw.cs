@@ -16,19 +16,26 @@ namespace Rill
     sealed class MeshDraw : IDisposable
     {
         const int RectangleVertices = 6;
-        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
+        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM";
 
-        Material colors = MaterialOf("Water"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops");
+        Material colors = MaterialOf("Water"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops"),
+            sprays = MaterialOf("WaterSpray");
         readonly WaterRays rays = new WaterRays();
+        readonly WaterSpray spray = new WaterSpray();
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
-        bool refracts;
+        bool refracts, reflectsOwn, withFoam;
 
-        /// <summary>Whether what is behind is seen bent, and whether a cube map of the user's own is mirrored.</summary>
-        public void SetKeywords(bool refraction, bool ownReflection)
+        /// <summary>Whether what is behind is seen bent, whether a cube map of the user's own is mirrored, and whether there is foam.</summary>
+        public void SetKeywords(bool refraction, bool ownReflection, bool foam)
         {
-            refracts = refraction;
-            SetKeyword(RefractionKeyword, refraction);
-            SetKeyword(ReflectionKeyword, ownReflection);
+            if ((refraction, ownReflection, foam) == (refracts, reflectsOwn, withFoam))
+                return;
+            (refracts, reflectsOwn, withFoam) = (refraction, ownReflection, foam);
+            SetKeyword(colors);
+            SetKeyword(inside);
+            SetKeyword(drops);
+            FluidRenderer.SetKeyword(sprays, ReflectionKeyword, ownReflection);
+            FluidRenderer.SetKeyword(colors, FoamKeyword, foam);
         }
 
         /// <summary>Before a camera culls.</summary>
@@ -42,11 +49,11 @@ namespace Rill
                 return false;
             WaterView view = views.ViewOf(camera.camera);
             // It holds a copy of the scene of another size, or rays of too small a part of the picture.
-            if (view.IsSubmitted && !(view.IsSubmittedFor(camera.width, camera.height) && view.Holds(camera, seen.Bounds, mesh.rayScale)))
+            if (view.IsSubmitted && !(view.IsSubmittedFor(camera.width, camera.height) && view.Holds(camera, seen.Bounds, mesh)))
                 view = views.Replace(view);
             view.IsPrepared = true;
             if (!view.IsSubmitted)
-                view.Prepare(camera, seen.Bounds, mesh.rayScale);
+                view.Prepare(camera, seen.Bounds, mesh);
             return true;
         }
 
@@ -80,6 +87,11 @@ namespace Rill
                 Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, mesh.arguments, 1,
                     StereoInstancing.IsActive ? SurfaceMesh.StereoDropCommand : SurfaceMesh.MonoDropCommand);
             }
+            if (mesh.HasSpray)
+            {
+                parameters.material = sprays;
+                Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, RectangleVertices);
+            }
             parameters.material = inside;
             Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, RectangleVertices);
         }
@@ -97,9 +109,14 @@ namespace Rill
             constants.pictureBounds = BoxOnPicture.Of(camera, mesh.Box).Bounds;
             view.Place(camera, constants.pictureBounds, mesh.rayScale);
             (constants.surfaceSize, constants.surfaceWindow) = (view.Window.Grid, view.Window.Rect);
+            (constants.foamSize, constants.foamWindow) = (view.SprayWindow.Grid, view.SprayWindow.Rect);
+            constants.foamColor = mesh.HasFoam ? mesh.foam.color : Vector4.one;
             view.Write(cmd, constants);
-            SurfaceScratch.Shared.Prepare(view, Mathf.CeilToInt(view.Window.Grid.x), Mathf.CeilToInt(view.Window.Grid.y));
+            SurfaceScratch.Shared.Prepare(view, Mathf.CeilToInt(view.Window.Grid.x), Mathf.CeilToInt(view.Window.Grid.y),
+                WaterSpray.WordsOf(mesh));
             rays.Record(cmd, camera, mesh, view, refracts);
+            if (view.Spray != null)
+                spray.Record(cmd, camera, mesh, view);
         }
 
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
@@ -112,10 +129,13 @@ namespace Rill
             stage.Draw("Water", views.Count);
             stage.Draw("WaterInside", views.Count);
             stage.Draw("WaterDrops", views.Count);
+            stage.Draw("WaterSpray", views.Count);
             for (int i = 0; i < views.Count; i++)
                 if (views[i].Ends != null)
                 {
                     rays.Describe(stage, views[i].Ends.volumeDepth);
+                    if (views[i].Spray != null)
+                        spray.Describe(stage, views[i].Ends.volumeDepth, withFoam);
                     views[i].Describe(stage);
                 }
             SurfaceScratch.Shared.Describe(stage);
@@ -128,17 +148,15 @@ namespace Rill
             EngineObject.Destroy(ref colors);
             EngineObject.Destroy(ref inside);
             EngineObject.Destroy(ref drops);
+            EngineObject.Destroy(ref sprays);
         }
 
         static Material MaterialOf(string stage) => new Material(StageShader.Load(stage).Shader) { hideFlags = HideFlags.HideAndDontSave };
 
-        void SetKeyword(string name, bool isOn)
+        void SetKeyword(Material material)
         {
-            if (isOn == colors.IsKeywordEnabled(name))
-                return;
-            FluidRenderer.SetKeyword(colors, name, isOn);
-            FluidRenderer.SetKeyword(inside, name, isOn);
-            FluidRenderer.SetKeyword(drops, name, isOn);
+            FluidRenderer.SetKeyword(material, RefractionKeyword, refracts);
+            FluidRenderer.SetKeyword(material, ReflectionKeyword, reflectsOwn);
         }
     }
 }

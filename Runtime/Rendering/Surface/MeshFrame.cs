@@ -19,8 +19,12 @@ namespace Rill
         public Texture field;
         public Vector4 fieldTexel;
 
-        /// <summary>The elements of SurfaceElement.hlsl, and the indices of those that are drops; null where there are none.</summary>
-        public GraphicsBuffer elements, drops;
+        /// <summary>The elements of SurfaceElement.hlsl, the indices of those that are drops, and SurfaceMesh.Counters; null where there are
+        /// none.</summary>
+        public GraphicsBuffer elements, drops, counters;
+
+        /// <summary>None where its buffers are null.</summary>
+        public FoamFrame foam;
 
         /// <summary>Length of the exposure in substeps: what flies is drawn out by so many displacements.</summary>
         public float exposure;
@@ -52,6 +56,11 @@ namespace Rill
         /// <summary>The box alone.</summary>
         public readonly SurfaceFrame Box => new SurfaceFrame { domainToWorld = domainToWorld, domainSize = domainSize, spacing = spacing };
 
+        public readonly bool HasFoam => foam.particles != null;
+
+        /// <summary>Whether there is anything that the mesh does not hold.</summary>
+        public readonly bool HasSpray => drops != null || HasFoam;
+
         /// <summary>The mesh that a running fluid has found, at the time of this frame.</summary>
         public static MeshFrame Of(FluidSimulation fluid, SurfaceMesh found, SurfaceQuality quality = SurfaceQuality.Medium)
         {
@@ -62,7 +71,8 @@ namespace Rill
             {
                 vertices = found.Vertices, indices = found.Indices, arguments = found.Arguments, top = found.Top, field = found.Field,
                 fieldTexel = new Vector4(1f / found.Field.width, 1f / found.Field.height, 1f / found.Field.volumeDepth),
-                elements = solver.Surface.Particles, drops = found.Drops, exposure = 0.5f * solver.LastSubsteps,
+                elements = solver.Surface.Particles, drops = found.Drops, counters = found.Counters,
+                exposure = 0.5f * solver.LastSubsteps,
                 cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
                 domainToWorld = fluid.DomainToWorld, domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
                 rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f,
@@ -100,6 +110,17 @@ namespace Rill
             cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
             cmd.SetComputeMatrixParam(shader, Ids.WorldToDomain, domainToWorld.inverse);
             cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, domainSize);
+            cmd.SetComputeVectorParam(shader, Ids.FrameLag, lag);
+        }
+
+        /// <summary>Sets what Droplets.hlsl reads for a kernel.</summary>
+        public readonly void SetDrops(CommandBuffer cmd, ComputeShader shader, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceElements, elements);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshDrops, drops);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshCounters, counters);
+            cmd.SetComputeIntParam(shader, Ids.DropCapacity, drops.count);
+            cmd.SetComputeVectorParam(shader, Ids.FrameExposure, new Vector4(exposure, 0f, 0f, 0f));
         }
 
         /// <summary>Sets the field for a kernel.</summary>
@@ -117,6 +138,8 @@ namespace Rill
             public static readonly int MeshFieldTexel = Shader.PropertyToID("_MeshFieldTexel");
             public static readonly int SurfaceElements = Shader.PropertyToID("_SurfaceElements");
             public static readonly int MeshDrops = Shader.PropertyToID("_MeshDrops");
+            public static readonly int MeshCounters = Shader.PropertyToID("_MeshCounters");
+            public static readonly int DropCapacity = Shader.PropertyToID("_DropCapacity");
             public static readonly int FrameExposure = Shader.PropertyToID("_FrameExposure");
             public static readonly int MeshCell = Shader.PropertyToID("_MeshCell");
             public static readonly int MeshBricks = Shader.PropertyToID("_MeshBricks");

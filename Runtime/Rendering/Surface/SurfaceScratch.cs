@@ -16,7 +16,7 @@ namespace Rill
         static SurfaceScratch shared = new SurfaceScratch();
 
         RenderTexture rows, sceneDistance, faces, faceDepth, sceneCopy;
-        GraphicsBuffer amounts, foamAmounts;
+        GraphicsBuffer amounts, foamAmounts, sprayAmounts;
         int lastFrame, lookedFrame;
         long largest;       // texels asked for since it was looked at
         // What commands that are recorded and have not run may still refer to: a camera can be drawn while another is prepared.
@@ -43,6 +43,9 @@ namespace Rill
         /// <summary>uint4, of each texel of <see cref="SurfaceView.Foam"/> in use, slice after slice; see SurfaceFoam.compute.</summary>
         public GraphicsBuffer FoamAmounts => foamAmounts;
 
+        /// <summary>uint, of each texel of <see cref="WaterView.Spray"/> in use, slice after slice; see WaterSpray.compute.</summary>
+        public GraphicsBuffer SprayAmounts => sprayAmounts;
+
         /// <summary>Holds what a view needs; allocates only where it is larger than all before.</summary>
         public void Prepare(SurfaceView view)
         {
@@ -58,7 +61,8 @@ namespace Rill
         /// <summary>Holds what the rays of a view need.</summary>
         /// <param name="width">Of the whole picture, in texels of the view.</param>
         /// <param name="height">The same.</param>
-        public void Prepare(WaterView view, int width, int height)
+        /// <param name="sprayWords">That are added up for a texel of its spray.</param>
+        public void Prepare(WaterView view, int width, int height, int sprayWords)
         {
             lastFrame = Time.frameCount;
             int3 size = SizeOf(view.Ends);
@@ -66,6 +70,8 @@ namespace Rill
             HoldTexture(ref faces, "Rill.Water.Faces", size, GraphicsFormat.R16G16B16A16_SFloat, false);
             HoldTexture(ref faceDepth, "Rill.Water.FaceDepth", size, GraphicsFormat.None, false);
             HoldTexture(ref sceneCopy, "Rill.Water.Scene", new int3(width, height, size.z), GraphicsFormat.R32_SFloat, false);
+            if (view.Spray != null)
+                HoldBuffer<uint>(ref sprayAmounts, "Rill.Water.SprayAmounts", TexelsOf(view.Spray) * sprayWords);
         }
 
         /// <summary>Once a frame: gives back what nothing has asked for lately.</summary>
@@ -95,6 +101,7 @@ namespace Rill
                 Outgrow(ref sceneCopy);
                 Outgrow(ref amounts);
                 Outgrow(ref foamAmounts);
+                Outgrow(ref sprayAmounts);
             }
             lookedFrame = Time.frameCount;
             largest = 0;
@@ -113,6 +120,7 @@ namespace Rill
             EngineObject.Release(ref sceneCopy);
             GpuBuffer.Release(ref amounts);
             GpuBuffer.Release(ref foamAmounts);
+            GpuBuffer.Release(ref sprayAmounts);
         }
 
         public void Describe(StageDescription stage)
@@ -126,6 +134,8 @@ namespace Rill
                 stage.Buffer("Rill.Surface.Amounts", amounts);
             if (foamAmounts != null)
                 stage.Buffer("Rill.Surface.FoamAmounts", foamAmounts);
+            if (sprayAmounts != null)
+                stage.Buffer("Rill.Water.SprayAmounts", sprayAmounts);
         }
 
         static long TexelsOf(RenderTexture texture) => (long)texture.width * texture.height * texture.volumeDepth;

@@ -95,7 +95,8 @@ namespace Rill
             cmd.EndSample(FacesMarker);
         }
 
-        static class Ids
+        /// <summary>Properties of WaterRays.compute and WaterSpray.compute.</summary>
+        public static class Ids
         {
             public static readonly int FaceDepth = Shader.PropertyToID("_FaceDepth");
             public static readonly int Faces = Shader.PropertyToID("_Faces");

@@ -26,6 +26,9 @@ namespace Rill
         [GenerateHlsl("SurfaceMesh")]
         const uint DrawAt = 0, MarkArgumentsAt = 20, AddArgumentsAt = 32, BrickArgumentsAt = 44, VertexArgumentsAt = 56, DropDrawAt = 80;
 
+        /// <summary>byte in _MeshArguments: groups of a kernel with a thread for each droplet</summary>
+        [GenerateHlsl("SurfaceMesh")] public const uint DropletArgumentsAt = 112;
+
         /// <summary>droplets of a particle that flies by itself</summary>
         [GenerateHlsl("SurfaceMesh")] const uint Droplets = 12;
 
@@ -35,7 +38,7 @@ namespace Rill
         /// <summary>bricks in the field's texture, along x and y</summary>
         [GenerateHlsl("SurfaceMesh")] const int FieldBricks = 32;
 
-        const int ArgumentWords = 28;
+        const int ArgumentWords = 31;
         const int BrickNodes = Brick * Brick * Brick;
         const int SmoothingPairs = 2;
         const float SmoothStep = 0.5f, SpreadStep = -0.53f;     // Taubin 1995

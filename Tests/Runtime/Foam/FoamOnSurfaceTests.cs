@@ -4,20 +4,28 @@ using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
     /// <summary>Foam where the water is drawn as a surface: under it, on it and beside it.</summary>
+    [TestFixture(SurfaceMethod.ScreenSpace)]
+    [TestFixture(SurfaceMethod.Mesh)]
     public class FoamOnSurfaceTests
     {
         const float Depth = WaterScene.Depth, Half = 0.5f;
         const float Lit = 0.35f + 0.45f * 0.6f;     // of white foam in a white light, whose height is 0.6
         const int Pixels = 64;
 
+        readonly SurfaceMethod method;
         WaterScene scene;
         FluidSurface surface;
         FluidFoam foam;
+
+        public FoamOnSurfaceTests(SurfaceMethod method) => this.method = method;
+
+        string Layer => method == SurfaceMethod.Mesh ? "Rill.Water.Bubbles" : "Rill.Surface.Foam";
 
         [SetUp]
         public void Make()
@@ -26,6 +34,8 @@ namespace Rill.Tests
             scene.Camera.backgroundColor = Color.black;
             scene.AddSun();
             surface = scene.Surface;
+            surface.Method = method;
+            surface.CastShadows = ShadowCastingMode.Off;
             foam = scene.Root.AddComponent<FluidFoam>();
             foam.Radius = 0.06f;
             FoamSettings settings = foam.Settings;
@@ -115,14 +125,14 @@ namespace Rill.Tests
         {
             yield return scene.Settle();
             Assert.That(Stage("FluidFoam").Kernels, Is.Empty, "draws nothing of its own");
-            Assert.That(Textures(), Does.Contain("Rill.Surface.Foam"));
+            Assert.That(Textures(), Does.Contain(Layer));
             surface.enabled = false;
             yield return WaterScene.Frames(2);
             Assert.That(Stage("FluidFoam").Kernels.Single().kernel, Does.StartWith("FoamParticles.shader"));
             surface.enabled = true;
             foam.enabled = false;
             yield return WaterScene.Frames(3);
-            Assert.That(Textures(), Does.Not.Contain("Rill.Surface.Foam"));
+            Assert.That(Textures(), Does.Not.Contain(Layer));
             Assert.That(Stage("FluidSurface").Kernels.Select(kernel => kernel.kernel), Has.None.Contains("Foam"));
 
             StageDescription Stage(string name) => scene.Fluid.Describe().Single(stage => stage.Name == name);

@@ -1,0 +1,103 @@
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Adds up foam, spray and small droplets on a camera's picture of water that is drawn as a mesh, as WaterSpray.compute says.</summary>
+    sealed class WaterSpray
+    {
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Water.Spray");
+
+        const float UnderWater = 1f;        // d below the surface
+        const int Words = 3, FoamWords = 5;
+
+        readonly ComputeShader shader = StageShader.LoadCompute("WaterSpray");
+        readonly BufferClear clear = new BufferClear();
+        readonly Kernel addFoam, addDroplets, resolveSpray, resolveFoam;
+
+        public WaterSpray()
+        {
+            addFoam = new Kernel(shader, "AddFoam");
+            addDroplets = new Kernel(shader, "AddDroplets");
+            resolveSpray = new Kernel(shader, "ResolveSpray");
+            resolveFoam = new Kernel(shader, "ResolveFoam");
+        }
+
+        /// <summary>Words of a texel that are added up.</summary>
+        public static int WordsOf(in MeshFrame mesh) => mesh.HasFoam ? FoamWords : Words;
+
+        /// <summary>Fills the layers of the view, after its faces and the copy of the scene's depth.</summary>
+        public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view)
+        {
+            SurfaceScratch scratch = SurfaceScratch.Shared;
+            cmd.BeginSample(Marker);
+            clear.Record(cmd, scratch.SprayAmounts, view.SprayWindow.Texels * camera.eyes * WordsOf(mesh));
+            view.SetConstants(cmd, shader);
+            mesh.SetOn(cmd, shader);
+            cmd.SetComputeIntParam(shader, Ids.SprayWords, WordsOf(mesh));
+            SurfaceFrame box = mesh.Box;
+            for (int eye = 0; eye < camera.eyes; eye++)
+            {
+                cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
+                cmd.SetComputeVectorParam(shader, Ids.SprayRange,
+                    new Vector4(SurfaceFoam.FarthestDepth(camera.ViewOf(eye), box), UnderWater * mesh.spacing, 0f, 0f));
+                if (mesh.drops != null)
+                    AddDroplets(cmd, mesh);
+                if (mesh.HasFoam)
+                    AddFoam(cmd, mesh.foam);
+                Kernel resolve = mesh.HasFoam ? resolveFoam : resolveSpray;
+                cmd.SetComputeBufferParam(shader, resolve, Ids.SprayAmounts, scratch.SprayAmounts);
+                cmd.SetComputeTextureParam(shader, resolve, WaterView.Ids.Spray, view.Spray);
+                if (mesh.HasFoam)
+                    cmd.SetComputeTextureParam(shader, resolve, WaterView.Ids.Bubbles, view.Bubbles);
+                SurfaceIds.Dispatch(cmd, shader, resolve, view.SprayWindow.Width, view.SprayWindow.Height);
+            }
+            cmd.EndSample(Marker);
+        }
+
+        public void Describe(StageDescription stage, int eyes, bool withFoam)
+        {
+            clear.Describe(stage, SurfaceScratch.Shared.SprayAmounts.stride, 1);
+            stage.Kernel(addDroplets, eyes);
+            if (withFoam)
+                stage.Kernel(addFoam, eyes);
+            stage.Kernel(withFoam ? resolveFoam : resolveSpray, eyes);
+        }
+
+        void AddDroplets(CommandBuffer cmd, in MeshFrame mesh)
+        {
+            SetPicture(cmd, addDroplets);
+            mesh.SetDrops(cmd, shader, addDroplets);
+            cmd.DispatchCompute(shader, addDroplets, mesh.arguments, SurfaceMesh.DropletArgumentsAt);
+        }
+
+        void AddFoam(CommandBuffer cmd, in FoamFrame foam)
+        {
+            SetPicture(cmd, addFoam);
+            cmd.SetComputeVectorParam(shader, Ids.FoamLook, foam.look);
+            cmd.SetComputeTextureParam(shader, addFoam, WaterRays.Ids.Faces, SurfaceScratch.Shared.Faces);
+            cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamParticles, foam.particles);
+            cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamCounters, foam.counters);
+            cmd.DispatchCompute(shader, addFoam, foam.arguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void SetPicture(CommandBuffer cmd, Kernel kernel)
+        {
+            SurfaceScratch scratch = SurfaceScratch.Shared;
+            cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
+            cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.SceneCopy, scratch.SceneCopy);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SprayAmounts, scratch.SprayAmounts);
+        }
+
+        static class Ids
+        {
+            public static readonly int SprayAmounts = Shader.PropertyToID("_SprayAmounts");
+            public static readonly int SprayWords = Shader.PropertyToID("_SprayWords");
+            public static readonly int SprayRange = Shader.PropertyToID("_SprayRange");
+            public static readonly int FoamLook = Shader.PropertyToID("_FoamLook");
+            public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");
+            public static readonly int FoamCounters = Shader.PropertyToID("_FoamCounters");
+        }
+    }
+}

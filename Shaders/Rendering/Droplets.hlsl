@@ -1,0 +1,80 @@
+// What of the water is thinner than its mesh can hold, as droplets: each particle that flies by itself is a dozen of them, of its volume
+// together, drawn out along the way that they go while the picture is exposed. Those that are small on the picture are added up by
+// WaterSpray.compute, the others are drawn one by one by WaterDrops.hlsl.
+//
+//   _SurfaceElements  in  see SurfaceElement.hlsl
+//   _MeshDrops        in  uint, indices of those that are drops
+// Include after SurfaceView.hlsl, DrawnDomain.hlsl and what defines eyeIndex.
+#ifndef RILL_DROPLETS_INCLUDED
+#define RILL_DROPLETS_INCLUDED
+
+#include "SurfaceParticle.hlsl"
+#include "SurfaceElement.hlsl"
+#include "../Gpu/Hash.hlsl"
+#include "../Generated/SurfaceMesh.hlsl"
+
+StructuredBuffer<SurfaceParticle> _SurfaceElements;
+StructuredBuffer<uint> _MeshDrops;
+float4 _FrameExposure;          // x: substeps while which the picture is exposed
+
+static const float kSmallestDroplet = 0.2;      // radius of the last of a particle's droplets over the first
+static const float kFirstRadius = 0.4401;       // of the first, d: with those radii all together have a volume of d^3
+static const float kSpread = 0.75;              // of a particle's droplets around it, d
+static const float kSmall = 2.0;                // radius up to which a droplet is added up with others, texels
+static const float kGathered = 0.1;             // coverage of a small one by the light that it gathers from everywhere
+
+struct Droplet
+{
+    float3 center;          // d, in the domain's frame, as is what follows
+    float3 axis;            // unit
+    float along, across;    // semi-axes, d
+    float texel;            // width of a texel of the spray's textures there, d
+};
+
+float3 HashedInBall(uint id, uint k)
+{
+    float z = 2.0 * UnitFloat(Hash(id, k, 1u)) - 1.0, angle = 6.2831853 * UnitFloat(Hash(id, k, 2u));
+    float ring = sqrt(max(1.0 - z * z, 0.0)), radius = pow(UnitFloat(Hash(id, k, 3u)), 1.0 / 3.0);
+    return radius * float3(ring * cos(angle), ring * sin(angle), z);
+}
+
+// Width of a texel of the spray's textures at a point of the domain, d.
+float SprayTexel(float3 position)
+{
+    float4 clip = SurfaceClip(mul(_DomainToWorld, float4(position, 1.0)).xyz, eyeIndex);
+    float z = _SurfaceDepths[eyeIndex].z > 0.5 ? 1.0 : max(DepthAlongView(clip, eyeIndex), 1e-6);
+    return PictureScale(eyeIndex).y * z * 2.0 * _FoamSize.w / length(float3(_DomainToWorld[0].x, _DomainToWorld[1].x, _DomainToWorld[2].x));
+}
+
+// index: kDroplets to a drop.
+Droplet DropletOf(uint index)
+{
+    Droplet droplet = (Droplet)0;
+    uint k = index % kDroplets;
+    SurfaceParticle drop = _SurfaceElements[_MeshDrops[index / kDroplets]];
+    uint id = drop.a.w;
+    float3 chord = float3(UnpackHalves(drop.b.y), UnpackHalves(drop.b.z).x);
+    float3 position = asfloat(drop.a.xyz) + chord * _FrameLag.x;
+    droplet.texel = SprayTexel(position);
+    float radius = kFirstRadius * pow(kSmallestDroplet, k / (kDroplets - 1.0));     // a power law
+    droplet.center = clamp(position + kSpread * HashedInBall(id, k), radius, _DrawnDomainSize.xyz - radius);
+    // As long as it flies during the exposure, and thinner by that: its volume stays.
+    float flown = length(chord) * _FrameExposure.x;
+    droplet.along = radius + 0.5 * flown;
+    droplet.across = radius * sqrt(radius / droplet.along);
+    droplet.axis = flown > 1e-4 ? normalize(chord) : float3(0.0, 1.0, 0.0);
+    return droplet;
+}
+
+// Light that a ball of water sends on from a far light, mean over its disc, where a white surface that faces the light sends 1: what it mirrors
+// and what is bent twice, by the angle between the ways of the light before and after (van de Hulst 1957, 12.2, for an index of 1.333).
+// along: cosine of that angle.
+float LightThroughBall(float along)
+{
+    float turned = 1.0 - along;
+    float bent = 3.84 * exp(-10.6 * turned / (1.0 + 1.3 * turned - 0.88 * turned * turned));     // within 6 % up to 60 degrees
+    float cosine = sqrt(saturate(0.5 - 0.5 * along));     // between the normal of what mirrors and both ways
+    return bent + 0.25 * (0.02 + 0.98 * pow(1.0 - cosine, 5.0));
+}
+
+#endif
