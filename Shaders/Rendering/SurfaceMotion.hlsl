@@ -1,8 +1,8 @@
-// Motion vectors of the water's surface: one rectangle over the textures that FluidSurfaceRecorder filled for this camera, with depth,
+// Motion vectors of the water's surface: one rectangle over the textures that FluidSurfaceRecorder or WaterRays filled for this camera, with depth,
 // into a pipeline's texture of motion. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
-//   _SurfaceDepth   in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
-//   _SurfaceChords  in  xyz displacement of the nearest particle in the last substep, d, in the domain's frame; w its depth as it was drawn
+//   _SurfaceDepth   in  Texture2DArray, a slice for each eye, x: see SurfaceView.hlsl
+//   _SurfaceChords  in  xyz displacement of the nearest water in the last substep, d, in the domain's frame; w its depth as it was drawn, or 1
 //   the scene's depth, where the pipeline has no depth to test against (HDRP)
 #include "ScreenMotion.hlsl"
 #include "SurfaceView.hlsl"

@@ -6,7 +6,7 @@
 #include "Directions.hlsl"
 
 static const float kOnWall = 0.01;          // d: as near to a wall of the domain is the face of the water that lies in it
-static const float kMaxShift = 16.0;        // d
+static const float kMaxChord = 16.0;        // d
 
 // A face that lies in a wall is as flat as it is, up to the line where the surface meets it, whose vertices have the normal of the surface.
 // p: as it is drawn, d, in the domain's frame, as are both normals.
@@ -17,12 +17,12 @@ float3 FlatOnWalls(float3 p, float3 normal)
     return any(wall != 0.0) ? normalize(wall) : normal;
 }
 
-// shift: of what is drawn from where the field has it, d, to 1/63 of its largest component or 0.002. Three components of 7 bits share an exponent.
-float4 PackFace(float3 normal, float3 shift)
+// chord: displacement in the last substep, d, to 1/63 of its largest component or 0.002. Three components of 7 bits share an exponent.
+float4 PackFace(float3 normal, float3 chord)
 {
-    float most = max(abs(shift.x), max(abs(shift.y), abs(shift.z)));
-    float exponent = clamp(floor(log2(kMaxShift / max(most, 1e-6))), 0.0, 7.0);
-    uint3 steps = uint3(round(clamp(shift / kMaxShift * exp2(exponent), -1.0, 1.0) * 63.0 + 64.0));
+    float most = max(abs(chord.x), max(abs(chord.y), abs(chord.z)));
+    float exponent = clamp(floor(log2(kMaxChord / max(most, 1e-6))), 0.0, 7.0);
+    uint3 steps = uint3(round(clamp(chord / kMaxChord * exp2(exponent), -1.0, 1.0) * 63.0 + 64.0));
     uint bits = uint(exponent) << 21 | steps.x << 14 | steps.y << 7 | steps.z;
     return float4(PackDirection(normal), float2(bits >> 12, bits & 4095) - 2048.0);
 }
@@ -32,11 +32,11 @@ float3 UnpackNormal(float4 face)
     return UnpackDirection(face.xy);
 }
 
-float3 UnpackShift(float4 face)
+float3 UnpackChord(float4 face)
 {
     uint2 halves = uint2(round(face.zw + 2048.0));
     uint bits = halves.x << 12 | halves.y;
-    return (float3(uint3(bits >> 14, bits >> 7, bits) & 127u) - 64.0) / 63.0 * kMaxShift * exp2(-float(bits >> 21));
+    return (float3(uint3(bits >> 14, bits >> 7, bits) & 127u) - 64.0) / 63.0 * kMaxChord * exp2(-float(bits >> 21));
 }
 
 #endif

@@ -12,7 +12,7 @@
 struct FaceVaryings
 {
     float4 clip : SV_Position;
-    float3 shift : TEXCOORD0;       // from where the field has it, d
+    float3 chord : TEXCOORD0;       // displacement in the last substep, d
     float3 drawn : TEXCOORD1;       // where it is at the time of the frame, d
     float3 world : TEXCOORD2;
     float3 normal : TEXCOORD3;      // domain
@@ -23,8 +23,8 @@ FaceVaryings FaceVertex(uint vertex : SV_VertexID)
     FaceVaryings result = (FaceVaryings)0;
     result.clip = float4(2, 2, 2, 1);
     MeshVertex v = LoadMeshVertex(vertex);
-    result.shift = MeshShift(v, _DrawnDomainSize.xyz);
-    result.drawn = v.position + result.shift;
+    result.chord = v.displacement;
+    result.drawn = v.position + MeshShift(v, _DrawnDomainSize.xyz);
     result.normal = v.normal;
     result.world = mul(_DomainToWorld, float4(result.drawn, 1.0)).xyz;
     result.clip = WindowClip(SurfaceClip(result.world, _SurfaceEye));
@@ -36,7 +36,7 @@ float4 FaceFragment(FaceVaryings input) : SV_Target
     if (!IsBeyondNearPlane(input.world, _SurfaceEye))
         discard;
     float3 normal = FlatOnWalls(input.drawn, normalize(input.normal));
-    return PackFace(normalize(mul((float3x3)_DomainToWorld, normal)), input.shift);
+    return PackFace(normalize(mul((float3x3)_DomainToWorld, normal)), input.chord);
 }
 
 struct CopyVaryings

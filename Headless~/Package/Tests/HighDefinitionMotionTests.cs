@@ -17,6 +17,13 @@ namespace Host.Tests
 
         private protected override float[] Depth(int eye)
         {
+            if (method == SurfaceMethod.Mesh)
+            {
+                var water = (WaterView)((MeshDraw)Get(Surface, "meshDraw")).ViewOf(camera);
+                RenderTexture faces = water.Faces;
+                float[] channels = Floats(faces, eye, faces.width, faces.height);
+                return water.Window.Whole(channels.Where((_, i) => i % 4 == 0).ToArray(), faces.width);
+            }
             SurfaceView view = ((FluidSurfaceRecorder)Get(Surface, "recorder")).ViewOf(camera);
             RenderTexture depth = view.Smoothed;
             return view.Window.Whole(Floats(depth, eye, depth.width, depth.height), depth.width);
@@ -28,7 +35,7 @@ namespace Host.Tests
 
         void BuildFor(string version, bool isJittered = true)
         {
-            Build(PipelineKind.HighDefinition, version);
+            Build(PipelineKind.HighDefinition, TakeMethod(version));
             MakePicture();
             if (isJittered)
                 Jitter();
@@ -44,6 +51,8 @@ namespace Host.Tests
         [TestCase("14", 60)]
         [TestCase("17", 60)]
         [TestCase("17.4", 60)]
+        [TestCase("17 as mesh", 60)]
+        [TestCase("14 as mesh", 60)]
         [TestCase("17", 144)]
         public void Falling_water_moves_by_what_it_fell(string version, int rate)
         {
@@ -143,7 +152,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Each_eye_has_the_motion_that_it_sees([Values("14", "17")] string version)
+        public void Each_eye_has_the_motion_that_it_sees([Values("14", "17", "17 as mesh")] string version)
         {
             BuildFor(version, isJittered: false);
             PutOnHeadset();

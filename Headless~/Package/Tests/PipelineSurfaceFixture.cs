@@ -19,6 +19,9 @@ namespace Host.Tests
         IAssetSource assetsBefore;
         private protected FluidSimulation simulation;
 
+        /// <summary>Of the surface that is built next.</summary>
+        private protected SurfaceMethod method;
+
         [SetUp]
         public void KeepAssets() => assetsBefore = Player.Assets;
 
@@ -62,7 +65,7 @@ namespace Host.Tests
             simulation.Configure(new Vector3(1.6f, 1.6f, 1.6f), 0.1f, 600);
             simulation.StatisticsInterval = 0;
             fluid.AddComponent<FluidVolume>().Size = new Vector3(0.8f, 0.8f, 0.8f);
-            fluid.AddComponent<FluidSurface>();
+            fluid.AddComponent<FluidSurface>().Method = method;
             fluid.SetActive(true);
         }
 

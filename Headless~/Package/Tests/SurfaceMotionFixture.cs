@@ -16,7 +16,7 @@ namespace Host.Tests
         private protected const int Wide = 384, High = 256;
         private protected const float FrameTime = 1f / 30f;
         private protected const float Bar = 0.25f;        // pixels
-        private protected const string Chords = "Rill.Surface.Chords";
+        const string AsMesh = " as mesh";
 
         RenderTexture picture;
 
@@ -27,6 +27,19 @@ namespace Host.Tests
             if (picture != null)
                 picture.Release();
             picture = null;
+        }
+
+        /// <summary>The texture of the water's displacements.</summary>
+        private protected string Chords => method == SurfaceMethod.Mesh ? "Rill.Water.Chords" : "Rill.Surface.Chords";
+
+        /// <summary>Sets the method by which the surface is drawn.</summary>
+        /// <param name="version">With or without " as mesh".</param>
+        /// <returns>The rest of it.</returns>
+        private protected string TakeMethod(string version)
+        {
+            bool isMesh = version.EndsWith(AsMesh, StringComparison.Ordinal);
+            method = isMesh ? SurfaceMethod.Mesh : SurfaceMethod.ScreenSpace;
+            return isMesh ? version.Substring(0, version.Length - AsMesh.Length) : version;
         }
 
         /// <summary>The pipeline's, a global.</summary>

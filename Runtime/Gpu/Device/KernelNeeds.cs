@@ -142,6 +142,7 @@ namespace Rill
                 case "STORE_DRAWN":
                 case "STORE_DROPS":
                 case "TAGGED":
+                case "TRACE":
                 case "UNPACK":
                 case "VOLUME": return DeviceFeature.None;
                 case "CARRIES":

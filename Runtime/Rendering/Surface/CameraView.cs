@@ -8,10 +8,14 @@ namespace Rill
     {
         const int FramesKept = 3;       // for which a camera may stay away
 
+        /// <summary>xyz displacement of the nearest water in the last substep, d, in the domain's frame. Null where no motion is needed.</summary>
+        public RenderTexture Chords;
+
         readonly SurfaceConstants[] upload = new SurfaceConstants[1];
         GraphicsBuffer constants;
         Vector2Int submittedSize;
-        int submittedFrame = -1;
+        int submittedFrame = -1, motionFrame = -1;
+        MaterialPropertyBlock motion;
         bool isWritten;
 
         /// <param name="constantsName">Name of the buffer of its constants.</param>
@@ -46,6 +50,20 @@ namespace Rill
         {
             submittedFrame = Time.frameCount;
             submittedSize = new Vector2Int(width, height);
+        }
+
+        /// <summary>Of the draw that writes motion vectors.</summary>
+        public MaterialPropertyBlock Motion => motion ??= new MaterialPropertyBlock();
+
+        /// <summary>Whether a frame was recorded whose motion vectors are needed and not drawn yet.</summary>
+        public bool HasMotion { get; set; }
+
+        /// <summary>Whether the draw of motion vectors is to be submitted: once a frame too.</summary>
+        public bool TrySubmitMotion()
+        {
+            bool isFirst = motionFrame != Time.frameCount;
+            motionFrame = Time.frameCount;
+            return isFirst;
         }
 
         /// <summary>At once: a draw that waits in this frame shows nothing until <see cref="Write"/> is executed.</summary>

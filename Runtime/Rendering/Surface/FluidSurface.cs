@@ -224,7 +224,9 @@ namespace Rill
         /// none are needed.</summary>
         internal void RecordMotion(CommandBuffer cmd, in FluidViews camera)
         {
-            if (!mesh.HasValue)
+            if (mesh.HasValue)
+                meshDraw.RecordMotion(cmd, camera);
+            else
                 recorder.RecordMotion(cmd, camera);
         }
 
@@ -232,14 +234,15 @@ namespace Rill
         /// that needs them.</summary>
         internal void SubmitMotion(in FluidViews camera)
         {
-            if (mesh.HasValue)
-                return;
-            SurfaceView view = recorder.ViewOf(camera.camera);
+            CameraView view = mesh.HasValue ? meshDraw.ViewOf(camera.camera) : recorder.ViewOf(camera.camera);
             if (!view.TrySubmitMotion())
                 return;
             RenderParams parameters = Parameters(view.Motion);
             parameters.camera = camera.camera;
-            recorder.SubmitMotion(parameters);
+            if (mesh.HasValue)
+                meshDraw.SubmitMotion(parameters);
+            else
+                recorder.SubmitMotion(parameters);
         }
 
         /// <summary>Has the camera draw the surface in this frame, after <see cref="Prepare"/>. Once a frame: Unity's queue lives longer than a
@@ -364,9 +367,11 @@ namespace Rill
         {
             PbfSolver solver = Simulation.Solver;
             mesh = HasFoundMesh ? MeshFrame.Of(Simulation, solver.Mesh, quality) : nextMesh;
-            if (mesh is MeshFrame found && TryGetComponent(out FluidFoam foamOnMesh))
+            if (mesh is MeshFrame found)
             {
-                found.foam = foamOnMesh.Frame;
+                found.lastDomainToWorld = LastDomainToWorld;
+                if (TryGetComponent(out FluidFoam foamOnMesh))
+                    found.foam = foamOnMesh.Frame;
                 mesh = found;
             }
             FollowCaustics();

@@ -86,7 +86,10 @@ namespace Rill
             SurfaceScratch.Shared.Prepare(view);
             SetShading(view);
             if (camera.needsMotion)
-                (motion ??= new SurfaceMotion()).Set(view, fluid);
+            {
+                motion ??= new SurfaceMotion();
+                SurfaceMotion.Set(view, view.Smoothed, fluid.lag, fluid.domainToWorld, fluid.lastDomainToWorld);
+            }
             return true;
         }
 

@@ -22,6 +22,7 @@ namespace Rill
             sprays = MaterialOf("WaterSpray");
         readonly WaterRays rays = new WaterRays();
         readonly WaterSpray spray = new WaterSpray();
+        SurfaceMotion motion;       // made when first needed
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
         bool refracts, reflectsOwn, withFoam;
 
@@ -54,6 +55,11 @@ namespace Rill
             view.IsPrepared = true;
             if (!view.IsSubmitted)
                 view.Prepare(camera, seen.Bounds, mesh);
+            if (camera.needsMotion)
+            {
+                motion ??= new SurfaceMotion();
+                SurfaceMotion.Set(view, view.Faces, mesh.lag, mesh.domainToWorld, mesh.lastDomainToWorld);
+            }
             return true;
         }
 
@@ -117,7 +123,22 @@ namespace Rill
             rays.Record(cmd, camera, mesh, view, refracts);
             if (view.Spray != null)
                 spray.Record(cmd, camera, mesh, view);
+            view.HasMotion = view.Chords != null;
         }
+
+        /// <summary>Draws motion vectors into what is bound, after <see cref="Record"/> of the same frame; nothing where the camera needs
+        /// none.</summary>
+        public void RecordMotion(CommandBuffer cmd, in FluidViews camera)
+        {
+            if (views.Find(camera.camera) is WaterView view && view.IsPrepared && view.HasMotion)
+                motion.Record(cmd, view);
+        }
+
+        /// <summary>The camera's view, whose motion vectors <see cref="SubmitMotion"/> draws.</summary>
+        public CameraView ViewOf(Camera camera) => views.ViewOf(camera);
+
+        /// <summary>Submits the draw of motion vectors, after <see cref="Prepare"/> of a camera that needs them.</summary>
+        public void SubmitMotion(in RenderParams parameters) => motion.Submit(parameters);
 
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
         public void ReleaseUnused() => views.ReleaseUnused();
@@ -133,7 +154,9 @@ namespace Rill
             for (int i = 0; i < views.Count; i++)
                 if (views[i].Ends != null)
                 {
-                    rays.Describe(stage, views[i].Ends.volumeDepth);
+                    rays.Describe(stage, views[i].Ends.volumeDepth, views[i].Chords != null);
+                    if (views[i].Chords != null)
+                        stage.Draw("SurfaceMotion", 1);
                     if (views[i].Spray != null)
                         spray.Describe(stage, views[i].Ends.volumeDepth, withFoam);
                     views[i].Describe(stage);
@@ -145,6 +168,8 @@ namespace Rill
         {
             views.Dispose();
             rays.Dispose();
+            motion?.Dispose();
+            motion = null;
             EngineObject.Destroy(ref colors);
             EngineObject.Destroy(ref inside);
             EngineObject.Destroy(ref drops);

@@ -13,25 +13,27 @@ namespace Rill
         Material material = new Material(StageShader.Load("SurfaceMotion").Shader) { hideFlags = HideFlags.HideAndDontSave };
 
         /// <summary>Sets what SurfaceMotion.hlsl reads of this camera and frame.</summary>
-        public void Set(SurfaceView view, in SurfaceFrame fluid)
+        /// <param name="depth">Of the water, see SurfaceMotion.hlsl.</param>
+        /// <param name="lag">FluidSimulation.FrameLag.</param>
+        /// <param name="lastDomainToWorld">At the frame before.</param>
+        public static void Set(CameraView view, Texture depth, Vector4 lag, Matrix4x4 domainToWorld, Matrix4x4 lastDomainToWorld)
         {
             MaterialPropertyBlock block = view.Motion;
-            fluid.SetOn(block);
             view.SetConstants(block);
-            block.SetTexture(SurfaceIds.SurfaceDepth, view.Smoothed);
+            block.SetVector(Ids.FrameLag, lag);
+            block.SetTexture(SurfaceIds.SurfaceDepth, depth);
             block.SetTexture(Ids.SurfaceChords, view.Chords);
-            block.SetMatrix(Ids.WorldToDomain, fluid.domainToWorld.inverse);
-            block.SetMatrix(Ids.LastDomainToWorld, fluid.lastDomainToWorld);
-            block.SetMatrix(Ids.DomainMotion, Difference(fluid.domainToWorld, fluid.lastDomainToWorld));
+            block.SetMatrix(Ids.WorldToDomain, domainToWorld.inverse);
+            block.SetMatrix(Ids.LastDomainToWorld, lastDomainToWorld);
+            block.SetMatrix(Ids.DomainMotion, Difference(domainToWorld, lastDomainToWorld));
         }
 
         /// <summary>Draws into the texture of motion and the depth that are bound, with the pipeline's matrices.</summary>
-        public void Record(CommandBuffer cmd, SurfaceView view) =>
+        public void Record(CommandBuffer cmd, CameraView view) =>
             cmd.DrawProcedural(Matrix4x4.identity, material, 0, MeshTopology.Triangles, Vertices, 1, view.Motion);
 
-        /// <summary>Submits the same among the opaque objects, for a pipeline that draws their motion after
-        /// <see cref="FluidSurfaceRecorder.Record"/>.</summary>
-        /// <param name="parameters">Made with <see cref="SurfaceView.Motion"/>.</param>
+        /// <summary>Submits the same among the opaque objects, for a pipeline that draws their motion after the water's textures are filled.</summary>
+        /// <param name="parameters">Made with <see cref="CameraView.Motion"/>.</param>
         public void Submit(RenderParams parameters)
         {
             parameters.material = material;
@@ -52,6 +54,7 @@ namespace Rill
 
         static class Ids
         {
+            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
             public static readonly int SurfaceChords = Shader.PropertyToID("_SurfaceChords");
             public static readonly int WorldToDomain = Shader.PropertyToID("_WorldToDomain");
             public static readonly int LastDomainToWorld = Shader.PropertyToID("_LastDomainToWorld");

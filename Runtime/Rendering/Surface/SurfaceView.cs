@@ -10,8 +10,6 @@ namespace Rill
     {
         const int FoamDivisor = 2;
 
-        int motionFrame = -1;
-
         /// <summary>Of the draw that shades, which lives on until the next frame.</summary>
         public readonly MaterialPropertyBlock Shading = new MaterialPropertyBlock();
 
@@ -30,12 +28,6 @@ namespace Rill
         /// <summary>See FoamLayer.hlsl; half the size. Null where there is no foam.</summary>
         public RenderTexture Foam;
 
-        /// <summary>xyz displacement of the nearest particle in the last substep, d, in the domain's frame. Null where no motion is needed.</summary>
-        public RenderTexture Chords;
-
-        /// <summary>Of the draw that writes motion vectors.</summary>
-        public MaterialPropertyBlock Motion;
-
         /// <summary>The part of the picture that the textures hold, from their first texel on: in their texels, in those of
         /// <see cref="Thickness"/> and in those of <see cref="Foam"/>.</summary>
         public PictureWindow Window, ThicknessWindow, FoamWindow;
@@ -50,19 +42,8 @@ namespace Rill
 
         public SurfaceView(Camera camera) : base(camera, "Rill.Surface.Constants") { }
 
-        /// <summary>Whether a frame was recorded whose motion vectors are needed and not drawn yet.</summary>
-        public bool HasMotion { get; set; }
-
         /// <summary>What <see cref="Smoothed"/> and <see cref="Normals"/> show; null where they show nothing yet.</summary>
         public SurfaceState? Shown { get; set; }
-
-        /// <summary>Whether the draw of motion vectors is to be submitted: once a frame too.</summary>
-        public bool TrySubmitMotion()
-        {
-            bool isFirst = motionFrame != Time.frameCount;
-            motionFrame = Time.frameCount;
-            return isFirst;
-        }
 
         /// <summary>Whose thickness is told apart: 1 or 4.</summary>
         public int Phases => Thickness.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? PhaseFrame.MaxPhases : 1;
@@ -147,7 +128,6 @@ namespace Rill
             if (!isNeeded)
                 return;
             Chords = Make("Rill.Surface.Chords", size.Width, size.Height, Smoothed.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, false);
-            Motion ??= new MaterialPropertyBlock();
             Shown = null;
         }
 

@@ -18,7 +18,7 @@ namespace Rill
         const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
 
         readonly ComputeShader shader;
-        readonly Kernel trace;
+        readonly Kernel trace, storeChords;
         readonly LocalKeyword sceneArray;
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         Material raster;
@@ -29,6 +29,7 @@ namespace Rill
             shader = stage.Compute;
             raster = new Material(stage.Shader) { hideFlags = HideFlags.HideAndDontSave };
             trace = new Kernel(shader, "TraceRays");
+            storeChords = new Kernel(shader, "StoreChords");
             sceneArray = new LocalKeyword(stage.Shader, SceneArrayKeyword);
         }
 
@@ -58,14 +59,22 @@ namespace Rill
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayDirections, view.Directions);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayMirrors, view.Mirrors);
                 SurfaceIds.Dispatch(cmd, shader, trace, view.Window.Width, view.Window.Height);
+                if (view.Chords == null)
+                    continue;
+                cmd.SetComputeTextureParam(shader, storeChords, Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
+                cmd.SetComputeTextureParam(shader, storeChords, Ids.Faces, scratch.Faces);
+                cmd.SetComputeTextureParam(shader, storeChords, WaterView.Ids.RayChords, view.Chords);
+                SurfaceIds.Dispatch(cmd, shader, storeChords, view.Window.Width, view.Window.Height);
             }
             cmd.EndSample(RaysMarker);
         }
 
-        public void Describe(StageDescription stage, int eyes)
+        public void Describe(StageDescription stage, int eyes, bool withMotion)
         {
             stage.Draw("WaterFaces", 2 * eyes);
             stage.Kernel(trace, eyes);
+            if (withMotion)
+                stage.Kernel(storeChords, eyes);
         }
 
         public void Dispose() => EngineObject.Destroy(ref raster);

@@ -38,7 +38,7 @@ namespace Rill
         {
             PictureWindow window = PictureWindow.Of(camera, bounds, mesh.rayScale);
             return Ends != null && Ends.volumeDepth == camera.eyes && window.Width <= Ends.width && window.Height <= Ends.height
-                && mesh.HasSpray == (Spray != null) && mesh.HasFoam == (Bubbles != null);
+                && camera.needsMotion == (Chords != null) && mesh.HasSpray == (Spray != null) && mesh.HasFoam == (Bubbles != null);
         }
 
         /// <summary>Makes the textures where they are missing, too small, or for long much too large.</summary>
@@ -57,6 +57,7 @@ namespace Rill
             Properties.SetTexture(Ids.RayDirections, Directions);
             Properties.SetTexture(Ids.RayMirrors, Mirrors);
             int divisor = SprayDivisor(camera, scale), across = (Ends.width + divisor - 1) / divisor, up = (Ends.height + divisor - 1) / divisor;
+            Fit(ref Chords, camera.needsMotion, "Rill.Water.Chords", Ends.width, Ends.height);
             Fit(ref Spray, mesh.HasSpray, "Rill.Water.Spray", across, up);
             Fit(ref Bubbles, mesh.HasFoam, "Rill.Water.Bubbles", across, up);
             if (Spray != null)
@@ -86,6 +87,7 @@ namespace Rill
             SurfaceView.Describe(stage, Ends);
             SurfaceView.Describe(stage, Directions);
             SurfaceView.Describe(stage, Mirrors);
+            SurfaceView.Describe(stage, Chords);
             SurfaceView.Describe(stage, Spray);
             SurfaceView.Describe(stage, Bubbles);
         }
@@ -106,6 +108,7 @@ namespace Rill
             return lines <= SprayLines ? 1 : lines <= 2 * SprayLines ? 2 : 4;
         }
 
+        // A texture that is there only where something needs it.
         void Fit(ref RenderTexture layer, bool isNeeded, string name, int width, int height)
         {
             if (layer != null && (!isNeeded || layer.width != width || layer.height != height || layer.volumeDepth != Ends.volumeDepth))
@@ -123,6 +126,7 @@ namespace Rill
             EngineObject.Release(ref Ends);
             EngineObject.Release(ref Directions);
             EngineObject.Release(ref Mirrors);
+            EngineObject.Release(ref Chords);
             EngineObject.Release(ref Spray);
             EngineObject.Release(ref Bubbles);
         }
@@ -134,6 +138,7 @@ namespace Rill
             public static readonly int RayEnds = Shader.PropertyToID("_RayEnds");
             public static readonly int RayDirections = Shader.PropertyToID("_RayDirections");
             public static readonly int RayMirrors = Shader.PropertyToID("_RayMirrors");
+            public static readonly int RayChords = Shader.PropertyToID("_RayChords");
             public static readonly int Spray = Shader.PropertyToID("_Spray");
             public static readonly int Bubbles = Shader.PropertyToID("_Bubbles");
         }
