@@ -16,6 +16,7 @@ namespace Host.Tests
         [TestCase("17", Sunlit)]
         [TestCase("17", Blended)]
         [TestCase("17", Foamy)]
+        [TestCase("17", FoamyMesh)]
         public void Each_eye_sees_what_a_camera_there_sees(string version, string look)
         {
             Build(version);

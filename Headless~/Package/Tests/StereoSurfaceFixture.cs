@@ -15,7 +15,8 @@ namespace Host.Tests
     /// <summary>Water that a pipeline's stand-in draws for two eyes in one pass, held against a camera with one eye at each.</summary>
     public abstract class StereoSurfaceFixture : PipelineSurfaceFixture
     {
-        private protected const string Refracting = "refracting", Blended = "blended", Milky = "milky", Foamy = "foamy", Sunlit = "a sunlit mesh";
+        private protected const string Refracting = "refracting", Blended = "blended", Milky = "milky", Foamy = "foamy", Sunlit = "a sunlit mesh",
+            FoamyMesh = "a foamy mesh";
         private protected const int Few = 4;
 
         static readonly string shaders = Path.Combine(PackageFolder.Path, "Shaders", "Rendering");
@@ -51,16 +52,15 @@ namespace Host.Tests
             Surface.Refraction = look != Blended;
             if (look == Milky)
                 Surface.Preset = SurfacePreset.Milk;
-            if (look == Foamy)
+            if (look == Foamy || look == FoamyMesh)
                 AddFoam();
-            if (look == Sunlit)
-            {
+            if (look == Sunlit || look == FoamyMesh)
                 Surface.Method = SurfaceMethod.Mesh;
+            if (look == Sunlit)
                 Surface.Sun = UnityEngine.Object.FindObjectOfType<Light>();
-            }
             Play(3);
             simulation.Paused = true;
-            if (look == Foamy)
+            if (look == Foamy || look == FoamyMesh)
                 PlantFoam();
             Play(2);
             Assert.That(Surface.CausticMap != null, Is.EqualTo(look == Sunlit));

@@ -21,6 +21,7 @@ namespace Host.Tests
         [TestCase("14", Foamy)]
         [TestCase("17", Refracting)]
         [TestCase("17", Foamy)]
+        [TestCase("17", FoamyMesh)]
         [TestCase("17", Sunlit)]
         [TestCase("17 by Execute", Refracting)]
         [TestCase("17.3", Refracting)]

@@ -61,8 +61,9 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Foam_looks_as_in_the_Built_in_pipeline([Values("14", "17", "17 by Execute")] string version)
+        public void Foam_looks_as_in_the_Built_in_pipeline([Values("14", "17", "17 by Execute")] string version, [Values] SurfaceMethod method)
         {
+            this.method = method;
             (int changed, int other) = Foam(() => Build(version));
             TestContext.WriteLine($"{changed} pixels of foam, {other} other than in the Built-in pipeline");
             Assert.That(changed, Is.GreaterThan(Width * Height / 50));
