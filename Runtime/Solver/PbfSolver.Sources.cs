@@ -57,8 +57,11 @@ namespace Rill
             drains?.Remove(sources?.goneDrains ?? 0);
             if (ForceFields.IsNeeded(sources))
                 forceFields ??= new ForceFields();
-            else
+            else if (forceFields != null)
+            {
+                restingRegions?.Wake();
                 ReleaseFields();
+            }
             for (int e = 0; e < (sources?.emitterCount ?? 0); e++)
             {
                 maxParticles += sources.emitters[e].due;
@@ -75,7 +78,7 @@ namespace Rill
                 drains.Record(step, lastSubsteps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes);
         }
 
-        // Fields that change or come wake what rests.
+        // Fields that change or come wake what rests, as those that go do.
         ForceFields FieldsFor(CommandBuffer cmd, in StepInput input)
         {
             if (!ForceFields.IsNeeded(input.sources))

@@ -222,6 +222,12 @@ namespace Rill
                 forceFields ??= new ForceFields();
                 forceFields.Last = contents.Values<FieldRegion>(SnapshotSection.Fields);
             }
+            else
+            {
+                if (contents.Has(SnapshotSection.Fields))
+                    restingRegions?.Wake();     // they have gone
+                ReleaseFields();        // what the scene has then counts as come
+            }
         }
 
         bool CoarseFits(SnapshotContents contents)

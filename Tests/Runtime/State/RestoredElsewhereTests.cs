@@ -69,6 +69,26 @@ namespace Rill.Tests
             }
         }
 
+        // It came to rest without the field, or under it: under other forces nothing rests.
+        [Test]
+        public void Water_that_slept_wakes_where_it_is_restored_under_other_fields([Values] bool comes)
+        {
+            Make(true);
+            if (comes)
+                Do(Call.RemoveField);
+            Run(Asleep);
+            Assert.That(RegionStates(), Does.Contain((uint)RegionState.Asleep), "some of it sleeps");
+            FluidSnapshot asleep = Take();
+            if (comes)
+                scene.Add<FluidForceField>(new Vector3(0.2f, -0.2f, 0f), Vector3.up, f => f.Kind = ForceFieldKind.Vortex);
+            else
+                Do(Call.RemoveField);
+            Run(More);
+            scene.Fluid.Restore(asleep);
+            Run(1);
+            Assert.That(RegionStates(), Is.All.EqualTo((uint)RegionState.Awake));
+        }
+
         // As after a restart: what was asked of the water of before is no answer about this one.
         [Test]
         public void Answers_from_before_a_restore_are_none_of_the_restored_water([Values] bool elsewhere)

@@ -266,5 +266,31 @@ namespace Rill.Tests
                 TestFluid.AssertSame(scene.Read(), again);
             }
         }
+
+        // A direction without bounds counts as gravity, whose changes wake by themselves.
+        [Test]
+        public void Water_that_sleeps_under_a_field_flows_once_the_field_is_gone([Values] ForceFieldBounds bounds)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 3000).Fill(0.2f))
+            {
+                SolverSettings settings = scene.Fluid.Settings;
+                settings.sleepSpeed = 0.5f;
+                scene.Fluid.Settings = settings;
+                FluidForceField field = scene.Add<FluidForceField>(Vector3.zero, Vector3.right, f =>
+                {
+                    f.Strength = 1f;
+                    f.Bounds = bounds;
+                    f.Size = 4f * Vector3.one;
+                    f.Radius = 4f;
+                });
+                scene.Step(120);
+                ParticleState asleep = scene.Read();
+                scene.Step(5);
+                TestFluid.AssertSame(scene.Read(), asleep);
+                field.enabled = false;
+                scene.Step(10);
+                Assert.That(scene.Measure().momentum.x, Is.LessThan(-1f), "kg m/s");
+            }
+        }
     }
 }
