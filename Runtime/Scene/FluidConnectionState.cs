@@ -44,6 +44,15 @@ namespace Rill
             otherGeneration = other.Generation;
         }
 
+        /// <summary>The particles of a solver are another's from here on.</summary>
+        public void Continue(PbfSolver before, PbfSolver next)
+        {
+            if (one == before)
+                (one, oneGeneration) = (next, next.Generation);
+            else if (other == before)
+                (other, otherGeneration) = (next, next.Generation);
+        }
+
         /// <summary>Looks at two fluids where it has not in this frame.</summary>
         public void Look(FluidSimulation first, FluidSimulation second)
         {

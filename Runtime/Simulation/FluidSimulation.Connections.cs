@@ -8,7 +8,7 @@ namespace Rill
     {
         readonly FluidConnection[] connections = new FluidConnection[ParticleTransfer.MaxTransfers];    // by their transfers' numbers
         StepConnections neighbors;
-        [NonSerialized] int connectionCount, steppedInFrame = -1;
+        [NonSerialized] int connectionCount, steppedInFrame = -1, turnInFrame = -1;
 
         /// <summary>Adds an end of a connection.</summary>
         /// <returns>False where there are too many.</returns>
@@ -70,16 +70,30 @@ namespace Rill
                 toThis.stepsAhead = pbf.StepIndex - other.pbf.StepIndex;
                 toOther.number = Array.IndexOf(other.connections, connection);
                 toOther.stepsAhead = other.pbf.StepIndex - pbf.StepIndex;
-                // One that took no step with this one last time is paused, or slower: it takes when it steps.
-                bool isMutual = other.steppedInFrame == steppedInFrame && !other.paused;
+                // One that took no step with this one last time is paused, or slower: it takes when it steps. So does one that has had its
+                // turn in this frame, or it would hold ghosts until the next.
+                bool isMutual = other.steppedInFrame == steppedInFrame && other.turnInFrame != Time.frameCount && !other.paused
+                    && !other.IsResampling;
                 if (isMutual)
                     connection.State.TakenInFrame = Time.frameCount;
                 neighbors.Add(new StepConnection
                 {
-                    neighbor = other.pbf, region = toThis, back = toOther, isMutual = isMutual, frame = Time.frameCount,
+                    neighbor = other.pbf, region = toThis, back = toOther, isMutual = isMutual, copiesOnly = other.IsResampling,
+                    frame = Time.frameCount,
                 });
             }
         }
+
+        // The same water in another solver has met its neighbors.
+        void ContinueConnections(PbfSolver before, PbfSolver next)
+        {
+            foreach (FluidConnection connection in connections)
+                if (connection != null)
+                    connection.State.Continue(before, next);
+        }
+
+        // Before anything of a frame, whether or not it takes steps.
+        void NoteTurn() => turnInFrame = Time.frameCount;
 
         void NoteSteps() => steppedInFrame = Time.frameCount;
 

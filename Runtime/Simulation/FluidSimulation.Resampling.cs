@@ -114,6 +114,8 @@ namespace Rill
             }
             colliders.ForgetForces(this);
             next.ContinueFrom(pbf);
+            if (to.spacing == particleSpacing)
+                ContinueConnections(pbf, next);
             pbf.Dispose();
             pbf = next;
             neighbors = null;

@@ -353,6 +353,7 @@ namespace Rill
         void TakeSteps(float frameTime)
         {
             lastFrameTime = FrameTime;
+            NoteTurn();
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's return from no place.
             float rate = IsInEditMode ? RateInEditMode(frameTime) : TimeRate();

@@ -86,6 +86,8 @@ namespace Rill
             for (int c = 0; c < connections.count; c++)
             {
                 ref StepConnection connection = ref connections.items[c];
+                if (rule == TransferRule.Move && connection.copiesOnly)
+                    continue;
                 RecordTake(cmd, connection.neighbor, connection.region, rule);
                 if (connection.isMutual)
                     connection.neighbor.RecordTake(cmd, this, connection.back, rule);

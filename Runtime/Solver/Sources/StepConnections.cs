@@ -9,6 +9,8 @@ namespace Rill
         /// <summary>The same with both exchanged, where the neighbor takes as well: before a step of either.</summary>
         public TransferRegion back;
         public bool isMutual;
+        /// <summary>Whether nothing is moved: the neighbor's water is on its way to another solver.</summary>
+        public bool copiesOnly;
         /// <summary>Number of the frame.</summary>
         public int frame;
     }
