@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -35,6 +36,93 @@ namespace Rill.Tests
             Assert.That(moved, Is.GreaterThan(0.02 * fastest), "it matters here");
             Assert.That(difference, Is.LessThan((law == Law.Extrapolated ? 5e-3 : 3e-4) * fastest));
             Assert.That(apart, Is.LessThan(law == Law.Extrapolated ? 2e-3 : 2e-4));
+        }
+
+        // By quarters, so that the coarse grid's cells come to lie on each other: the water's surface is below, above or beside, and each axis is each
+        // one's. The grid is solved to the end, or the order of its cells would be seen. How much of a face is open is found from triangles, whose
+        // sides are others where low ends and high ends change places: beside surfaces that are not plane that is seen, so these have thirds alone.
+        [Test]
+        public void Deep_water_among_colliders_moves_the_same_where_all_of_it_is_turned_by_quarters([Values(1, 2, 3, 4, 5, 6)] int turn)
+        {
+            bool isPlane = turn < FirstThird;
+            (float3 place, float3 velocity)[] along = RunDeep(Quarters[0], isPlane), turned = RunDeep(Quarters[turn], isPlane);
+            double apart = 0.0, difference = 0.0, fastest = 0.0;
+            for (int i = 0; i < along.Length; i++)
+            {
+                apart = Math.Max(apart, math.distance(along[i].place, turned[i].place));
+                difference = Math.Max(difference, math.distance(along[i].velocity, turned[i].velocity));
+                fastest = Math.Max(fastest, math.length(along[i].velocity));
+            }
+            TestContext.Out.WriteLine($"{apart:g2} d and {difference / fastest:g2} of the fastest apart");
+            Assert.That(difference, Is.LessThan(1e-3 * fastest));
+            Assert.That(apart, Is.LessThan(1e-3));
+        }
+
+        const int FirstThird = 5;
+
+        // Columns: where x, y and z come to point. Turned over about x and about z, on two sides, and by thirds about a diagonal.
+        static readonly float3x3[] Quarters =
+        {
+            float3x3.identity,
+            new float3x3(1, 0, 0, 0, -1, 0, 0, 0, -1),
+            new float3x3(-1, 0, 0, 0, -1, 0, 0, 0, 1),
+            new float3x3(0, -1, 0, 1, 0, 0, 0, 0, 1),
+            new float3x3(1, 0, 0, 0, 0, -1, 0, 1, 0),
+            new float3x3(0, 0, 1, 1, 0, 0, 0, 1, 0),
+            new float3x3(0, 1, 0, 0, 0, 1, 1, 0, 0),
+        };
+
+        static (float3 place, float3 velocity)[] RunDeep(float3x3 turn, bool isPlane)
+        {
+            const float side = 24f;
+            quaternion rotation = new quaternion(turn);
+            float3 center = 0.5f * side;
+            ColliderMotion slope = ColliderTests.Still(ColliderShape.Plane, 0f, Put(new float3(-11f, -12.7f, 0f)),
+                math.mul(rotation, quaternion.Euler(0.1f, 0f, 0.3f)));
+            ColliderMotion post = ColliderTests.Still(ColliderShape.Box, new float3(2.7f, 7.1f, 3.3f), Put(new float3(3.1f, -1.7f, 2.3f)),
+                math.mul(rotation, quaternion.Euler(0.2f, 0.5f, -0.3f)));
+            ColliderMotion ball = ColliderTests.Still(ColliderShape.Sphere, 3.3f, Put(new float3(-5.3f, -0.7f, -6.1f)), rotation);
+            var random = new Unity.Mathematics.Random(29u);
+            var places = new List<float3>();
+            var velocities = new List<float3>();
+            for (int i = 0; i < 24 * 18 * 24; i++)
+            {
+                float3 p = new float3(i % 24, i / 24 % 18, i / (24 * 18)) - new float3(11.5f) + random.NextFloat3(-0.1f, 0.1f);
+                float3 v = random.NextFloat3(-1f, 1f) + 8f * math.sin(0.3f * p.zxy);
+                if (p.y > 0.3f * p.x + 0.1f * p.z + 1f || math.min(math.min(Away(slope, p), Away(post, p)), Away(ball, p)) < 0.6f)
+                    continue;
+                places.Add(Put(p) * Spacing);
+                velocities.Add(math.mul(turn, v) * Spacing);
+            }
+            using (var fluid = new TestFluid(side * Spacing, Spacing, places.Count, ColliderDeepWaterTests.Deep))
+            {
+                fluid.Input.gravity = math.mul(turn, new float3(1f, -9f, 0.5f));
+                fluid.Step();
+                fluid.Solver.Coarse.Solver.Cycles = 40;
+                fluid.Add(places.ToArray(), velocities.ToArray());
+                for (int step = 0; step < 3; step++)
+                {
+                    ColliderTests.Use(fluid, isPlane ? new[] { Moved(slope, step, 0.05f) } : new[] { slope, post, Moved(ball, step, 0.1f) });
+                    fluid.Step();
+                }
+                ParticleState state = fluid.Read();
+                Assert.That(state.Count, Is.EqualTo(places.Count).And.GreaterThan(2000));
+                float3x3 back = math.transpose(turn);
+                return Enumerable.Range(0, state.Count).OrderBy(i => state.ids[i]).Select(i => (math.mul(back, state.positions[i].xyz - center),
+                    math.mul(back, state.velocities[i].xyz))).ToArray();
+            }
+
+            float3 Put(float3 p) => center + math.mul(turn, p);
+
+            ColliderMotion Moved(ColliderMotion collider, int step, float by)
+            {
+                float3 shift = by * math.mul(turn, new float3(1f, 0.6f, 0.4f)), begin = collider.end.position;
+                collider.start.position = begin + step * shift;
+                collider.end.position = begin + (step + 1) * shift;
+                return collider;
+            }
+
+            double Away(in ColliderMotion collider, float3 p) => Reference.Shapes.Distance(collider, Put(p));
         }
 
         // By number, turned back; d and d/s.

@@ -43,7 +43,7 @@ namespace Rill.Tests
                 if (moves)
                     return;
 
-                for (int i = mover * 20; i < mover * 20 + fastParticles; i++)
+                for (int i = mover * 20 + 20 - fastParticles; i < mover * 20 + 20; i++)      // the last of their region
                     state.velocities[i] = new float4(
                         (i % 2 == 0 ? 1.2f : -1.2f) * JitterRatio * SleepDisplacement / TimeStep, 0f, 0f, 0f);
                 stage.Set(state);
@@ -152,6 +152,33 @@ namespace Rill.Tests
                 fluid.Input.settings.sleepSpeed = SleepSpeed;
                 fluid.Step();
                 Assert.That(States(fluid), Is.All.EqualTo(Awake));
+            }
+        }
+
+        // The set's version says that a collider came, went or changed: one that sets out is none of that.
+        [Test]
+        public void A_collider_that_sets_out_wakes_what_slept_beside_it()
+        {
+            using (TestFluid fluid = Pool(SleepSpeed))
+            {
+                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Sphere, 3f, new float3(24f, 20f, 4f), quaternion.identity));
+                FallAsleep(fluid);
+                Assert.That(States(fluid.Step()), Is.All.EqualTo(Asleep), "beside one that stands");
+                fluid.Input.colliders.Items[0].end.position.y -= 0.01f;
+                Assert.That(States(fluid.Step()), Is.All.EqualTo(Awake));
+            }
+        }
+
+        // The low end is cut off, and the high end has lost its wall.
+        [Test]
+        public void A_box_that_moves_off_its_water_wakes_all_of_it()
+        {
+            using (TestFluid fluid = Pool(SleepSpeed))
+            {
+                FallAsleep(fluid);
+                fluid.Solver.Shift(new float3(-6f, 0f, 0f));
+                Assert.That(States(fluid.Step()), Is.All.EqualTo(Awake));
+                Assert.That(fluid.Step(20).Read().positions.Max(p => p.x), Is.GreaterThan(44f), "d: it ended at 42");
             }
         }
 
