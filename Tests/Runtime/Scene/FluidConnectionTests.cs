@@ -127,6 +127,30 @@ namespace Rill.Tests
             Assert.That(beside.Rms, Is.LessThan(deepWater == DeepWater.On ? 0.16f : 0.22f), "m/s beside the opening");
         }
 
+        // It is a displacement within a substep. Twenty times what still water has: what is held to it at the end is close to it.
+        [UnityTest]
+        public IEnumerator What_the_neighbors_grid_found_counts_by_the_square_of_both_substeps([Values(1, 3)] int substepsOfLeft)
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.8f, 0.5f), new Vector3(2f, 0.8f, 0.5f), DeepWater.On, fluid =>
+            {
+                if (fluid.name == "Left")
+                    fluid.Substeps = substepsOfLeft;
+            });
+            Connect(left, right);
+            yield return Frames(3);
+            const float Found = 2f;        // d²
+            CoarseCorrection here = left.Solver.Coarse, there = right.Solver.Coarse;
+            there.Cells.flowPotential.SetData(Enumerable.Repeat(Found, there.Grid.Total).ToArray());
+            yield return null;
+            float[] potential = GpuTest.Read<float>(here.Cells.flowPotential, here.Grid.Total);
+            float expected = Found / (substepsOfLeft * substepsOfLeft);
+            for (int z = 0; z < here.Grid.Counts.z; z++)
+            {
+                float atEnd = potential[(z * here.Grid.Counts.y + 1) * here.Grid.Counts.x - 1];
+                Assert.That(atEnd, Is.EqualTo(expected).Within(0.1f * expected), "d², on the floor at the end of the left box");
+            }
+        }
+
         [UnityTest]
         public IEnumerator A_particle_crosses_with_its_place_velocity_and_phase_and_gets_a_new_id()
         {

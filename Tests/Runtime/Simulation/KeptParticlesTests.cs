@@ -58,6 +58,33 @@ namespace Rill.Tests
             }
         }
 
+        // In the frame of the box it went as far as the box did.
+        [Test]
+        public void A_collider_that_stands_in_the_world_pushes_nothing_as_the_box_moves([Values] LeavingParticles leaving)
+        {
+            var post = new GameObject("Post");
+            try
+            {
+                using (SourceScene scene = Basin(0f))
+                {
+                    FluidSimulation fluid = scene.Fluid;
+                    post.transform.position = fluid.transform.position + 0.3f * Vector3.down;
+                    var collider = post.AddComponent<FluidCollider>();
+                    collider.Shape = ColliderShape.Sphere;
+                    collider.Radius = 0.15f;
+                    fluid.Restart();
+                    scene.Step(60);
+                    float before = scene.Measure().speedMax;
+                    fluid.Recenter(fluid.transform.position + 0.25f * Vector3.right, leaving);
+                    Assert.That(scene.Step().Measure().speedMax, Is.LessThan(before + 0.5f), "m/s; it would sweep at 15");
+                }
+            }
+            finally
+            {
+                Object.DestroyImmediate(post);
+            }
+        }
+
         [Test]
         public void Told_to_remove_it_finds_none()
         {

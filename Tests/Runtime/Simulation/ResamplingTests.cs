@@ -14,7 +14,7 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f;
 
-        public enum Pool { Plain, Turned, WithCollider }
+        public enum Pool { Plain, Turned, OnItsSide, TurnedOver, WithCollider }
 
         FluidSimulation fluid;
 
@@ -33,12 +33,18 @@ namespace Rill.Tests
 
         [UnityTest]
         public IEnumerator A_pool_keeps_its_volume_and_its_calm_when_it_gets_finer_or_coarser([Values(0.5f, 0.7f, 1.3f, 2f)] float factor,
-            [Values(Pool.Plain, Pool.Turned, Pool.WithCollider)] Pool pool)
+            [Values] Pool pool)
         {
-            fluid = Fluid("Pool", new Vector3(0.8f, 0.6f, 0.8f), Spacing, 30000, new Vector3(0.8f, 0.3f, 0.8f), made =>
+            // Water on what is the floor there: the lattice of the new particles lies on that side.
+            var box = new Vector3(0.8f, 0.6f, 0.8f);
+            Vector3 water = pool == Pool.OnItsSide ? new Vector3(0.3f, 0.6f, 0.8f) : new Vector3(0.8f, 0.3f, 0.8f);
+            fluid = Fluid("Pool", box, Spacing, 30000, Vector3.zero, made =>
             {
+                AddWater(made, water, 0.5f * (pool == Pool.TurnedOver ? box - water : water - box));
                 if (pool == Pool.Turned)
                     made.transform.SetPositionAndRotation(new Vector3(3f, 1f, -2f), Quaternion.Euler(0f, 40f, 0f));
+                else if (pool == Pool.OnItsSide || pool == Pool.TurnedOver)
+                    made.transform.rotation = Quaternion.Euler(0f, 0f, pool == Pool.OnItsSide ? 90f : 180f);
             });
             if (pool == Pool.WithCollider)
             {
@@ -175,6 +181,26 @@ namespace Rill.Tests
             yield return Frames(30);
             Assert.That(at, Is.EqualTo(before).Within(0.01f * before + 0.001f));
             Assert.That(Volume(fluid) - at, Is.EqualTo(0.03f * (fluid.StepCount - step) / 60f).Within(0.002f));
+        }
+
+        // No emitter says to the new solver that particles end, nor when.
+        [UnityTest]
+        public IEnumerator Particles_end_when_they_would_have_ended_at_the_old_resolution([Values(Spacing, 0.04f)] float spacing)
+        {
+            fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 10000, new Vector3(0.6f, 0.2f, 0.6f));
+            fluid.Fill(FluidShape.Box(new Vector3(0f, 0.1f, 0f), 0.2f * Vector3.one), lifetime: 0.5f);
+            yield return Frames(10);
+            Assert.That(Volume(fluid), Is.EqualTo(640f * Mathf.Pow(Spacing, 3f)).Within(1e-6f));
+            fluid.Capacity = 12000;
+            if (spacing != Spacing)
+                fluid.ParticleSpacing = spacing;
+            while (fluid.StepCount < 28)
+                yield return null;
+            Assert.That((fluid.ParticleSpacing, fluid.Capacity), Is.EqualTo((spacing, 12000)));
+            Assert.That(Volume(fluid), Is.EqualTo(640f * Mathf.Pow(Spacing, 3f)).Within(0.01f * 0.08f));
+            while (fluid.StepCount < 32)
+                yield return null;
+            Assert.That(Volume(fluid), Is.EqualTo(576f * Mathf.Pow(Spacing, 3f)).Within(0.01f * 0.072f));
         }
 
         [UnityTest]

@@ -332,6 +332,40 @@ namespace Rill.Tests
             }
         }
 
+        // A neighbor that has a coarse grid too is coupled to 100 times as strongly; see Documentation~/solver.md, "Connected boxes".
+        [Test]
+        public void At_an_open_end_flow_goes_out_and_the_potential_is_held_to_what_is_known_beyond([Values(0, 1, 2, 3, 4, 5)] int end,
+            [Values] bool isTied)
+        {
+            float3 box = new float3(12f, 20f, 9f);
+            var random = new Unity.Mathematics.Random(78u);
+            ParticleState state = new ParticleState(box, Enumerable.Range(0, 1900).Select(_ => random.NextFloat3(0.6f, box - 0.6f)).ToArray())
+                .With(p => 8f * math.sin(p.yzx));
+            int axis = end / 2, toNext = end % 2;
+            using (var stages = new CoarseStages(state, Gravity, openFaces: 1u << end | (isTied ? 1u << 6 + end : 0u)))
+            {
+                float[] known = Enumerable.Range(0, stages.Grid.Total).Select(_ => random.NextFloat(0.5f, 2f)).ToArray();
+                stages.Correction.Cells.flowPotential.SetData(known);
+                stages.Project();
+                CoarseCells cells = stages.FlowCells;
+                Assert.That(cells.active, Is.All.True);
+                float[] diagonal = stages.Diagonal, source = stages.Source;
+                double3[] flow = Compare.Points(stages.Flow);
+                Compare.Scalars("diagonal", cells.Total, i => diagonal[i], i => cells.Diagonal(i) + Coupling(i), i => 1e-5 * (1.0 + Coupling(i)));
+                Compare.Scalars("source", cells.Total, i => source[i], i => Coupling(i) * known[i] - cells.Divergence(i, flow)
+                    - (IsAtEnd(i) ? (2 * toNext - 1) * flow[i][axis] / cells.size[axis] : 0.0), i => 1e-5 * (1.0 + Coupling(i)));
+
+                // What a neighbor presses apart on its side of the end is its own.
+                stages.CorrectDensity(Errors(state));
+                diagonal = stages.Diagonal;
+                Compare.Scalars("diagonal", cells.Total, i => diagonal[i], i => stages.Cells.Diagonal(i) + Coupling(i),
+                    i => 1e-5 * (1.0 + Coupling(i)));
+
+                bool IsAtEnd(int cell) => cells.Coordinates(cell)[axis] == toNext * (cells.counts[axis] - 1);
+                double Coupling(int cell) => IsAtEnd(cell) ? (isTied ? 100.0 : 1.0) / (cells.size[axis] * cells.size[axis]) : 0.0;
+            }
+        }
+
         [Test]
         public void Flow_of_a_whole_full_box_is_stopped()
         {

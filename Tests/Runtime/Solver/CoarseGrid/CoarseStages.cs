@@ -28,7 +28,8 @@ namespace Rill.Tests
 
         /// <param name="gravity">m/s².</param>
         /// <param name="substeps">In which the device takes <see cref="TimeStep"/>; what this class computes itself is for one.</param>
-        public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f, int substeps = 1)
+        /// <param name="openFaces">Ends of the box that neighbors cover, see SolverConstants.openFaces.</param>
+        public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f, int substeps = 1, uint openFaces = 0)
         {
             this.state = state;
             this.gravity = gravity;
@@ -40,7 +41,9 @@ namespace Rill.Tests
             particles = new ParticleBuffers(state.Count + 5);
             state.WriteTo(particles);
             search = new NeighborSearch(layout);
-            constants = GpuTest.UploadConstants(SolverConstants.For(layout, input, 1));
+            SolverConstants values = SolverConstants.For(layout, input, 1);
+            values.openFaces = openFaces;
+            constants = GpuTest.UploadConstants(values);
             Correction = new CoarseCorrection(layout, cellSize);
             foreach (GraphicsBuffer buffer in new[] { Correction.Cells.flow, Correction.Cells.fill, Correction.Cells.source,
                 Correction.Cells.diagonal, Correction.Displacements })

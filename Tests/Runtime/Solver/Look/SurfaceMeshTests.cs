@@ -461,6 +461,35 @@ namespace Rill.Tests
             }
         }
 
+        // The first frames of a splash may lack one of the three alone.
+        [TestCase(SurfaceMesh.Counter.BricksNeeded)]
+        [TestCase(SurfaceMesh.Counter.VerticesNeeded)]
+        [TestCase(SurfaceMesh.Counter.QuadsNeeded)]
+        public void What_lacks_room_gets_a_quarter_more_than_it_needs_and_nothing_else_does(object lacks)
+        {
+            int which = (int)lacks;     // of an internal type
+            using (TestFluid fluid = Still(16f, 100))
+            {
+                DrawnMesh.Recorded(fluid.Add(new[] { new float3(8f) * Spacing }).Step(), 0.5f);
+                SurfaceMesh mesh = fluid.Solver.Mesh;
+                var room = new Dictionary<SurfaceMesh.Counter, int>
+                {
+                    { SurfaceMesh.Counter.BricksNeeded, mesh.BrickCapacity },
+                    { SurfaceMesh.Counter.VerticesNeeded, mesh.VertexCapacity },
+                    { SurfaceMesh.Counter.QuadsNeeded, mesh.QuadCapacity },
+                };
+                var needed = new uint[Enum.GetValues(typeof(SurfaceMesh.Counter)).Length];
+                foreach (SurfaceMesh.Counter counter in room.Keys)
+                    needed[(int)counter] = (uint)room[counter];
+                Assert.That(mesh.Enlarge(needed), Is.False, "just enough");
+                needed[which]++;
+                Assert.That(mesh.Enlarge(needed), Is.True);
+                room[(SurfaceMesh.Counter)which] = (int)needed[which] + (int)needed[which] / 4;
+                Assert.That(new[] { mesh.BrickCapacity, mesh.VertexCapacity, mesh.QuadCapacity }, Is.EqualTo(room.Values));
+                Assert.That(mesh.Enlarge(needed), Is.False, "there is room");
+            }
+        }
+
         [Test]
         public void A_box_with_too_many_bricks_is_refused_by_its_message()
         {

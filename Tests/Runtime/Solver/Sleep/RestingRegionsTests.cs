@@ -52,6 +52,17 @@ namespace Rill.Tests
             }
         }
 
+        [TestCase(1)]
+        [TestCase(3)]
+        public void Half_a_second_at_rest_is_as_long_in_substeps(int substeps)
+        {
+            using (var stage = new Stage(Jittering(new float3(40, 48, 40), new int3(5, 6, 5), 20), substeps))
+            {
+                Assert.That(stage.Run(30 * substeps - 1), Is.All.EqualTo(Awake));
+                Assert.That(stage.Run(4), Is.All.EqualTo(Asleep));
+            }
+        }
+
         [Test]
         public void A_pool_at_rest_falls_asleep_stays_as_it_is_and_measures_as_the_one_awake()
         {
@@ -112,6 +123,28 @@ namespace Rill.Tests
                 float free = fluid.Alive * 1000f * Spacing * Spacing * Spacing * 3f * 11f / 60f;        // without walls, N s
                 Assert.That(speed.x, Is.InRange(0.5f * free, free));
                 Assert.That(States(fluid), Is.All.EqualTo(Awake));
+            }
+        }
+
+        // By less than a hundredth with each step.
+        [Test]
+        public void Gravity_that_turns_slowly_wakes_it_once_it_is_a_hundredth_off()
+        {
+            using (var stage = new Stage(Jittering(new float3(40, 48, 40), new int3(5, 6, 5), 20)))
+            {
+                StepInput input = stage.Input;
+                for (int turns = 0; turns < 2; turns++)
+                {
+                    input.gravity = new float3(0.03f * 9.81f * turns, -9.81f, 0f);
+                    stage.Input = input;
+                    stage.Run(StepsToSleep + 1);
+                    for (int step = 1; step <= 3; step++)
+                    {
+                        input.gravity.x += 0.004f * 9.81f;
+                        stage.Input = input;
+                        Assert.That(stage.Run(1), Is.All.EqualTo(step < 3 ? Asleep : Awake), $"turned {step} times");
+                    }
+                }
             }
         }
 
@@ -327,9 +360,10 @@ namespace Rill.Tests
             readonly GraphicsBuffer constants;
             StepInput input;
 
-            public Stage(ParticleState state)
+            public Stage(ParticleState state, int substeps = 1)
             {
                 input = SolverStages.Still(Sleeping(SleepSpeed), FluidMaterial.Water);
+                input.settings.substeps = substeps;
                 layout = new SolverLayout(state.box * Spacing, Spacing, state.Count, 16, 1f);
                 particles = new ParticleBuffers(state.Count);
                 constants = GpuTest.UploadConstants(SolverConstants.For(layout, input, 1));
