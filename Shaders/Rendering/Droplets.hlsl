@@ -21,14 +21,19 @@ static const float kSmallestDroplet = 0.2;      // radius of the last of a parti
 static const float kFirstRadius = 0.4401;       // of the first, d: with those radii all together have a volume of d^3
 static const float kSpread = 0.75;              // of a particle's droplets around it, d
 static const float kSmall = 2.0;                // radius up to which a droplet is added up with others, texels
+static const float kOnSolid = 0.8;              // nearer to a collider or a wall a particle lies on it, d
+// Of what lies there, a cap of a ball with a contact angle of 40 degrees and a volume of d^3: radius of the ball and of the cap, d; distance of
+// the ball's center below the solid over its radius.
+static const float kCapBall = 1.848, kCapRadius = 1.188, kCapSunk = 0.766;
 static const float kGathered = 0.1;             // coverage of a small one by the light that it gathers from everywhere
 
 struct Droplet
 {
     float3 center;          // d, in the domain's frame, as is what follows
     float3 axis;            // unit
-    float along, across;    // semi-axes, d
+    float along, across;    // semi-axes, d; 0 of those that are not drawn
     float texel;            // width of a texel of the spray's textures there, d
+    bool isCap;             // the part of it that is further along the axis than kCapSunk of its radius
 };
 
 float3 HashedInBall(uint id, uint k)
@@ -54,6 +59,7 @@ Droplet DropletOf(uint index)
     SurfaceParticle drop = _SurfaceElements[_MeshDrops[index / kDroplets]];
     uint id = drop.a.w;
     float3 chord = float3(UnpackHalves(drop.b.y), UnpackHalves(drop.b.z).x);
+    float toSolid = UnpackHalves(drop.b.z).y;
     float3 position = asfloat(drop.a.xyz) + chord * _FrameLag.x;
     droplet.texel = SprayTexel(position);
     float radius = kFirstRadius * pow(kSmallestDroplet, k / (kDroplets - 1.0));     // a power law
@@ -63,6 +69,13 @@ Droplet DropletOf(uint index)
     droplet.along = radius + 0.5 * flown;
     droplet.across = radius * sqrt(radius / droplet.along);
     droplet.axis = flown > 1e-4 ? normalize(chord) : float3(0.0, 1.0, 0.0);
+    if (toSolid < kOnSolid)
+    {
+        droplet.isCap = k == 0;
+        droplet.axis = UnpackNormal(drop.b.w);
+        droplet.center = position - droplet.axis * (toSolid + kCapBall * kCapSunk);
+        droplet.along = droplet.across = droplet.isCap ? kCapBall : 0.0;
+    }
     return droplet;
 }
 

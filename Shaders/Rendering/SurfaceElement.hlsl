@@ -7,8 +7,8 @@
 //   a.w    normal of its plane, see PackNormal; of a drop the particle's id
 //   b.x    half depth of the particle below the plane; 8 bits trust in the plane; 8 bits kind
 //   b.y    offset of the ellipsoid's center, 10 bits each; of a drop half2, x and y of its chord
-//   b.z    orientation of the ellipsoid, see PackRotation; of a drop half, z of its chord
-//   b.w    semi-axes, 10 bits each; of a drop 0
+//   b.z    orientation of the ellipsoid, see PackRotation; of a drop half2, z of its chord and its distance from the nearest collider or wall
+//   b.w    semi-axes, 10 bits each; of a drop the normal of that, see PackNormal
 
 static const uint kNoElement = 0;
 static const uint kSurfaceElement = 1;      // a piece of the mesh
@@ -71,12 +71,14 @@ SurfaceParticle PackBall(float3 position, float radius)
     return PackElement(ball);
 }
 
-// chord: displacement in the last substep, d.
-SurfaceParticle PackDrop(float3 position, uint id, float3 chord)
+static const float kNoContact = 16.0;       // d
+
+// chord: displacement in the last substep, d. contact: xyz normal of what is nearest to it, w its distance, or kNoContact, d.
+SurfaceParticle PackDrop(float3 position, uint id, float3 chord, float4 contact)
 {
     SurfaceParticle packed;
     packed.a = uint4(asuint(position), id);
-    packed.b = uint4(kDropElement << 24, PackHalves(chord.x, chord.y), PackHalves(chord.z, 0.0), 0);
+    packed.b = uint4(kDropElement << 24, PackHalves(chord.x, chord.y), PackHalves(chord.z, contact.w), PackNormal(contact.xyz));
     return packed;
 }
 

@@ -11,7 +11,7 @@ struct DropVaryings
     float4 clip : SV_Position;
     float3 world : TEXCOORD0;                   // on the quad
     nointerpolation float4 center : TEXCOORD1;  // w how much its own shape is seen
-    nointerpolation float4 a : TEXCOORD2;       // semi-axes
+    nointerpolation float4 a : TEXCOORD2;       // semi-axes; w where along this one it begins, over its length
     nointerpolation float4 b : TEXCOORD3;       // whole registers: vkd3d, which runs FXC's bytecode, takes no others beside an eye's index
     nointerpolation float4 c : TEXCOORD4;
     RILL_VIEW_OUTPUT
@@ -27,14 +27,15 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
         return result;
 
     Droplet droplet = DropletOf(vertex / 6);
-    if (droplet.across < kSmall * droplet.texel)
+    float size = droplet.isCap ? kCapRadius : droplet.across;
+    if (size == 0.0 || size < kSmall * droplet.texel)
         return result;
     float3 x, y;
     TangentsOf(droplet.axis, x, y);
     float3x3 toWorld = (float3x3)_DomainToWorld;
     float3 center = mul(_DomainToWorld, float4(droplet.center, 1.0)).xyz;
-    result.center = float4(center, smoothstep(kSmall, kShaped, droplet.across / droplet.texel));
-    result.a = float4(mul(toWorld, droplet.axis) * droplet.along, 0.0);
+    result.center = float4(center, smoothstep(kSmall, kShaped, size / droplet.texel));
+    result.a = float4(mul(toWorld, droplet.axis) * droplet.along, droplet.isCap ? kCapSunk : -2.0);
     result.b = float4(mul(toWorld, x) * droplet.across, 0.0);
     result.c = float4(mul(toWorld, y) * droplet.across, 0.0);
     float reach = droplet.along * Spacing();
@@ -75,6 +76,21 @@ float3 SeenInDroplet(Ellipsoid e, float3 world, float3 normal, float3 ray, float
     return lerp(SeenByDroplet(leaves, beyond, picture, z), Mirrored(world, reflect(ray, normal), _SurfaceOptics.z), reflectance);
 }
 
+// Of a cap: the solid that it lies on, which is seen bent once, and what it mirrors. plane: of the solid, see Ellipsoid's frame.
+float4 SeenInCap(Ellipsoid e, float plane, float3 world, float3 normal, float3 ray)
+{
+    float index = _SurfaceOptics.x, reflectance = Reflectance(-dot(normal, ray), 1.0 / index);
+    float3 mirrored = Mirrored(world, reflect(ray, normal), _SurfaceOptics.z);
+#ifdef RILL_REFRACTION
+    float3 bent = refract(ray, normal, 1.0 / index);
+    float reach = (plane - ToBall(e, world - e.center).x) / min(ToBall(e, bent).x, -1e-3);
+    float4 clip = SurfaceClip(world + bent * max(reach, 0.0), eyeIndex);
+    return float4(lerp(SceneColorAt(clip.xy / clip.w), mirrored, reflectance), 1.0);
+#else
+    return float4(mirrored * reflectance, reflectance);
+#endif
+}
+
 // A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small.
 float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH) : SV_Target
 {
@@ -89,6 +105,9 @@ float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPT
     if (!HitBall(ToBall(e, input.world - e.center), ToBall(e, ray), hit))
         discard;
     float3 world = input.world + ray * hit.x, normal = EllipsoidNormal(e, world);
+    bool isCap = input.a.w > -1.0;
+    if (isCap && ToBall(e, world - e.center).x < input.a.w)
+        discard;
     float4 clip = WorldToClip(world);
     depth = DeviceDepth(clip);
     float shaped = input.center.w;
@@ -100,8 +119,12 @@ float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPT
     float3 color = light.color * Highlight(normal, -ray, light.direction, 0.05);
     if (shaped < 1.0)
         color = lerp(kGathered * Ambient(world, float3(0.0, 1.0, 0.0)) + light.color * LightThroughBall(dot(light.direction, ray)), color, shaped);
-    if (shaped > 0.0)
-        color += shaped * SeenInDroplet(e, world, normal, ray, onPicture.xy / onPicture.w, z);
-    float body = lerp(kGathered, 1.0, shaped);
+    float4 seen = 0.0;
+    if (isCap)
+        seen = SeenInCap(e, input.a.w, world, normal, ray);
+    else if (shaped > 0.0)
+        seen = float4(SeenInDroplet(e, world, normal, ray, onPicture.xy / onPicture.w, z), 1.0);
+    color += shaped * seen.rgb;
+    float body = lerp(kGathered, seen.a, shaped);
     return float4(ApplyFog(color, body, z), body);
 }

@@ -112,9 +112,53 @@ namespace Rill.Tests
             Assert.That(covered[2] / covered[0], Is.EqualTo(1f).Within(0.02f));
         }
 
-        // Three particles that fly by themselves and stand still, lit from below and from the side, before black.
-        IEnumerator PutDrops(int pixels)
+        // On a floor that is equally bright everywhere a cap is seen by what it mirrors, which is nothing: it is darker.
+        [UnityTest]
+        public IEnumerator A_particle_that_lies_on_a_collider_is_a_cap([Values(false, true)] bool fromTheSide)
         {
+            const int pixels = 192;
+            const float gray = 0.5f;
+            yield return PutDrops(pixels, new float3(0f, 0.5f * Spacing, 0f));
+            GameObject floor = scene.NewPrimitive(PrimitiveType.Cube, scene.Keep(new Material(Shader.Find("Rill/Solid"))));
+            floor.GetComponent<MeshRenderer>().sharedMaterial.SetColor("_Color", Encoded(gray));
+            floor.GetComponent<MeshRenderer>().sharedMaterial.SetColor("_Ambient", Color.white);
+            floor.transform.localScale = new Vector3(4f, 0.2f, 4f);
+            floor.transform.position = new Vector3(0f, -0.1f, 0f);
+            scene.Camera.backgroundColor = Encoded(gray);
+            scene.Surface.Sun.intensity = 0f;
+            scene.Camera.orthographicSize = 0.15f;
+            if (fromTheSide)
+                Look(scene.Camera, new Vector3(0f, 0f, -1f));
+            yield return Frames(2);
+            float4[] without = scene.Pixels();
+            floor.AddComponent<FluidCollider>();
+            scene.Fluid.Paused = false;
+            yield return Frames(1);
+            scene.Fluid.Paused = true;
+            yield return Frames(2);
+            float4[] pixelsOfCap = scene.Pixels();
+            float meter = 0.3f / pixels, area = 0f, height = 0f;
+            for (int i = 0; i < pixelsOfCap.Length; i++)
+            {
+                if (math.abs(pixelsOfCap[i].y - gray) < 0.002f)
+                    continue;
+                area += meter * meter;
+                height = math.max(height, (i / pixels + 0.5f) * meter - 0.15f);
+            }
+            float radius = 1.188f * Spacing, top = 0.432f * Spacing;
+            TestContext.Out.WriteLine($"area {area}, of a cap seen from above {math.PI * radius * radius}; height {height}, {top}");
+            Assert.That(without, Is.Not.EqualTo(pixelsOfCap));
+            if (fromTheSide)
+                Assert.That(height, Is.EqualTo(top).Within(2f * meter));
+            else
+                Assert.That(area / (math.PI * radius * radius), Is.EqualTo(1f).Within(0.05f));
+        }
+
+        // Three particles that fly by themselves and stand still, lit from below and from the side, before black.
+        IEnumerator PutDrops(int pixels, params float3[] places)
+        {
+            if (places.Length == 0)
+                places = new[] { new float3(-0.15f, 0f, -0.15f), new float3(0.15f, 0.1f, -0.15f), new float3(0.15f, -0.1f, 0.15f) };
             scene = new WaterScene(pixels, new Vector3(0.6f, 0.5f, 0.6f), 0f, 64);
             scene.Surface.Method = SurfaceMethod.Mesh;
             scene.Surface.CastShadows = ShadowCastingMode.Off;
@@ -125,7 +169,6 @@ namespace Rill.Tests
             Time.captureDeltaTime = 1f / 60f;
             scene.Root.SetActive(true);
             yield return Frames(1);
-            var places = new[] { new float3(-0.15f, 0f, -0.15f), new float3(0.15f, 0.1f, -0.15f), new float3(0.15f, -0.1f, 0.15f) };
             using (var positions = new NativeArray<float3>(places, Allocator.Temp))
             using (var velocities = new NativeArray<float3>(places.Length, Allocator.Temp))
                 scene.Fluid.AddParticles(positions, velocities);
