@@ -122,8 +122,8 @@ namespace Rill.Tests
             GameObject floor = scene.NewPrimitive(PrimitiveType.Cube, scene.Keep(new Material(Shader.Find("Rill/Solid"))));
             floor.GetComponent<MeshRenderer>().sharedMaterial.SetColor("_Color", Encoded(gray));
             floor.GetComponent<MeshRenderer>().sharedMaterial.SetColor("_Ambient", Color.white);
-            floor.transform.localScale = new Vector3(4f, 0.2f, 4f);
-            floor.transform.position = new Vector3(0f, -0.1f, 0f);
+            floor.transform.localScale = new Vector3(4f, 0.02f, 4f);
+            floor.transform.position = new Vector3(0f, -0.01f, 0f);     // thinner than the ball that it is a cap of
             scene.Camera.backgroundColor = Encoded(gray);
             scene.Surface.Sun.intensity = 0f;
             scene.Camera.orthographicSize = 0.15f;
@@ -137,19 +137,23 @@ namespace Rill.Tests
             scene.Fluid.Paused = true;
             yield return Frames(2);
             float4[] pixelsOfCap = scene.Pixels();
-            float meter = 0.3f / pixels, area = 0f, height = 0f;
+            float meter = 0.3f / pixels, area = 0f, height = 0f, lowest = 0f;
             for (int i = 0; i < pixelsOfCap.Length; i++)
             {
                 if (math.abs(pixelsOfCap[i].y - gray) < 0.002f)
                     continue;
                 area += meter * meter;
                 height = math.max(height, (i / pixels + 0.5f) * meter - 0.15f);
+                lowest = math.min(lowest, (i / pixels + 0.5f) * meter - 0.15f);
             }
             float radius = 1.188f * Spacing, top = 0.432f * Spacing;
             TestContext.Out.WriteLine($"area {area}, of a cap seen from above {math.PI * radius * radius}; height {height}, {top}");
             Assert.That(without, Is.Not.EqualTo(pixelsOfCap));
             if (fromTheSide)
+            {
                 Assert.That(height, Is.EqualTo(top).Within(2f * meter));
+                Assert.That(lowest, Is.GreaterThan(-2f * meter), "nothing is seen under the plate");
+            }
             else
                 Assert.That(area / (math.PI * radius * radius), Is.EqualTo(1f).Within(0.05f));
         }
