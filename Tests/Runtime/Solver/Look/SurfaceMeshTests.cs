@@ -4,6 +4,7 @@ using System.Linq;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
+using UnityEngine;
 using UnityEngine.Rendering;
 using Random = Unity.Mathematics.Random;
 
@@ -437,14 +438,7 @@ namespace Rill.Tests
             var random = new Random(7);
             using (TestFluid fluid = Still(64f, 6480))
             {
-                var places = new List<float3>();        // clumps of 27, far apart
-                for (int clump = 0; clump < 240; clump++)
-                {
-                    float3 at = 3f + 6f * new float3(clump % 10, clump / 10 % 6, clump / 60);
-                    for (int k = 0; k < 27; k++)
-                        places.Add((at + new float3(k % 3, k / 3 % 3, k / 9) + random.NextFloat3(-0.02f, 0.02f)) * Spacing);
-                }
-                DrawnMesh mesh = DrawnMesh.Recorded(fluid.Add(places.ToArray()).Step(), 0.5f);
+                DrawnMesh mesh = DrawnMesh.Recorded(fluid.Add(Clumps(random).ToArray()).Step(), 0.5f);
                 Assert.That(mesh[SurfaceMesh.Counter.BricksNeeded], Is.GreaterThan(mesh[SurfaceMesh.Counter.Bricks]));
                 Assert.That(mesh[SurfaceMesh.Counter.Bricks], Is.EqualTo(fluid.Solver.Mesh.BrickCapacity));
                 Assert.That(mesh.OpenEdges, Is.Zero, "it ends where the bricks do");
@@ -452,6 +446,8 @@ namespace Rill.Tests
                 mesh = DrawnMesh.Recorded(fluid, 0.5f);
                 Assert.That(mesh[SurfaceMesh.Counter.VerticesNeeded], Is.GreaterThan(mesh[SurfaceMesh.Counter.Vertices]));
                 Assert.That(mesh.positions.Length, Is.InRange(fluid.Solver.Mesh.VertexCapacity / 2, fluid.Solver.Mesh.VertexCapacity));
+                double off = mesh.positions.Max(p => math.cmax(math.abs((p - 1.0) % 6.0 - 3.0)));
+                Assert.That(off, Is.LessThan(2.6), "d from a clump's center: none is drawn towards a vertex that has no room");
                 Assert.That(fluid.Solver.Mesh.Enlarge(mesh.counters), Is.True);
                 mesh = DrawnMesh.Recorded(fluid, 0.5f);
                 Assert.That(mesh[SurfaceMesh.Counter.Vertices], Is.EqualTo(mesh[SurfaceMesh.Counter.VerticesNeeded]));
@@ -459,6 +455,69 @@ namespace Rill.Tests
                 Assert.That(mesh.OpenEdges, Is.Zero);
                 Assert.That(fluid.Solver.Mesh.Enlarge(mesh.counters), Is.False, "there is room");
             }
+        }
+
+        [Test]
+        public void The_finest_mesh_that_is_asked_for_serves_all_with_the_walls_of_all([Values] bool finestFirst)
+        {
+            using (SourceScene scene = new SourceScene(Vector3.one, Spacing, 2000).Fill(0.2f))
+            {
+                FluidSimulation fluid = scene.Fluid;
+                fluid.AskForSurface += () =>
+                {
+                    fluid.NeedsSurface = true;
+                    fluid.NeedMesh(finestFirst ? 0.5f : 1f, BoxWalls.Left);
+                    fluid.NeedMesh(finestFirst ? 1f : 0.5f, BoxWalls.Top);
+                };
+                scene.Step(2);
+                Assert.That((fluid.Solver.Mesh.Cell, fluid.Solver.MeshWalls), Is.EqualTo((0.5f, (int)(BoxWalls.Left | BoxWalls.Top))));
+            }
+        }
+
+        // No step finds it again there, and the buffers with more room hold nothing.
+        [Test]
+        public void A_mesh_that_lacks_room_is_whole_after_a_few_frames_also_while_the_fluid_stands()
+        {
+            var random = new Random(7);
+            using (var scene = new SourceScene(64f * Spacing * Vector3.one, Spacing, 6480))
+            {
+                FluidSimulation fluid = scene.Fluid;
+                fluid.Gravity = Vector3.zero;
+                fluid.AskForSurface += () =>
+                {
+                    fluid.NeedsSurface = true;
+                    fluid.NeedMesh(0.5f, BoxWalls.All);
+                };
+                using (var places = new NativeArray<float3>(Clumps(random).Select(p => p - 32f * Spacing).ToArray(), Allocator.Persistent))
+                using (var velocities = new NativeArray<float3>(places.Length, Allocator.Persistent))
+                    fluid.AddParticles(places, velocities);
+                scene.Step();
+                fluid.Paused = true;
+                uint[] first = GpuTest.Read<uint>(fluid.Solver.Mesh.Counters, Enum.GetValues(typeof(SurfaceMesh.Counter)).Length);
+                Assert.That(first[(int)SurfaceMesh.Counter.Bricks], Is.LessThan(first[(int)SurfaceMesh.Counter.BricksNeeded]));
+                for (int frame = 0; frame < 6; frame++)
+                {
+                    AsyncGPUReadback.WaitAllRequests();
+                    scene.Step();
+                }
+                uint[] last = GpuTest.Read<uint>(fluid.Solver.Mesh.Counters, first.Length);
+                Assert.That(last[(int)SurfaceMesh.Counter.Bricks], Is.EqualTo(first[(int)SurfaceMesh.Counter.BricksNeeded]));
+                Assert.That(last[(int)SurfaceMesh.Counter.Vertices], Is.EqualTo(last[(int)SurfaceMesh.Counter.VerticesNeeded]).And.GreaterThan(0));
+                Assert.That(last[(int)SurfaceMesh.Counter.Quads], Is.EqualTo(last[(int)SurfaceMesh.Counter.QuadsNeeded]).And.GreaterThan(0));
+            }
+        }
+
+        // Of 27 particles each, far apart in a box of 64 d, m.
+        static List<float3> Clumps(Random random)
+        {
+            var places = new List<float3>();
+            for (int clump = 0; clump < 240; clump++)
+            {
+                float3 at = 3f + 6f * new float3(clump % 10, clump / 10 % 6, clump / 60);
+                for (int k = 0; k < 27; k++)
+                    places.Add((at + new float3(k % 3, k / 3 % 3, k / 9) + random.NextFloat3(-0.02f, 0.02f)) * Spacing);
+            }
+            return places;
         }
 
         // The first frames of a splash may lack one of the three alone.
