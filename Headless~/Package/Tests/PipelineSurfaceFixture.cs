@@ -23,7 +23,11 @@ namespace Host.Tests
         private protected SurfaceMethod method;
 
         [SetUp]
-        public void KeepAssets() => assetsBefore = Player.Assets;
+        public void KeepAssets()
+        {
+            assetsBefore = Player.Assets;
+            method = SurfaceMethod.ScreenSpace;
+        }
 
         [TearDown]
         public void EndScene()

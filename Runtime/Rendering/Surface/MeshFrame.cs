@@ -77,7 +77,8 @@ namespace Rill
                 elements = solver.Surface.Particles, drops = found.Drops, counters = found.Counters,
                 exposure = 0.5f * solver.LastSubsteps,
                 cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
-                domainToWorld = fluid.DomainToWorld, lastDomainToWorld = fluid.DomainToWorld, domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
+                domainToWorld = fluid.DomainToWorld, lastDomainToWorld = fluid.DomainToWorld,
+                domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
                 rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f,
                 bounds = new Bounds(fluid.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)), Vector3.one * (box.magnitude + 4f * spacing)),
             };

@@ -32,7 +32,8 @@ namespace Rill
         public void Record(CommandBuffer cmd, CameraView view) =>
             cmd.DrawProcedural(Matrix4x4.identity, material, 0, MeshTopology.Triangles, Vertices, 1, view.Motion);
 
-        /// <summary>Submits the same among the opaque objects, for a pipeline that draws their motion after the water's textures are filled.</summary>
+        /// <summary>Submits the same among the opaque objects, for a pipeline that draws their motion after the water's textures are
+        /// filled.</summary>
         /// <param name="parameters">Made with <see cref="CameraView.Motion"/>.</param>
         public void Submit(RenderParams parameters)
         {
