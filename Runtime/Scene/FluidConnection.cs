@@ -42,8 +42,8 @@ namespace Rill
         public bool IsOpen => isActiveAndEnabled && attachedFirst != null && attachedSecond != null && attachedFirst.IsRunning
             && attachedSecond.IsRunning && Fault == ConnectionFault.None;
 
-        /// <summary>Particles that went from the first fluid to the second since the connection opened, as far as the GPU has told: two or
-        /// three frames ago.</summary>
+        /// <summary>Particles that went from the first fluid to the second since the connection opened, or since either got another capacity, as
+        /// far as the GPU has told: two or three frames ago.</summary>
         public int HandedToSecond => Count(attachedSecond, TransferWord.Handed);
 
         /// <summary>And from the second to the first.</summary>

@@ -1,5 +1,5 @@
-// What of the water is thinner than its mesh can hold, as droplets: each particle that flies by itself is a dozen of them, of its volume
-// together, drawn out along the way that they go while the picture is exposed. Those that are small on the picture are added up by
+// Droplets are the water that is thinner than its mesh can hold: each particle that flies by itself is a dozen of them, of its volume together,
+// drawn out along their path while the picture is exposed. Those that are small on the picture are added up by
 // WaterSpray.compute, the others are drawn one by one by WaterDrops.hlsl.
 //
 //   _SurfaceElements  in  see SurfaceElement.hlsl
@@ -22,8 +22,8 @@ static const float kFirstRadius = 0.4401;       // of the first, d: with those r
 static const float kSpread = 0.75;              // of a particle's droplets around it, d
 static const float kSmall = 2.0;                // radius up to which a droplet is added up with others, texels
 static const float kOnSolid = 0.8;              // nearer to a collider or a wall a particle lies on it, d
-// Of what lies there, a cap of a ball with a contact angle of 40 degrees and a volume of d^3: radius of the ball and of the cap, d; distance of
-// the ball's center below the solid over its radius.
+// A particle that lies there is a cap of a ball, with a contact angle of 40 degrees and a volume of d^3: radius of the ball and of the cap, d;
+// distance of the ball's center below the solid over its radius.
 static const float kCapBall = 1.848, kCapRadius = 1.188, kCapSunk = 0.766;
 static const float kGathered = 0.1;             // coverage of a small one by the light that it gathers from everywhere
 
@@ -64,7 +64,7 @@ Droplet DropletOf(uint index)
     droplet.texel = SprayTexel(position);
     float radius = kFirstRadius * pow(kSmallestDroplet, k / (kDroplets - 1.0));     // a power law
     droplet.center = clamp(position + kSpread * HashedInBall(id, k), radius, _DrawnDomainSize.xyz - radius);
-    // As long as it flies during the exposure, and thinner by that: its volume stays.
+    // It is as long as its path during the exposure, and thinner by that: its volume stays.
     float flown = length(chord) * _FrameExposure.x;
     droplet.along = radius + 0.5 * flown;
     droplet.across = radius * sqrt(radius / droplet.along);
@@ -80,13 +80,13 @@ Droplet DropletOf(uint index)
 }
 
 // Light that a ball of water sends on from a far light, mean over its disc, where a white surface that faces the light sends 1: what it mirrors
-// and what is bent twice, by the angle between the ways of the light before and after (van de Hulst 1957, 12.2, for an index of 1.333).
+// and what is bent twice, by the angle between the directions of the light before and after (van de Hulst 1957, 12.2, for an index of 1.333).
 // along: cosine of that angle.
 float LightThroughBall(float along)
 {
     float turned = 1.0 - along;
     float bent = 3.84 * exp(-10.6 * turned / (1.0 + 1.3 * turned - 0.88 * turned * turned));     // within 6 % up to 60 degrees
-    float cosine = sqrt(saturate(0.5 - 0.5 * along));     // between the normal of what mirrors and both ways
+    float cosine = sqrt(saturate(0.5 - 0.5 * along));     // between the normal of what mirrors and both directions
     return bent + 0.25 * (0.02 + 0.98 * pow(1.0 - cosine, 5.0));
 }
 

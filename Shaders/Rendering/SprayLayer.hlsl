@@ -11,7 +11,7 @@
 Texture2DArray<float4> _Spray;
 Texture2DArray<float4> _Bubbles;
 
-// Of a layer at a point of the picture, between its texels. texels: width and height of the texture.
+// Returns where a layer is sampled for a point of the picture. texels: width and height of the texture.
 float3 PlaceInSpray(float2 picture, float2 texels, uint eye)
 {
     return float3(clamp(TexelsAt(picture, _FoamSize, _FoamWindow), 0.5, max(_FoamWindow.zw - 0.5, 0.5)) / texels, eye);

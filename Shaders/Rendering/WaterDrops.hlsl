@@ -76,7 +76,7 @@ float3 SeenInDroplet(Ellipsoid e, float3 world, float3 normal, float3 ray, float
     return lerp(SeenByDroplet(leaves, beyond, picture, z), Mirrored(world, reflect(ray, normal), _SurfaceOptics.z), reflectance);
 }
 
-// Of a cap: the solid that it lies on, which is seen bent once, and what it mirrors. plane: of the solid, see Ellipsoid's frame.
+// Returns what is seen in a cap: the solid that it lies on, bent once, and what it mirrors. plane: of the solid, see Ellipsoid's frame.
 float4 SeenInCap(Ellipsoid e, float plane, float3 world, float3 normal, float3 ray)
 {
     float index = _SurfaceOptics.x, reflectance = Reflectance(-dot(normal, ray), 1.0 / index);
@@ -114,7 +114,7 @@ float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPT
     float4 onPicture = SurfaceClip(world, eyeIndex);
     float z = DepthAlongView(onPicture, eyeIndex);
 
-    // What is behind a small droplet goes on being seen, but for what it gathers, and the sun, as in WaterSpray.hlsl.
+    // The scene behind a small droplet goes on being seen, but for what it gathers, and the sun, as in WaterSpray.hlsl.
     MainLight light = LightOfWater();
     float3 color = light.color * Highlight(normal, -ray, light.direction, 0.05);
     if (shaped < 1.0)

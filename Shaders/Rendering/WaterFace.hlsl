@@ -17,7 +17,7 @@ float3 FlatOnWalls(float3 p, float3 normal)
     return any(wall != 0.0) ? normalize(wall) : normal;
 }
 
-// chord: displacement in the last substep, d, to 1/63 of its largest component or 0.002. Three components of 7 bits share an exponent.
+// chord: displacement in the last substep, d, to 1/63 of its largest component or 0.002. Three components of 7 bits have one exponent.
 float4 PackFace(float3 normal, float3 chord)
 {
     float most = max(abs(chord.x), max(abs(chord.y), abs(chord.z)));

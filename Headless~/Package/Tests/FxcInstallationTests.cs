@@ -132,7 +132,8 @@ namespace Host.Tests
         public void A_crash_is_said_of_the_shader_that_it_happened_on_and_the_rest_is_compiled()
         {
             // Dies when the first of its jobs is the one called "poison".
-            var results = Compiler("if head -c 80 jobs | grep -q poison; then exit 7; fi").CompileAll(new[] { Request("poison"), Request("one"), Request("two") });
+            var results = Compiler("if head -c 80 jobs | grep -q poison; then exit 7; fi")
+                .CompileAll(new[] { Request("poison"), Request("one"), Request("two") });
             Assert.That(results.Select(r => r.Success), Is.EqualTo(new[] { false, true, true }));
             Assert.That(results[0].Messages.Single().ToString(), Is.EqualTo("poison(1): error: FXC ended with code 7 while it compiled this"));
         }

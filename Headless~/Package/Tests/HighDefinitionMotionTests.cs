@@ -35,7 +35,7 @@ namespace Host.Tests
 
         void BuildFor(string version, bool isJittered = true)
         {
-            Build(PipelineKind.HighDefinition, TakeMethod(version));
+            Build(PipelineKind.HighDefinition, WithoutMethod(version));
             MakePicture();
             if (isJittered)
                 Jitter();

@@ -35,7 +35,7 @@ namespace Host.Tests
         /// <summary>Sets the method by which the surface is drawn.</summary>
         /// <param name="version">With or without " as mesh".</param>
         /// <returns>The rest of it.</returns>
-        private protected string TakeMethod(string version)
+        private protected string WithoutMethod(string version)
         {
             bool isMesh = version.EndsWith(AsMesh, StringComparison.Ordinal);
             method = isMesh ? SurfaceMethod.Mesh : SurfaceMethod.ScreenSpace;

@@ -24,7 +24,7 @@ namespace Host.Tests
 
         void BuildFor(string version, bool asks = true)
         {
-            Build(PipelineKind.Universal, TakeMethod(version));
+            Build(PipelineKind.Universal, WithoutMethod(version));
             MakePicture();
             if (asks)
                 AskForMotion();

@@ -52,7 +52,7 @@ namespace Rill
             submittedSize = new Vector2Int(width, height);
         }
 
-        /// <summary>Of the draw that writes motion vectors.</summary>
+        /// <summary>Properties of the draw that writes motion vectors.</summary>
         public MaterialPropertyBlock Motion => motion ??= new MaterialPropertyBlock();
 
         /// <summary>Whether a frame was recorded whose motion vectors are needed and not drawn yet.</summary>

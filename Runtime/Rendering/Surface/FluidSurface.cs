@@ -50,6 +50,10 @@ namespace Rill
             "refracts, where the sun is known: set Sun, or the sun in Lighting > Environment.")]
         [SerializeField] bool caustics = true;
 
+        [Tooltip("Height of ripples smaller than the particles on water that moves, 0 to 1. Of a mesh. 0: none.")]
+        [Range(0f, 1f)]
+        [SerializeField] float ripples = 0.5f;
+
         [Tooltip("Surroundings that it mirrors. None: the scene's sky or reflection probe.")]
         [SerializeField] Texture reflection;
 
@@ -120,6 +124,10 @@ namespace Rill
         /// <summary>Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. Of a mesh that
         /// refracts, where the sun is known.</summary>
         public bool Caustics { get => caustics; set => caustics = value; }
+
+        /// <summary>Height of ripples smaller than the particles, 0 to 1: slopes of up to 0.15 rms at 1. The flow carries them, and water that
+        /// stands still has none. Of a mesh.</summary>
+        public float Ripples { get => ripples; set => ripples = Mathf.Clamp01(value); }
 
         /// <summary>Cube map of the surroundings that it mirrors; null for the scene's sky or reflection probe.</summary>
         public Texture Reflection { get => reflection; set => reflection = value; }
@@ -370,6 +378,7 @@ namespace Rill
             if (mesh is MeshFrame found)
             {
                 found.lastDomainToWorld = LastDomainToWorld;
+                found.SetRipples(Simulation, ripples);
                 if (TryGetComponent(out FluidFoam foamOnMesh))
                     found.foam = foamOnMesh.Frame;
                 mesh = found;

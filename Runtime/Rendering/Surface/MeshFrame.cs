@@ -6,6 +6,10 @@ namespace Rill
     /// <summary>The mesh of a fluid's surface in a frame, for all cameras; see MeshVertex.hlsl and MeshField.hlsl.</summary>
     struct MeshFrame
     {
+        const float MaxSlope = 0.15f, RippleLife = 0.5f;    // s
+        const float MinGravity = 1f;        // m/s^2
+        const double MaxLives = 4096.0;     // then the same patterns come again: a float has no room for more
+
         /// <summary>28 bytes a vertex, raw; three 32-bit indices a triangle, raw too.</summary>
         public GraphicsBuffer vertices, indices;
 
@@ -50,6 +54,12 @@ namespace Rill
         /// <summary>Width of the textures of rays over that of the picture, up to 1.</summary>
         public float rayScale;
 
+        /// <summary>See Ripples.hlsl; 0 for none.</summary>
+        public Vector4 ripples;
+
+        /// <summary>Up in the domain's frame.</summary>
+        public Vector3 rippleUp;
+
         /// <summary>FluidSimulation.FrameLag.</summary>
         public Vector4 lag;
 
@@ -84,6 +94,17 @@ namespace Rill
             };
         }
 
+        /// <summary>Sets ripples on water that moves.</summary>
+        /// <param name="height">0 to 1.</param>
+        public void SetRipples(FluidSimulation fluid, float height)
+        {
+            float gravity = fluid.Gravity.magnitude, substep = fluid.FixedStep / Mathf.Max(fluid.Solver.LastSubsteps, 1);
+            float fast = Mathf.Sqrt(Mathf.Max(gravity, MinGravity) * spacing) / spacing;        // d/s
+            ripples = new Vector4(height * MaxSlope, (float)(fluid.FrameTime / RippleLife % MaxLives), RippleLife / substep,
+                1f / (fast * substep));
+            rippleUp = gravity > 0f ? domainToWorld.inverse.MultiplyVector(fluid.Gravity / -gravity).normalized : Vector3.zero;
+        }
+
         /// <summary>Sets what the water's shaders read.</summary>
         public readonly void SetOn(MaterialPropertyBlock block)
         {
@@ -115,6 +136,8 @@ namespace Rill
             cmd.SetComputeMatrixParam(shader, Ids.WorldToDomain, domainToWorld.inverse);
             cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, domainSize);
             cmd.SetComputeVectorParam(shader, Ids.FrameLag, lag);
+            cmd.SetComputeVectorParam(shader, Ids.Ripples, ripples);
+            cmd.SetComputeVectorParam(shader, Ids.RippleUp, rippleUp);
         }
 
         /// <summary>Sets what Droplets.hlsl reads for a kernel.</summary>
@@ -150,6 +173,8 @@ namespace Rill
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
             public static readonly int WorldToDomain = Shader.PropertyToID("_WorldToDomain");
             public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int Ripples = Shader.PropertyToID("_Ripples");
+            public static readonly int RippleUp = Shader.PropertyToID("_RippleUp");
             public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
         }
     }

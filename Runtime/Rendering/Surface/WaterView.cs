@@ -22,7 +22,7 @@ namespace Rill
         /// <summary>The part of the picture that they hold, from their first texel on.</summary>
         public PictureWindow Window;
 
-        /// <summary>The same part in texels of <see cref="Spray"/>.</summary>
+        /// <summary>That part of the picture in texels of <see cref="Spray"/>.</summary>
         public PictureWindow SprayWindow;
 
         // More texels than this from the bottom to the top of a picture show no more of what is small.

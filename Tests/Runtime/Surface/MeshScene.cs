@@ -48,6 +48,7 @@ namespace Rill.Tests
             Surface = root.AddComponent<FluidSurface>();
             Surface.CastShadows = ShadowCastingMode.Off;
             Surface.Look = Clear;
+            Surface.Ripples = 0f;
             Surface.Reflection = Around(around);
             Light sun = Keep(new GameObject("Sun")).AddComponent<Light>();
             sun.type = LightType.Directional;

@@ -42,6 +42,7 @@ namespace Rill.Tests
             volume.Size = new Vector3(box.x, depth, box.z);
             Surface = Root.AddComponent<FluidSurface>();
             Surface.ReflectionStrength = 0f;
+            Surface.Ripples = 0f;
             Surface.Look = Absorbing(Left, 0.5f);
         }
 
