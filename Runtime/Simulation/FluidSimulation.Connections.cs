@@ -93,9 +93,9 @@ namespace Rill
         }
 
         // Before anything of a frame, whether or not it takes steps.
-        void NoteTurn() => turnInFrame = Time.frameCount;
+        void MarkTurn() => turnInFrame = Time.frameCount;
 
-        void NoteSteps() => steppedInFrame = Time.frameCount;
+        void MarkSteps() => steppedInFrame = Time.frameCount;
 
         // A frame without steps, though a neighbor has given ghosts for some.
         void DropGhosts()

@@ -353,7 +353,7 @@ namespace Rill
         void TakeSteps(float frameTime)
         {
             lastFrameTime = FrameTime;
-            NoteTurn();
+            MarkTurn();
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's return from no place.
             float rate = IsInEditMode ? RateInEditMode(frameTime) : TimeRate();
@@ -404,7 +404,7 @@ namespace Rill
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
-            NoteSteps();
+            MarkSteps();
             Execute();
             ReadSources(steps);
             ReadConnections();

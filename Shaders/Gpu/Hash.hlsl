@@ -29,4 +29,11 @@ float UnitFloat(uint hash)
     return (hash >> 8) * (1.0 / 16777216.0);
 }
 
+// Returns a unit vector, each direction as likely as any. first, second: hashes.
+float3 UnitVector(uint first, uint second)
+{
+    float z = 2.0 * UnitFloat(first) - 1.0, angle = 6.2831853 * UnitFloat(second), ring = sqrt(max(1.0 - z * z, 0.0));
+    return float3(ring * cos(angle), ring * sin(angle), z);
+}
+
 #endif

@@ -7,4 +7,10 @@ float4x4 _WorldToDomain;
 float4 _DrawnDomainSize;        // xyz, d
 float4 _FrameLag;               // x: time of this frame since the newest state, substeps
 
+// Particle spacing, m.
+float Spacing()
+{
+    return length(float3(_DomainToWorld[0].x, _DomainToWorld[1].x, _DomainToWorld[2].x));
+}
+
 #endif

@@ -38,17 +38,14 @@ struct Droplet
 
 float3 HashedInBall(uint id, uint k)
 {
-    float z = 2.0 * UnitFloat(Hash(id, k, 1u)) - 1.0, angle = 6.2831853 * UnitFloat(Hash(id, k, 2u));
-    float ring = sqrt(max(1.0 - z * z, 0.0)), radius = pow(UnitFloat(Hash(id, k, 3u)), 1.0 / 3.0);
-    return radius * float3(ring * cos(angle), ring * sin(angle), z);
+    return pow(UnitFloat(Hash(id, k, 3u)), 1.0 / 3.0) * UnitVector(Hash(id, k, 1u), Hash(id, k, 2u));
 }
 
 // Width of a texel of the spray's textures at a point of the domain, d.
 float SprayTexel(float3 position)
 {
     float4 clip = SurfaceClip(mul(_DomainToWorld, float4(position, 1.0)).xyz, eyeIndex);
-    float z = _SurfaceDepths[eyeIndex].z > 0.5 ? 1.0 : max(DepthAlongView(clip, eyeIndex), 1e-6);
-    return PictureScale(eyeIndex).y * z * 2.0 * _FoamSize.w / length(float3(_DomainToWorld[0].x, _DomainToWorld[1].x, _DomainToWorld[2].x));
+    return TexelHeight(_FoamSize, max(DepthAlongView(clip, eyeIndex), 1e-6), eyeIndex) / Spacing();
 }
 
 // index: kDroplets to a drop.

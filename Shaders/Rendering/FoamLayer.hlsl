@@ -5,7 +5,7 @@
 #ifndef RILL_FOAM_LAYER_INCLUDED
 #define RILL_FOAM_LAYER_INCLUDED
 
-#include "FoamLight.hlsl"
+#include "FoamShading.hlsl"
 
 Texture2DArray<float4> _SurfaceFoam;
 
@@ -19,10 +19,7 @@ struct FoamLayer
 
 FoamLayer FoamLayerAt(float2 picture, uint eye, SamplerState linearClamp)
 {
-    uint width, height, slices;
-    _SurfaceFoam.GetDimensions(width, height, slices);
-    float2 texels = clamp(TexelsAt(picture, _FoamSize, _FoamWindow), 0.5, max(_FoamWindow.zw - 0.5, 0.5));
-    float4 foam = _SurfaceFoam.SampleLevel(linearClamp, float3(texels / float2(width, height), eye), 0);
+    float4 foam = SampleFoam(_SurfaceFoam, picture, eye, linearClamp);
     FoamLayer layer;
     layer.front = 1.0 - exp(-foam.x);
     layer.z = foam.y / max(foam.x, 1e-6);

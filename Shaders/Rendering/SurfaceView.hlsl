@@ -34,6 +34,12 @@ float2 PictureScale(uint eye)
     return float2(length(_RayOriginX[eye].xyz + _RayDirectionX[eye].xyz), length(_RayOriginY[eye].xyz + _RayDirectionY[eye].xyz));
 }
 
+// Height of a texel at a depth along the view, both in m. size: of its texture's grid over the picture, see Generated/SurfaceView.hlsl.
+float TexelHeight(float4 size, float z, uint eye)
+{
+    return 2.0 * size.w * PictureScale(eye).y * (_SurfaceDepths[eye].z > 0.5 ? 1.0 : z);
+}
+
 // Clip space of the surface's own depth: y up, z is 1 at the near plane.
 float4 SurfaceClip(float3 world, uint eye)
 {
@@ -128,7 +134,7 @@ float4 WindowClip(float4 clip)
 #endif
 }
 
-// Of one triangle that covers a viewport, -1 to 1 with y up.
+// Returns a corner of one triangle that covers a viewport, -1 to 1 with y up.
 float2 TriangleCorner(uint vertex)
 {
     return float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);

@@ -49,11 +49,6 @@ float3 InDomain(float3 world)
     return mul(_WorldToDomain, float4(world, 1.0)).xyz - fieldShift;
 }
 
-float Spacing()
-{
-    return length(float3(_DomainToWorld[0].x, _DomainToWorld[1].x, _DomainToWorld[2].x));
-}
-
 // None of those that are seen looks away.
 float3 FacingNormal(float3 normal, float3 toEye)
 {

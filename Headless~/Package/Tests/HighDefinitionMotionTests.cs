@@ -19,7 +19,7 @@ namespace Host.Tests
         {
             if (method == SurfaceMethod.Mesh)
             {
-                var water = (WaterView)((MeshDraw)Get(Surface, "meshDraw")).ViewOf(camera);
+                var water = (WaterView)((MeshDraw)Get(Surface, "meshDraw")).Find(camera);
                 RenderTexture faces = water.Faces;
                 float[] channels = Floats(faces, eye, faces.width, faces.height);
                 return water.Window.Whole(channels.Where((_, i) => i % 4 == 0).ToArray(), faces.width);

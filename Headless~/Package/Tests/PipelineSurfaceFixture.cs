@@ -19,7 +19,7 @@ namespace Host.Tests
         IAssetSource assetsBefore;
         private protected FluidSimulation simulation;
 
-        /// <summary>Of the surface that is built next.</summary>
+        /// <summary>Method of the surface that is built next.</summary>
         private protected SurfaceMethod method;
 
         [SetUp]

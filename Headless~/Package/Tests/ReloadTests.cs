@@ -242,7 +242,7 @@ namespace Host.Tests
 
         static bool IsOnDemand(Object o)
             => o is ComputeShader || o is Shader || EditorUtility.IsPersistent(o) || o is Texture && !o.name.StartsWith("Rill")
-                || o is Material && o.name.StartsWith("Hidden/") && !o.name.StartsWith("Hidden/Rill/");
+                || o is Material && o.name.StartsWith("Hidden/") && !o.name.StartsWith("Hidden/Rill/") || o is Mesh mesh && mesh.IsBuiltIn;
 
         // With what it needs beside it, which would miss it.
         void Enable(MonoBehaviour component, bool on)

@@ -75,7 +75,8 @@ namespace Rill
 
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
-        MeshDraw meshDraw;      // made when first needed
+        MeshDraw meshDraw;      // this and the next are made when first needed
+        SurfaceMotion motion;
         CausticMap causticMap;  // where caustics are on
         [NonSerialized] bool isCausticMapDue;     // in this frame, as soon as a camera sees the water
         [NonSerialized] bool hasSaidWhy;        // there is none
@@ -232,26 +233,23 @@ namespace Rill
         /// none are needed.</summary>
         internal void RecordMotion(CommandBuffer cmd, in FluidViews camera)
         {
-            if (mesh.HasValue)
-                meshDraw.RecordMotion(cmd, camera);
-            else
-                recorder.RecordMotion(cmd, camera);
+            if (FindView(camera.camera) is CameraView view && view.IsPrepared && view.HasMotion)
+                (motion ??= new SurfaceMotion()).Record(cmd, view);
         }
 
         /// <summary>Has the pipeline draw them among the motion vectors of opaque objects instead, after <see cref="Prepare"/> for a camera
         /// that needs them.</summary>
         internal void SubmitMotion(in FluidViews camera)
         {
-            CameraView view = mesh.HasValue ? meshDraw.ViewOf(camera.camera) : recorder.ViewOf(camera.camera);
+            CameraView view = FindView(camera.camera);
             if (!view.TrySubmitMotion())
                 return;
             RenderParams parameters = Parameters(view.Motion);
             parameters.camera = camera.camera;
-            if (mesh.HasValue)
-                meshDraw.SubmitMotion(parameters);
-            else
-                recorder.SubmitMotion(parameters);
+            (motion ??= new SurfaceMotion()).Submit(parameters);
         }
+
+        CameraView FindView(Camera camera) => mesh.HasValue ? meshDraw.Find(camera) : recorder.Find(camera);
 
         /// <summary>Has the camera draw the surface in this frame, after <see cref="Prepare"/>. Once a frame: Unity's queue lives longer than a
         /// picture where the camera draws several, and in the editor while it is paused.</summary>
@@ -326,6 +324,8 @@ namespace Rill
             recorder = null;
             meshDraw?.Dispose();
             meshDraw = null;
+            motion?.Dispose();
+            motion = null;
             causticMap?.Dispose();
             causticMap = null;
             if (active.Count == 0)

@@ -26,8 +26,7 @@ namespace Rill
         readonly ComputeShader filter;
         Material raster;
         readonly SurfaceThickness thickness;
-        SurfaceFoam foam;       // these two are made when first needed
-        SurfaceMotion motion;
+        SurfaceFoam foam;       // made when first needed
         readonly Kernel filterRows, filterRowsAgain, filterColumns, findNormals;
         readonly CameraViews<SurfaceView> views = new CameraViews<SurfaceView>(camera => new SurfaceView(camera));
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
@@ -52,6 +51,9 @@ namespace Rill
 
         /// <summary>The textures of a camera; made when it first asks. Those of cameras that draw no more are given back.</summary>
         public SurfaceView ViewOf(Camera camera) => views.ViewOf(camera);
+
+        /// <summary>The same; null for a camera that has none.</summary>
+        public CameraView Find(Camera camera) => views.Find(camera);
 
         /// <summary>What a draw of this camera may still show in this frame is no longer shown, until it is recorded again.</summary>
         public void TurnOff(Camera camera) => views.TurnOff(camera);
@@ -86,10 +88,7 @@ namespace Rill
             SurfaceScratch.Shared.Prepare(view);
             SetShading(view);
             if (camera.needsMotion)
-            {
-                motion ??= new SurfaceMotion();
                 SurfaceMotion.Set(view, view.Smoothed, fluid.lag, fluid.domainToWorld, fluid.lastDomainToWorld);
-            }
             return true;
         }
 
@@ -129,23 +128,9 @@ namespace Rill
                 (foam ??= new SurfaceFoam()).Record(cmd, camera, fluid, view);
         }
 
-        /// <summary>Draws motion vectors into what is bound, after <see cref="Record"/> of the same frame; nothing where the camera needs
-        /// none.</summary>
-        public void RecordMotion(CommandBuffer cmd, in FluidViews camera)
-        {
-            SurfaceView view = views.Find(camera.camera);
-            if (view != null && view.IsPrepared && view.HasMotion)
-                motion.Record(cmd, view);
-        }
-
-        /// <summary>Submits the draw of motion vectors, after <see cref="Prepare"/> of a camera that needs them.</summary>
-        public void SubmitMotion(in RenderParams parameters) => motion.Submit(parameters);
-
         public void Dispose()
         {
             views.Dispose();
-            motion?.Dispose();
-            motion = null;
             EngineObject.Destroy(ref raster);
         }
 

@@ -22,7 +22,6 @@ namespace Rill
             sprays = MaterialOf("WaterSpray");
         readonly WaterRays rays = new WaterRays();
         readonly WaterSpray spray = new WaterSpray();
-        SurfaceMotion motion;       // made when first needed
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
         bool refracts, reflectsOwn, withFoam;
 
@@ -56,10 +55,7 @@ namespace Rill
             if (!view.IsSubmitted)
                 view.Prepare(camera, seen.Bounds, mesh);
             if (camera.needsMotion)
-            {
-                motion ??= new SurfaceMotion();
                 SurfaceMotion.Set(view, view.Faces, mesh.lag, mesh.domainToWorld, mesh.lastDomainToWorld);
-            }
             return true;
         }
 
@@ -126,19 +122,8 @@ namespace Rill
             view.HasMotion = view.Chords != null;
         }
 
-        /// <summary>Draws motion vectors into what is bound, after <see cref="Record"/> of the same frame; nothing where the camera needs
-        /// none.</summary>
-        public void RecordMotion(CommandBuffer cmd, in FluidViews camera)
-        {
-            if (views.Find(camera.camera) is WaterView view && view.IsPrepared && view.HasMotion)
-                motion.Record(cmd, view);
-        }
-
-        /// <summary>The camera's view, whose motion vectors <see cref="SubmitMotion"/> draws.</summary>
-        public CameraView ViewOf(Camera camera) => views.ViewOf(camera);
-
-        /// <summary>Submits the draw of motion vectors, after <see cref="Prepare"/> of a camera that needs them.</summary>
-        public void SubmitMotion(in RenderParams parameters) => motion.Submit(parameters);
+        /// <summary>The textures of a camera; null for one that has none.</summary>
+        public CameraView Find(Camera camera) => views.Find(camera);
 
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
         public void ReleaseUnused() => views.ReleaseUnused();
@@ -168,8 +153,6 @@ namespace Rill
         {
             views.Dispose();
             rays.Dispose();
-            motion?.Dispose();
-            motion = null;
             EngineObject.Destroy(ref colors);
             EngineObject.Destroy(ref inside);
             EngineObject.Destroy(ref drops);

@@ -1,0 +1,20 @@
+// How layers of foam on the picture are sampled, and how foam is lit: on a surface on the screen and over a mesh. Include after SurfaceView.hlsl.
+#ifndef RILL_FOAM_SHADING_INCLUDED
+#define RILL_FOAM_SHADING_INCLUDED
+
+// Returns a layer at a point of the picture, between its texels.
+float4 SampleFoam(Texture2DArray<float4> layer, float2 picture, uint eye, SamplerState linearClamp)
+{
+    uint width, height, slices;
+    layer.GetDimensions(width, height, slices);
+    float2 texels = clamp(TexelsAt(picture, _FoamSize, _FoamWindow), 0.5, max(_FoamWindow.zw - 0.5, 0.5));
+    return layer.SampleLevel(linearClamp, float3(texels / float2(width, height), eye), 0);
+}
+
+// Foam scatters light to all sides: however the surface under it is turned, some arrives.
+float3 LitFoam(float3 around, float3 lightColor, float cosine)
+{
+    return _FoamColor.rgb * (around + lightColor * (0.35 + 0.45 * saturate(cosine)));
+}
+
+#endif
