@@ -47,17 +47,21 @@ namespace Host.Bench
                 DefaultValueFactory = _ => new[] { "1920x1080" }, AllowMultipleArgumentsPerToken = true };
             var quality = new Option<SurfaceQuality>("--quality") { Description = "low, medium or high.",
                 DefaultValueFactory = _ => SurfaceQuality.Medium };
+            var stereo = new Option<bool>("--stereo") { Description = "Draw two eyes in one pass, each of that size." };
+            var foam = new Option<int>("--foam") { Description = "Foam particles, all of which are there soon; 0: none." };
             var settled = new Option<bool>("--settled") { Description = $"Frames {Settled.First} to {Settled.Last} instead of {Moving.First} to " +
                 $"{Moving.Last}." };
-            var methods = new Option<string[]>("--methods") { Description = $"{string.Join(", ", Rows.Select(row => row.Name))}: those that are measured.",
+            var methods = new Option<string[]>("--methods") {
+                Description = $"{string.Join(", ", Rows.Select(row => row.Name))}: those that are measured.",
                 DefaultValueFactory = _ => Rows.Select(row => row.Name).ToArray(), AllowMultipleArgumentsPerToken = true };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
             var command = new Command("picture", "Measures what drawing the water adds to a frame, by each method.") {
-                particles, sizes, methods, quality, settled, csv, shaders };
+                particles, sizes, methods, quality, foam, stereo, settled, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                Player.Stereo = parsed.GetValue(stereo);
                 foreach (int count in parsed.GetValue(particles))
                     GivenNumber.CheckOption("--particles", count, ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 string unknown = parsed.GetValue(methods).FirstOrDefault(name => Rows.All(row => row.Name != name));
@@ -65,7 +69,7 @@ namespace Host.Bench
                     throw new HostException($"--methods {unknown}: give {string.Join(", ", Rows.Select(row => row.Name))}.");
                 Execute(parsed.GetValue(particles), parsed.GetValue(sizes).Select(ParseSize).ToArray(),
                     Rows.Where(row => parsed.GetValue(methods).Contains(row.Name)).ToArray(), parsed.GetValue(quality),
-                    parsed.GetValue(settled) ? Settled : Moving, parsed.GetValue(csv), Console.Out);
+                    parsed.GetValue(foam), parsed.GetValue(settled) ? Settled : Moving, parsed.GetValue(csv), Console.Out);
                 return 0;
             });
             return command;
@@ -80,10 +84,10 @@ namespace Host.Bench
         }
 
         static void Execute(int[] counts, (int Width, int Height)[] sizes, (string Name, Action<FluidSurface> Set)[] rows, SurfaceQuality quality,
-            (string Name, int First, int Last) window, string csv, TextWriter output)
+            int foam, (string Name, int First, int Last) window, string csv, TextWriter output)
         {
             using var session = new Session(Session.Root());
-            var table = new ReportTable("particles", "window", "size", "method", "sample", "median_ms", "p10_ms", "p90_ms", "frames")
+            var table = new ReportTable("particles", "window", "size", "eyes", "method", "sample", "median_ms", "p10_ms", "p90_ms", "frames")
             {
                 MeasuredOn = session.DescribeDevice(),
             };
@@ -97,17 +101,17 @@ namespace Host.Bench
                     ExperimentScene scene = ExperimentScene.Dam(count);
                     output.WriteLine();
                     output.WriteLine(string.Create(CultureInfo.InvariantCulture,
-                        $"{scene.Particles:N0} particles, {window.Name}, {width} x {height}"));
+                        $"{scene.Particles:N0} particles, {window.Name}, {width} x {height}{(Player.Stereo ? " for each of two eyes" : "")}"));
                     output.WriteLine($"{"",-40}{"median ms",12}{"10 %",10}{"90 %",10}");
                     foreach ((string name, Action<FluidSurface> set) in rows)
                     {
                         output.WriteLine(name);
-                        foreach ((string sample, StepTimes.Spread time) in Measure(scene, set, quality, width, height, window))
+                        foreach ((string sample, StepTimes.Spread time) in Measure(scene, set, quality, foam, width, height, window))
                         {
                             output.WriteLine(string.Create(CultureInfo.InvariantCulture,
                                 $"  {sample,-38}{time.Median,12:0.0000}{time.Low,10:0.0000}{time.High,10:0.0000}"));
-                            table.Add(scene.Particles, window.Name, $"{width}x{height}", name, sample, time.Median, time.Low, time.High,
-                                time.Count);
+                            table.Add(scene.Particles, window.Name, $"{width}x{height}", Player.Stereo ? 2 : 1, name, sample, time.Median, time.Low,
+                                time.High, time.Count);
                         }
                     }
                 }
@@ -117,7 +121,7 @@ namespace Host.Bench
 
         // The water's own samples, the camera and the whole, in this order.
         static IEnumerable<(string Name, StepTimes.Spread Time)> Measure(ExperimentScene scene, Action<FluidSurface> set, SurfaceQuality quality,
-            int width, int height, (string Name, int First, int Last) window)
+            int foam, int width, int height, (string Name, int First, int Last) window)
         {
             var made = new List<Object>();
             var times = new SortedDictionary<string, List<double>>(StringComparer.Ordinal);
@@ -128,7 +132,7 @@ namespace Host.Bench
             Camera.onPostRender += end;
             try
             {
-                FluidSimulation fluid = Make(scene, set, quality, width, height, made);
+                FluidSimulation fluid = Make(scene, set, quality, foam, width, height, made);
                 for (int frame = 1; frame <= window.Last; frame++)
                 {
                     device.Timing = frame >= window.First;
@@ -160,24 +164,31 @@ namespace Host.Bench
 
         static bool IsOfSurface(DeviceSample sample) => sample.Name.StartsWith("Rill.Surface", StringComparison.Ordinal)
             || sample.Name.StartsWith("Rill.Caustics", StringComparison.Ordinal)
-            || sample.Name.StartsWith("Rill.Water", StringComparison.Ordinal) || sample.Name == "Rill.Mesh";
+            || sample.Name.StartsWith("Rill.Water", StringComparison.Ordinal) || sample.Name == "Rill.Mesh" || sample.Name == "Rill.Foam";
 
-        static FluidSimulation Make(ExperimentScene scene, Action<FluidSurface> set, SurfaceQuality quality, int width, int height,
+        static FluidSimulation Make(ExperimentScene scene, Action<FluidSurface> set, SurfaceQuality quality, int foam, int width, int height,
             List<Object> made)
         {
             Vector3 domain = scene.Domain;
             GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Plane);
             floor.transform.position = new Vector3(0f, -0.5f * domain.y, 0f);
             made.Add(floor);
+            if (Player.Stereo)      // the stand-in for Unity's Standard shader takes no shadows for two eyes
+            {
+                var solid = new Material(Shader.Find("Rill/Solid"));
+                made.Add(solid);
+                floor.GetComponent<MeshRenderer>().sharedMaterial = solid;
+            }
             var sun = new GameObject("Sun").AddComponent<Light>();
             sun.type = LightType.Directional;
             sun.shadows = LightShadows.Soft;
             sun.transform.rotation = Quaternion.Euler(50f, -30f, 0f);
             made.Add(sun.gameObject);
-            var picture = new RenderTexture(width, height, 24);
-            made.Add(picture);
             var camera = new GameObject("Camera").AddComponent<Camera>();
-            camera.targetTexture = picture;
+            if (Player.Stereo)
+                (Player.ScreenWidth, Player.ScreenHeight) = (2 * width, height);
+            else
+                made.Add(camera.targetTexture = new RenderTexture(width, height, 24));
             camera.fieldOfView = FieldOfView;
             float distance = 0.5f * domain.magnitude / Mathf.Tan(0.5f * FieldOfView * Mathf.Deg2Rad);
             Vector3 from = new Vector3(0.35f, 0.35f, -0.87f).normalized * distance;
@@ -196,10 +207,25 @@ namespace Host.Bench
                 surface.Quality = quality;
                 surface.Sun = sun;
                 set(surface);
+                if (foam > 0)
+                    AddFoam(box, scene, foam);
             }
             box.SetActive(true);
             scene.Fill(fluid.Solver);
             return fluid;
+        }
+
+        // More than a hundred times what a scene has, so that all of the budget is there.
+        static void AddFoam(GameObject box, ExperimentScene scene, int budget)
+        {
+            float depth = scene.Blocks[0].counts.y * scene.Spacing;
+            FoamSettings settings = FoamSettings.Default;
+            settings.budget = budget;
+            settings.amount = 10f;
+            settings.lifetime = 200f;
+            settings.referenceSpeed = Mathf.Sqrt(9.81f * depth);
+            settings.referenceDepth = 0.2f * depth;
+            box.AddComponent<FluidFoam>().Settings = settings;
         }
     }
 }
