@@ -17,21 +17,22 @@ StructuredBuffer<SurfaceParticle> _SurfaceElements;
 StructuredBuffer<uint> _MeshDrops;
 float4 _FrameExposure;          // x: substeps while which the picture is exposed
 
-static const float kSmallestDroplet = 0.2;      // radius of the last of a particle's droplets over the first
-static const float kFirstRadius = 0.4401;       // of the first, d: with those radii all together have a volume of d^3
-static const float kSpread = 0.75;              // of a particle's droplets around it, d
+static const float kSmallestDroplet = 0.45;     // radius of the last of a particle's droplets over the first
+static const float kFirstRadius = 0.3694;       // of the first, d: with those radii all together have a volume of d^3
+static const float kSpread = 1.1;               // of a particle's droplets around it, d
 static const float kSmall = 2.0;                // radius up to which a droplet is added up with others, texels
 static const float kOnSolid = 0.8;              // nearer to a collider or a wall a particle lies on it, d
 // A particle that lies there is a cap of a ball, with a contact angle of 40 degrees and a volume of d^3: radius of the ball and of the cap, d;
 // distance of the ball's center below the solid over its radius.
 static const float kCapBall = 1.848, kCapRadius = 1.188, kCapSunk = 0.766;
-static const float kGathered = 0.1;             // coverage of a small one by the light that it gathers from everywhere
+static const float kGathered = 0.066;           // part of the light from everywhere that a ball of water mirrors (Preisendorfer 1976)
 
 struct Droplet
 {
     float3 center;          // d, in the domain's frame, as is what follows
     float3 axis;            // unit
-    float along, across;    // semi-axes, d; 0 of those that are not drawn
+    float along, across;    // semi-axes of all that it covers in the exposure, d; 0 of those that are not drawn
+    float shown;            // part of the exposure for which it covers a point of that
     float texel;            // width of a texel of the spray's textures there, d
     bool isCap;             // the part of it that is further along the axis than kCapSunk of its radius
 };
@@ -61,10 +62,11 @@ Droplet DropletOf(uint index)
     droplet.texel = SprayTexel(position);
     float radius = kFirstRadius * pow(kSmallestDroplet, k / (kDroplets - 1.0));     // a power law
     droplet.center = clamp(position + kSpread * HashedInBall(id, k), radius, _DrawnDomainSize.xyz - radius);
-    // It is as long as its path during the exposure, and thinner by that: its volume stays.
+    // It covers as much of the picture as one that stands still, but along its path.
     float flown = length(chord) * _FrameExposure.x;
     droplet.along = radius + 0.5 * flown;
-    droplet.across = radius * sqrt(radius / droplet.along);
+    droplet.across = radius;
+    droplet.shown = radius / droplet.along;
     droplet.axis = flown > 1e-4 ? normalize(chord) : float3(0.0, 1.0, 0.0);
     if (toSolid < kOnSolid)
     {
@@ -72,6 +74,7 @@ Droplet DropletOf(uint index)
         droplet.axis = UnpackNormal(drop.b.w);
         droplet.center = position - droplet.axis * (toSolid + kCapBall * kCapSunk);
         droplet.along = droplet.across = droplet.isCap ? kCapBall : 0.0;
+        droplet.shown = 1.0;
     }
     return droplet;
 }

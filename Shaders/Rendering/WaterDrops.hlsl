@@ -12,10 +12,20 @@ struct DropVaryings
     float3 world : TEXCOORD0;                   // on the quad
     nointerpolation float4 center : TEXCOORD1;  // w how much its own shape is seen
     nointerpolation float4 a : TEXCOORD2;       // semi-axes; w where along this one it begins, over its length
-    nointerpolation float4 b : TEXCOORD3;       // whole registers: vkd3d, which runs FXC's bytecode, takes no others beside an eye's index
-    nointerpolation float4 c : TEXCOORD4;
+    nointerpolation float4 b : TEXCOORD3;       // w see Droplet
+    nointerpolation float4 c : TEXCOORD4;       // whole registers: vkd3d, which runs FXC's bytecode, takes no others beside an eye's index
     RILL_VIEW_OUTPUT
 };
+
+// Returns a corner of the quad around a ball of radius reach that is narrower across an axis by a factor. center, axis, reach: world.
+float3 PointOnSilhouette(float3 center, float2 corner, float3 axis, float narrower, float reach)
+{
+    float3 ray = -ToEye(center), along = normalize(axis), up = along - ray * dot(along, ray);
+    float sine = length(up), size = SilhouetteRadius(center, reach);
+    up = sine > 1e-3 ? up / sine : SideOf(ray);
+    float height = sqrt(lerp(narrower * narrower, 1.0, sine * sine));
+    return center + (cross(ray, up) * (corner.x * narrower) + up * (corner.y * height)) * size;
+}
 
 DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
@@ -36,13 +46,14 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     float3 center = mul(_DomainToWorld, float4(droplet.center, 1.0)).xyz;
     result.center = float4(center, smoothstep(kSmall, kShaped, size / droplet.texel));
     result.a = float4(mul(toWorld, droplet.axis) * droplet.along, droplet.isCap ? kCapSunk : -2.0);
-    result.b = float4(mul(toWorld, x) * droplet.across, 0.0);
+    result.b = float4(mul(toWorld, x) * droplet.across, droplet.shown);
     result.c = float4(mul(toWorld, y) * droplet.across, 0.0);
-    float reach = droplet.along * Spacing();
-    result.world = PointOnQuad(center, QuadCorner(vertex), SilhouetteRadius(center, reach));
+    float3 middle = droplet.isCap ? center + result.a.xyz * kCapSunk : center;
+    float reach = (droplet.isCap ? kCapRadius : droplet.along) * Spacing();
+    result.world = PointOnSilhouette(middle, QuadCorner(vertex), result.a.xyz, droplet.isCap ? 1.0 : droplet.across / droplet.along, reach);
     result.clip = WorldToClip(result.world);
     // As near as any of it, along the view.
-    float4 nearest = WorldToClip(center + RILL_VIEW_MATRIX[2].xyz * reach);
+    float4 nearest = WorldToClip(middle + RILL_VIEW_MATRIX[2].xyz * reach);
     if (nearest.w > 1e-4)
         result.clip.z = nearest.z / nearest.w * result.clip.w;
     return result;
@@ -91,7 +102,8 @@ float4 SeenInCap(Ellipsoid e, float plane, float3 world, float3 normal, float3 r
 #endif
 }
 
-// A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small.
+// A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small. What flies
+// while the picture is exposed is seen for a part of that at each place.
 float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH) : SV_Target
 {
     RestoreView(input);
@@ -126,5 +138,5 @@ float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPT
         seen = float4(SeenInDroplet(e, world, normal, ray, onPicture.xy / onPicture.w, z), 1.0);
     color += shaped * seen.rgb;
     float body = lerp(kGathered, seen.a, shaped);
-    return float4(ApplyFog(color, body, z), body);
+    return float4(ApplyFog(color, body, z), body) * input.b.w;
 }
