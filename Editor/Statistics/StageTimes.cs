@@ -55,6 +55,7 @@ namespace Rill.Editor
             ("Rill.Water.SunPaths", "Water: paths of the sun"),
             ("Rill.Water.Faces", "Water: nearest faces"),
             ("Rill.Water.Rays", "Water: rays"),
+            ("Rill.Water.Tiles", "Water: tiles"),
             ("Rill.Water.Spray", "Water: spray and foam"),
             ("Rill.Surface.Depth", "Surface: depth"),
             ("Rill.Surface.Filter", "Surface: filter"),

@@ -1,5 +1,5 @@
 // The depth of the scene as the pipeline binds it: with RILL_SCENE_ARRAY a slice for each eye. In kernels, which cannot name that, RILL_SCENE_COPY
-// reads the copy of it that WaterFaces.hlsl makes: in texels of the surface's textures, but of the whole picture. Include after SurfaceView.hlsl.
+// reads the copy of it that WaterFaces.hlsl makes: in texels of the rays' textures, but of the whole picture. Include after SurfaceView.hlsl.
 #ifndef RILL_SCENE_DEPTH_INCLUDED
 #define RILL_SCENE_DEPTH_INCLUDED
 
@@ -15,12 +15,12 @@ Texture2D _CameraDepthTexture;
 
 float2 SceneSize()
 {
-    return _SurfaceSize.xy;
+    return _FoamSize.xy;
 }
 
 float SceneDepth(float2 picture, uint eye)
 {
-    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
+    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _FoamSize.xy, 0.0, _FoamSize.xy - 1.0));
     return _SceneCopy.Load(int4(texel, eye, 0));
 }
 

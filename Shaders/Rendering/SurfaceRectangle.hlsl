@@ -10,7 +10,7 @@ struct SurfaceVaryings
     RILL_VIEW_OUTPUT
 };
 
-SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+SurfaceVaryings SurfaceCorner(float2 picture, uint instance)
 {
     SurfaceVaryings result = (SurfaceVaryings)0;
     bool drawn = SelectView(instance);
@@ -20,12 +20,16 @@ SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_Inst
         return result;
 
     // Through a point of the world: whatever side the pipeline calls up, and into whatever part of its target.
-    float2 picture = RectangleCorner(vertex, _PictureBounds.xy, _PictureBounds.zw);
     SurfaceRay ray = RayThrough(picture, eyeIndex);
     result.clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
     result.clip.z = 0.5 * result.clip.w;        // whatever an oblique near plane makes of it
     result.picture = float4(picture, 0.0, 0.0);
     return result;
+}
+
+SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    return SurfaceCorner(RectangleCorner(vertex, _PictureBounds.xy, _PictureBounds.zw), instance);
 }
 
 #endif

@@ -1,4 +1,4 @@
-// Shades the water: one rectangle over the textures that WaterRays.compute has filled for this camera, with depth, or, in RILL_UNDER_WATER, all that
+// Shades the water: rectangles over the textures that WaterRays.compute has filled for this camera, with depth, or, in RILL_UNDER_WATER, all that
 // an eye in the water sees, whose rays it follows itself. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of
 // Unity's.
 //
@@ -12,7 +12,7 @@
 #include "Fog.hlsl"
 #include "SceneColor.hlsl"
 #include "WaterRays.hlsl"
-#include "SurfaceRectangle.hlsl"
+#include "WaterTile.hlsl"
 
 static const float kSeenBorder = 0.02, kMirrorBorder = 0.1;    // of half the picture's width: over which the scene fades to what is around
 
@@ -165,6 +165,28 @@ struct WaterPoint
     float2 mirrored;        // what the surface mirrors, see PackedRay
 };
 
+// The nearest ray; where rays are fewer than pixels, what is seen and mirrored is between those around that end on the same.
+PackedRay RayAt(float2 picture)
+{
+    float2 texels = TexelsAt(picture, _FoamSize, _FoamWindow);
+    int4 texel = int4(clamp(texels, 0.0, _FoamWindow.zw - 1.0), eyeIndex, 0);
+    PackedRay ray;
+    ray.ends = _RayEnds.Load(texel);
+    ray.directions = _RayDirections.Load(texel);
+    ray.mirrored = _RayMirrors.Load(texel);
+    if (_FoamSize.x < _SurfaceSize.x)
+    {
+        uint width, height, slices;
+        _RayEnds.GetDimensions(width, height, slices);
+        float3 at = float3(clamp(texels, 0.5, max(_FoamWindow.zw - 0.5, 0.5)) / float2(width, height), eyeIndex);
+        if (all(_RayEnds.GatherAlpha(rill_linear_clamp_sampler, at) == ray.ends.w))
+            ray.ends.xyz = _RayEnds.SampleLevel(rill_linear_clamp_sampler, at, 0).xyz;
+        if (all(_RayMirrors.GatherRed(rill_linear_clamp_sampler, at) < kNoPoint))
+            ray.mirrored = _RayMirrors.SampleLevel(rill_linear_clamp_sampler, at, 0);
+    }
+    return ray;
+}
+
 WaterPoint PointOn(float2 picture)
 {
     int4 texel = int4(SurfaceTexel(picture), eyeIndex, 0);
@@ -187,9 +209,7 @@ WaterPoint PointOn(float2 picture)
     p.alpha = sqrt(saturate(alpha * alpha + min(2.0 * 0.15915494 * face.w, 0.18)));
 
     PackedRay packed;
-    packed.ends = _RayEnds.Load(texel);
-    packed.directions = _RayDirections.Load(texel);
-    packed.mirrored = _RayMirrors.Load(texel);
+    packed = RayAt(picture);
     p.ray = UnpackRay(packed, picture);
     p.mirrored = packed.mirrored.x == kNoPoint ? kNoPoint : packed.mirrored.xy + picture;
     return p;

@@ -22,7 +22,7 @@ Shader "Rill/Water"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex WaterVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
@@ -52,7 +52,7 @@ Shader "Rill/Water"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex WaterVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
@@ -79,7 +79,7 @@ Shader "Rill/Water"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex WaterVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
@@ -108,7 +108,7 @@ Shader "Rill/Water"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex WaterVertex
             #pragma fragment WaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION

@@ -24,6 +24,7 @@ static const uint kEndsInAir = 1;           // on the scene, beyond the water
 static const uint kEndsAround = 2;          // on no picture: in the surroundings
 static const uint kEndsAtWall = 3;          // behind a wall of the domain: what the picture shows there
 static const uint kEndsInWater = 4;         // turned back and lost: as bright as the water
+static const uint kNoRay = 5;
 
 static float3 fieldShift = 0.0;     // from the field's frame to that which is drawn, d
 
@@ -145,6 +146,15 @@ struct PackedRay
 };
 
 static const float kNoPoint = 8.0;
+
+PackedRay NoRay()
+{
+    PackedRay packed;
+    packed.ends = float4(0.0, 0.0, 0.0, kNoRay);
+    packed.directions = 0.0;
+    packed.mirrored = float4(kNoPoint, kNoPoint, 0.0, 0.0);
+    return packed;
+}
 
 PackedRay PackRay(WaterRay ray, float2 picture)
 {

@@ -1,5 +1,5 @@
-// Draws foam, spray and small droplets in front of the water and on it, over all of its box on the picture. The SubShader around it says for which
-// pipeline, see View.hlsl.
+// Draws foam, spray and small droplets in front of the water and on it, over the tiles of the picture that show some. The SubShader around it says
+// for which pipeline, see View.hlsl.
 #include "Water.hlsl"
 #include "Droplets.hlsl"
 #include "SprayLayer.hlsl"

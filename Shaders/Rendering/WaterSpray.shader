@@ -22,7 +22,7 @@ Shader "Hidden/Rill/WaterSpray"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex SprayVertex
             #pragma fragment SprayFragment
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #include "WaterSpray.hlsl"
@@ -50,7 +50,7 @@ Shader "Hidden/Rill/WaterSpray"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex SprayVertex
             #pragma fragment SprayFragment
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #include "WaterSpray.hlsl"
@@ -75,7 +75,7 @@ Shader "Hidden/Rill/WaterSpray"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex SprayVertex
             #pragma fragment SprayFragment
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
@@ -102,7 +102,7 @@ Shader "Hidden/Rill/WaterSpray"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex SurfaceVertex
+            #pragma vertex SprayVertex
             #pragma fragment SprayFragment
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2

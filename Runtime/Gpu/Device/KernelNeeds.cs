@@ -84,6 +84,7 @@ namespace Rill
                 case "BEGIN":
                 case "BINS":
                 case "BLUR":
+                case "CHORDS":
                 case "CLEAR_SUMS":
                 case "COEFFICIENTS":
                 case "COLUMNS":
@@ -97,6 +98,7 @@ namespace Rill
                 case "ELEMENTS":
                 case "EMIT":
                 case "ESTIMATE":
+                case "FACES":
                 case "FEW":
                 case "FIELDS":
                 case "FIND":

@@ -9,8 +9,8 @@ namespace Rill
     /// has of its own constants and the rays that it sees through the surface, which are found as its commands are recorded.
     /// </summary>
     /// <remarks>
-    /// A rectangle over what the nearest faces cover is shaded, and not their triangles, most of which are smaller than the four pixels that a GPU
-    /// shades at least.
+    /// Tiles of the picture that the nearest faces cover are shaded, and not their triangles, most of which are smaller than the four pixels that a
+    /// GPU shades at least.
     /// A draw for each camera, since the scene's color is another for each in the Built-in pipeline, and so are the constants.
     /// </remarks>
     sealed class MeshDraw : IDisposable
@@ -80,9 +80,10 @@ namespace Rill
         /// <param name="parameters">With the properties of <see cref="BeginSubmit"/>, for one camera.</param>
         public void Submit(RenderParams parameters, in MeshFrame mesh)
         {
+            GraphicsBuffer tiles = views.ViewOf(parameters.camera).Tiles.Arguments;
             parameters.worldBounds = mesh.bounds;
             parameters.material = colors;
-            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, RectangleVertices);
+            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, tiles, 1, WaterTiles.WaterCommand);
             if (mesh.drops != null)
             {
                 parameters.material = drops;
@@ -92,7 +93,7 @@ namespace Rill
             if (mesh.HasSpray)
             {
                 parameters.material = sprays;
-                Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, RectangleVertices);
+                Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, tiles, 1, WaterTiles.SprayCommand);
             }
             parameters.material = inside;
             Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, RectangleVertices);
@@ -109,16 +110,17 @@ namespace Rill
             view.LastFrame = Time.frameCount;
             constants.Set(camera);
             constants.pictureBounds = BoxOnPicture.Of(camera, mesh.Box).Bounds;
-            view.Place(camera, constants.pictureBounds, mesh.rayScale);
+            view.Place(camera, constants.pictureBounds, mesh);
             (constants.surfaceSize, constants.surfaceWindow) = (view.Window.Grid, view.Window.Rect);
-            (constants.foamSize, constants.foamWindow) = (view.SprayWindow.Grid, view.SprayWindow.Rect);
+            (constants.foamSize, constants.foamWindow) = (view.CoarseWindow.Grid, view.CoarseWindow.Rect);
             constants.foamColor = mesh.HasFoam ? mesh.foam.color : Vector4.one;
             view.Write(cmd, constants);
-            SurfaceScratch.Shared.Prepare(view, Mathf.CeilToInt(view.Window.Grid.x), Mathf.CeilToInt(view.Window.Grid.y),
+            SurfaceScratch.Shared.Prepare(view, Mathf.CeilToInt(view.CoarseWindow.Grid.x), Mathf.CeilToInt(view.CoarseWindow.Grid.y),
                 WaterSpray.WordsOf(mesh));
             rays.Record(cmd, camera, mesh, view, refracts);
             if (view.Spray != null)
                 spray.Record(cmd, camera, mesh, view);
+            rays.RecordTiles(cmd, view);
             view.HasMotion = view.Chords != null;
         }
 
@@ -137,13 +139,13 @@ namespace Rill
             stage.Draw("WaterDrops", views.Count);
             stage.Draw("WaterSpray", views.Count);
             for (int i = 0; i < views.Count; i++)
-                if (views[i].Ends != null)
+                if (views[i].Faces != null)
                 {
-                    rays.Describe(stage, views[i].Ends.volumeDepth, views[i].Chords != null);
+                    rays.Describe(stage, views[i].Faces.volumeDepth, views[i].Chords != null);
                     if (views[i].Chords != null)
                         stage.Draw("SurfaceMotion", 1);
                     if (views[i].Spray != null)
-                        spray.Describe(stage, views[i].Ends.volumeDepth, withFoam);
+                        spray.Describe(stage, views[i].Faces.volumeDepth, withFoam);
                     views[i].Describe(stage);
                 }
             SurfaceScratch.Shared.Describe(stage);

@@ -6,6 +6,7 @@ namespace Rill
     /// <summary>The mesh of a fluid's surface in a frame, for all cameras; see MeshVertex.hlsl and MeshField.hlsl.</summary>
     struct MeshFrame
     {
+        const int FineLines = 1440;
         const float MaxSlope = 0.15f, RippleLife = 0.5f;    // s
         const float MinGravity = 1f;        // m/s^2
         const double MaxLives = 4096.0;     // then the same patterns come again: a float has no room for more
@@ -51,8 +52,12 @@ namespace Rill
         /// <summary>Particle spacing, m.</summary>
         public float spacing;
 
-        /// <summary>Width of the textures of rays over that of the picture, up to 1.</summary>
+        /// <summary>Width of the textures of faces over that of the picture, up to 1.</summary>
         public float rayScale;
+
+        /// <summary>Texels of those from the bottom to the top of a picture, of which twice as many show no more of what is bent, mirrored or
+        /// small: above that rays and spray have textures of half their width, then a quarter.</summary>
+        public int fineLines;
 
         /// <summary>See Ripples.hlsl; 0 for none.</summary>
         public Vector4 ripples;
@@ -89,7 +94,7 @@ namespace Rill
                 cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
                 domainToWorld = fluid.DomainToWorld, lastDomainToWorld = fluid.DomainToWorld,
                 domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
-                rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f,
+                rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f, fineLines = quality == SurfaceQuality.High ? int.MaxValue / 2 : FineLines,
                 bounds = new Bounds(fluid.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)), Vector3.one * (box.magnitude + 4f * spacing)),
             };
         }

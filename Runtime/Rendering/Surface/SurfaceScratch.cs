@@ -16,7 +16,7 @@ namespace Rill
         static SurfaceScratch shared = new SurfaceScratch();
 
         RenderTexture rows, sceneDistance, faces, faceDepth, sceneCopy;
-        GraphicsBuffer amounts, foamAmounts, sprayAmounts;
+        GraphicsBuffer amounts, foamAmounts, sprayAmounts, tileMarks;
         int lastFrame, lookedFrame;
         long largest;       // texels asked for since it was looked at
         // What commands that are recorded and have not run may still refer to: a camera can be drawn while another is prepared.
@@ -46,6 +46,9 @@ namespace Rill
         /// <summary>uint, of each texel of <see cref="WaterView.Spray"/> in use, slice after slice; see WaterSpray.compute.</summary>
         public GraphicsBuffer SprayAmounts => sprayAmounts;
 
+        /// <summary>uint, see TileMarks.hlsl.</summary>
+        public GraphicsBuffer TileMarks => tileMarks;
+
         /// <summary>Holds what a view needs; allocates only where it is larger than all before.</summary>
         public void Prepare(SurfaceView view)
         {
@@ -59,17 +62,18 @@ namespace Rill
         }
 
         /// <summary>Holds what the rays of a view need.</summary>
-        /// <param name="width">Of the whole picture, in texels of the view.</param>
+        /// <param name="width">Of the whole picture, in texels of the view's rays.</param>
         /// <param name="height">The same.</param>
         /// <param name="sprayWords">That are added up for a texel of its spray.</param>
         public void Prepare(WaterView view, int width, int height, int sprayWords)
         {
             lastFrame = Time.frameCount;
-            int3 size = SizeOf(view.Ends);
-            largest = Math.Max(largest, TexelsOf(view.Ends));
+            int3 size = SizeOf(view.Faces);
+            largest = Math.Max(largest, TexelsOf(view.Faces));
             HoldTexture(ref faces, "Rill.Water.Faces", size, GraphicsFormat.R16G16B16A16_SFloat, false);
             HoldTexture(ref faceDepth, "Rill.Water.FaceDepth", size, GraphicsFormat.None, false);
             HoldTexture(ref sceneCopy, "Rill.Water.Scene", new int3(width, height, size.z), GraphicsFormat.R32_SFloat, false);
+            HoldBuffer<uint>(ref tileMarks, "Rill.Water.TileMarks", view.Tiles.Tiles.count);
             if (view.Spray != null)
                 HoldBuffer<uint>(ref sprayAmounts, "Rill.Water.SprayAmounts", TexelsOf(view.Spray) * sprayWords);
         }
@@ -102,6 +106,7 @@ namespace Rill
                 Outgrow(ref amounts);
                 Outgrow(ref foamAmounts);
                 Outgrow(ref sprayAmounts);
+                Outgrow(ref tileMarks);
             }
             lookedFrame = Time.frameCount;
             largest = 0;
@@ -121,6 +126,7 @@ namespace Rill
             GpuBuffer.Release(ref amounts);
             GpuBuffer.Release(ref foamAmounts);
             GpuBuffer.Release(ref sprayAmounts);
+            GpuBuffer.Release(ref tileMarks);
         }
 
         public void Describe(StageDescription stage)
@@ -136,6 +142,8 @@ namespace Rill
                 stage.Buffer("Rill.Surface.FoamAmounts", foamAmounts);
             if (sprayAmounts != null)
                 stage.Buffer("Rill.Water.SprayAmounts", sprayAmounts);
+            if (tileMarks != null)
+                stage.Buffer("Rill.Water.TileMarks", tileMarks);
         }
 
         static long TexelsOf(RenderTexture texture) => (long)texture.width * texture.height * texture.volumeDepth;

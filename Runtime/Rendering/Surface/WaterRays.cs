@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Follows the light that a camera sees through the mesh of a fluid's surface, a thread for each texel of its picture; see
+    /// <summary>Finds what a camera sees of the mesh of a fluid's surface, and follows the light that it sees through it; see
     /// WaterRays.compute.</summary>
     /// <remarks>Not in the draw that shades: triangles of a few pixels shade most of them several times. Records into the caller's command buffer;
     /// sets no globals.</remarks>
@@ -13,12 +13,15 @@ namespace Rill
     {
         static readonly ProfilerMarker FacesMarker = GpuMarker.Create("Rill.Water.Faces");
         static readonly ProfilerMarker RaysMarker = GpuMarker.Create("Rill.Water.Rays");
+        static readonly ProfilerMarker TilesMarker = GpuMarker.Create("Rill.Water.Tiles");
 
+        const int TilesGroup = 64;
         const int FacePass = 0, CopyPass = 1;       // of WaterFaces.shader
         const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
 
         readonly ComputeShader shader;
-        readonly Kernel trace, storeChords;
+        readonly BufferClear clear = new BufferClear();
+        readonly Kernel findFaces, trace, storeChords, listTiles;
         readonly LocalKeyword sceneArray;
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         Material raster;
@@ -28,8 +31,10 @@ namespace Rill
             StageShader stage = StageShader.Load("WaterRays");
             shader = stage.Compute;
             raster = new Material(stage.Shader) { hideFlags = HideFlags.HideAndDontSave };
+            findFaces = new Kernel(shader, "FindFaces");
             trace = new Kernel(shader, "TraceRays");
             storeChords = new Kernel(shader, "StoreChords");
+            listTiles = new Kernel(shader, "ListTiles");
             sceneArray = new LocalKeyword(stage.Shader, SceneArrayKeyword);
         }
 
@@ -44,40 +49,66 @@ namespace Rill
             SurfaceScratch scratch = SurfaceScratch.Shared;
             RecordFaces(cmd, camera, mesh, view);
             cmd.BeginSample(RaysMarker);
+            clear.Record(cmd, scratch.TileMarks, 2 * WaterTiles.Count(view.CoarseWindow.Width, view.CoarseWindow.Height));
             view.SetConstants(cmd, shader);
             mesh.SetOn(cmd, shader);
             mesh.SetField(cmd, shader, trace);
             cmd.SetComputeFloatParam(shader, Ids.RaysBend, refracts ? 1f : 0f);
+            cmd.SetComputeIntParam(shader, Ids.RaysAcross, WaterView.Divisor(camera, mesh));
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
-                cmd.SetComputeTextureParam(shader, trace, Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
+                SetFaces(cmd, findFaces);
+                cmd.SetComputeBufferParam(shader, findFaces, Ids.TileMarks, scratch.TileMarks);
+                cmd.SetComputeTextureParam(shader, findFaces, WaterView.Ids.RayFaces, view.Faces);
+                SurfaceIds.Dispatch(cmd, shader, findFaces, view.Window.Width, view.Window.Height);
                 cmd.SetComputeTextureParam(shader, trace, Ids.Faces, scratch.Faces);
                 cmd.SetComputeTextureParam(shader, trace, Ids.SceneCopy, scratch.SceneCopy);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayFaces, view.Faces);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayEnds, view.Ends);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayDirections, view.Directions);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayMirrors, view.Mirrors);
-                SurfaceIds.Dispatch(cmd, shader, trace, view.Window.Width, view.Window.Height);
+                SurfaceIds.Dispatch(cmd, shader, trace, view.CoarseWindow.Width, view.CoarseWindow.Height);
                 if (view.Chords == null)
                     continue;
-                cmd.SetComputeTextureParam(shader, storeChords, Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
-                cmd.SetComputeTextureParam(shader, storeChords, Ids.Faces, scratch.Faces);
+                SetFaces(cmd, storeChords);
                 cmd.SetComputeTextureParam(shader, storeChords, WaterView.Ids.RayChords, view.Chords);
                 SurfaceIds.Dispatch(cmd, shader, storeChords, view.Window.Width, view.Window.Height);
             }
             cmd.EndSample(RaysMarker);
         }
 
+        /// <summary>Lists the tiles that show something, after all that marks them.</summary>
+        public void RecordTiles(CommandBuffer cmd, WaterView view)
+        {
+            cmd.BeginSample(TilesMarker);
+            view.Tiles.RecordStart(cmd, StereoInstancing.IsActive ? 2 : 1);
+            cmd.SetComputeBufferParam(shader, listTiles, Ids.TileMarks, SurfaceScratch.Shared.TileMarks);
+            cmd.SetComputeBufferParam(shader, listTiles, WaterView.Ids.WaterTiles, view.Tiles.Tiles);
+            cmd.SetComputeBufferParam(shader, listTiles, Ids.TileArguments, view.Tiles.Arguments);
+            int tiles = 2 * WaterTiles.Count(view.CoarseWindow.Width, view.CoarseWindow.Height);
+            cmd.DispatchCompute(shader, listTiles, (tiles + TilesGroup - 1) / TilesGroup, 1, 1);
+            cmd.EndSample(TilesMarker);
+        }
+
         public void Describe(StageDescription stage, int eyes, bool withMotion)
         {
+            clear.Describe(stage, sizeof(uint), 1);
             stage.Draw("WaterFaces", 2 * eyes);
+            stage.Kernel(findFaces, eyes);
             stage.Kernel(trace, eyes);
             if (withMotion)
                 stage.Kernel(storeChords, eyes);
+            stage.Kernel(listTiles, 1);
         }
 
         public void Dispose() => EngineObject.Destroy(ref raster);
+
+        void SetFaces(CommandBuffer cmd, Kernel kernel)
+        {
+            cmd.SetComputeTextureParam(shader, kernel, Ids.FaceDepth, SurfaceScratch.Shared.FaceDepth, 0, RenderTextureSubElement.Depth);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.Faces, SurfaceScratch.Shared.Faces);
+        }
 
         void RecordFaces(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view)
         {
@@ -87,7 +118,7 @@ namespace Rill
             view.SetConstants(properties);
             mesh.SetOn(properties);
             var window = new Rect(0f, 0f, view.Window.Width, view.Window.Height);
-            var picture = new Rect(0f, 0f, view.Window.Grid.x, view.Window.Grid.y);
+            var picture = new Rect(0f, 0f, view.CoarseWindow.Grid.x, view.CoarseWindow.Grid.y);
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 properties.SetInt(SurfaceIds.SurfaceEye, eye);
@@ -110,6 +141,9 @@ namespace Rill
             public static readonly int FaceDepth = Shader.PropertyToID("_FaceDepth");
             public static readonly int Faces = Shader.PropertyToID("_Faces");
             public static readonly int SceneCopy = Shader.PropertyToID("_SceneCopy");
+            public static readonly int TileMarks = Shader.PropertyToID("_TileMarks");
+            public static readonly int TileArguments = Shader.PropertyToID("_TileArguments");
+            public static readonly int RaysAcross = Shader.PropertyToID("_RaysAcross");
             public static readonly int RaysBend = Shader.PropertyToID("_RaysBend");
         }
     }

@@ -32,7 +32,7 @@ namespace Rill
         {
             SurfaceScratch scratch = SurfaceScratch.Shared;
             cmd.BeginSample(Marker);
-            clear.Record(cmd, scratch.SprayAmounts, view.SprayWindow.Texels * camera.eyes * WordsOf(mesh));
+            clear.Record(cmd, scratch.SprayAmounts, view.CoarseWindow.Texels * camera.eyes * WordsOf(mesh));
             view.SetConstants(cmd, shader);
             mesh.SetOn(cmd, shader);
             cmd.SetComputeIntParam(shader, Ids.SprayWords, WordsOf(mesh));
@@ -51,7 +51,8 @@ namespace Rill
                 cmd.SetComputeTextureParam(shader, resolve, WaterView.Ids.Spray, view.Spray);
                 if (mesh.HasFoam)
                     cmd.SetComputeTextureParam(shader, resolve, WaterView.Ids.Bubbles, view.Bubbles);
-                SurfaceIds.Dispatch(cmd, shader, resolve, view.SprayWindow.Width, view.SprayWindow.Height);
+                cmd.SetComputeBufferParam(shader, resolve, WaterRays.Ids.TileMarks, scratch.TileMarks);
+                SurfaceIds.Dispatch(cmd, shader, resolve, view.CoarseWindow.Width, view.CoarseWindow.Height);
             }
             cmd.EndSample(Marker);
         }

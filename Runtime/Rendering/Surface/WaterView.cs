@@ -11,22 +11,23 @@ namespace Rill
         /// <summary>Properties of the draws, which live on until the next frame.</summary>
         public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();
 
-        /// <summary>Floats; the others are half floats.</summary>
+        /// <summary>The nearest faces, in floats; the others are half floats.</summary>
         public RenderTexture Faces;
 
+        /// <summary>Where rays through those end; of <see cref="CoarseWindow"/>, as are spray and bubbles.</summary>
         public RenderTexture Ends, Directions, Mirrors;
 
         /// <summary>See SprayLayer.hlsl; null where there is neither spray nor foam, and without foam.</summary>
         public RenderTexture Spray, Bubbles;
 
-        /// <summary>The part of the picture that they hold, from their first texel on.</summary>
+        /// <summary>The part of the picture that the faces hold, from their first texel on.</summary>
         public PictureWindow Window;
 
-        /// <summary>That part of the picture in texels of <see cref="Spray"/>.</summary>
-        public PictureWindow SprayWindow;
+        /// <summary>That part of the picture in texels that are as wide, or on a fine picture several times as wide.</summary>
+        public PictureWindow CoarseWindow;
 
-        // More texels than this from the bottom to the top of a picture show no more of what is small.
-        const int SprayLines = 1440;
+        /// <summary>The tiles of <see cref="CoarseWindow"/> that show something.</summary>
+        public readonly WaterTiles Tiles = new WaterTiles();
 
         ScreenSize size;
 
@@ -37,7 +38,7 @@ namespace Rill
         public bool Holds(in FluidViews camera, Vector4 bounds, in MeshFrame mesh)
         {
             PictureWindow window = PictureWindow.Of(camera, bounds, mesh.rayScale);
-            return Ends != null && Ends.volumeDepth == camera.eyes && window.Width <= Ends.width && window.Height <= Ends.height
+            return Faces != null && Faces.volumeDepth == camera.eyes && window.Width <= Faces.width && window.Height <= Faces.height
                 && camera.needsMotion == (Chords != null) && mesh.HasSpray == (Spray != null) && mesh.HasFoam == (Bubbles != null);
         }
 
@@ -50,16 +51,21 @@ namespace Rill
             int maxWidth = Math.Max((int)window.Grid.x, PictureWindow.Scaled(camera.camera.pixelWidth, scale)),
                 maxHeight = Math.Max((int)window.Grid.y, PictureWindow.Scaled(camera.camera.pixelHeight, scale));
             if (size.Fit(Math.Min(window.Width + PictureWindow.Play, maxWidth), Math.Min(window.Height + PictureWindow.Play, maxHeight), maxWidth,
-                maxHeight) || Ends == null || Ends.volumeDepth != camera.eyes)
+                maxHeight) || Faces == null || Faces.volumeDepth != camera.eyes)
                 Make(camera.eyes);
+            int divisor = Divisor(camera, mesh), across = (Faces.width + divisor - 1) / divisor, up = (Faces.height + divisor - 1) / divisor;
+            Fit(ref Ends, true, "Rill.Water.RayEnds", across, up);
+            Fit(ref Directions, true, "Rill.Water.RayDirections", across, up);
+            Fit(ref Mirrors, true, "Rill.Water.RayMirrors", across, up);
+            Fit(ref Chords, camera.needsMotion, "Rill.Water.Chords", Faces.width, Faces.height);
+            Fit(ref Spray, mesh.HasSpray, "Rill.Water.Spray", across, up);
+            Fit(ref Bubbles, mesh.HasFoam, "Rill.Water.Bubbles", across, up);
+            Tiles.Fit(across, up);
+            Properties.SetBuffer(Ids.WaterTiles, Tiles.Tiles);
             Properties.SetTexture(Ids.RayFaces, Faces);
             Properties.SetTexture(Ids.RayEnds, Ends);
             Properties.SetTexture(Ids.RayDirections, Directions);
             Properties.SetTexture(Ids.RayMirrors, Mirrors);
-            int divisor = SprayDivisor(camera, scale), across = (Ends.width + divisor - 1) / divisor, up = (Ends.height + divisor - 1) / divisor;
-            Fit(ref Chords, camera.needsMotion, "Rill.Water.Chords", Ends.width, Ends.height);
-            Fit(ref Spray, mesh.HasSpray, "Rill.Water.Spray", across, up);
-            Fit(ref Bubbles, mesh.HasFoam, "Rill.Water.Bubbles", across, up);
             if (Spray != null)
                 Properties.SetTexture(Ids.Spray, Spray);
             if (Bubbles != null)
@@ -67,12 +73,10 @@ namespace Rill
         }
 
         /// <summary>Sets which part of the picture is in use, as far as the textures go.</summary>
-        public void Place(in FluidViews camera, Vector4 bounds, float scale)
+        public void Place(in FluidViews camera, Vector4 bounds, in MeshFrame mesh)
         {
-            Window = PictureWindow.Of(camera, bounds, scale).Within(Ends.width, Ends.height);
-            SprayWindow = Window.Coarser(SprayDivisor(camera, scale));
-            if (Spray != null)
-                SprayWindow = SprayWindow.Within(Spray.width, Spray.height);
+            Window = PictureWindow.Of(camera, bounds, mesh.rayScale).Within(Faces.width, Faces.height);
+            CoarseWindow = Window.Coarser(Divisor(camera, mesh)).Within(Ends.width, Ends.height);
         }
 
         public override void Dispose()
@@ -90,35 +94,30 @@ namespace Rill
             SurfaceView.Describe(stage, Chords);
             SurfaceView.Describe(stage, Spray);
             SurfaceView.Describe(stage, Bubbles);
+            Tiles.Describe(stage);
         }
 
         void Make(int eyes)
         {
             ReleaseTextures();
-            Faces = Make("Rill.Water.RayFaces", eyes, GraphicsFormat.R32G32B32A32_SFloat);
-            Ends = Make("Rill.Water.RayEnds", eyes);
-            Directions = Make("Rill.Water.RayDirections", eyes);
-            Mirrors = Make("Rill.Water.RayMirrors", eyes);
+            Faces = SurfaceView.Make("Rill.Water.RayFaces", size.Width, size.Height, eyes, GraphicsFormat.R32G32B32A32_SFloat, true);
         }
 
-        // 1, 2 or 4.
-        static int SprayDivisor(in FluidViews camera, float scale)
+        /// <summary>Returns how many texels of <see cref="Window"/> one of <see cref="CoarseWindow"/> is wide: 1, 2 or 4.</summary>
+        public static int Divisor(in FluidViews camera, in MeshFrame mesh)
         {
-            int lines = PictureWindow.Scaled(camera.height, scale);
-            return lines <= SprayLines ? 1 : lines <= 2 * SprayLines ? 2 : 4;
+            int lines = PictureWindow.Scaled(camera.height, mesh.rayScale);
+            return lines <= mesh.fineLines ? 1 : lines <= 2 * mesh.fineLines ? 2 : 4;
         }
 
-        // A texture that is there only where something needs it.
+        // A texture of half floats that is there only where something needs it.
         void Fit(ref RenderTexture layer, bool isNeeded, string name, int width, int height)
         {
-            if (layer != null && (!isNeeded || layer.width != width || layer.height != height || layer.volumeDepth != Ends.volumeDepth))
+            if (layer != null && (!isNeeded || layer.width != width || layer.height != height || layer.volumeDepth != Faces.volumeDepth))
                 EngineObject.Release(ref layer);
             if (isNeeded && layer == null)
-                layer = SurfaceView.Make(name, width, height, Ends.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, true);
+                layer = SurfaceView.Make(name, width, height, Faces.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, true);
         }
-
-        RenderTexture Make(string name, int eyes, GraphicsFormat format = GraphicsFormat.R16G16B16A16_SFloat)
-            => SurfaceView.Make(name, size.Width, size.Height, eyes, format, true);
 
         void ReleaseTextures()
         {
@@ -129,6 +128,7 @@ namespace Rill
             EngineObject.Release(ref Chords);
             EngineObject.Release(ref Spray);
             EngineObject.Release(ref Bubbles);
+            Tiles.Release();
         }
 
         /// <summary>Properties of WaterRays.compute, WaterSpray.compute and Water.hlsl.</summary>
@@ -141,6 +141,7 @@ namespace Rill
             public static readonly int RayChords = Shader.PropertyToID("_RayChords");
             public static readonly int Spray = Shader.PropertyToID("_Spray");
             public static readonly int Bubbles = Shader.PropertyToID("_Bubbles");
+            public static readonly int WaterTiles = Shader.PropertyToID("_WaterTiles");
         }
     }
 }

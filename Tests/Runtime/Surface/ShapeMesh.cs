@@ -48,7 +48,7 @@ namespace Rill.Tests
         /// <param name="spacing">m.</param>
         public MeshFrame Frame(Matrix4x4 domainToWorld, float spacing, float lag = 0f) => new MeshFrame
         {
-            rayScale = 1f,
+            rayScale = 1f, fineLines = 1440,
             vertices = vertexBuffer, indices = indexBuffer, arguments = arguments, top = top, field = field, cell = cell,
             fieldTexel = new Vector4(1f / field.width, 1f / field.height, 1f / field.depth),
             bricks = new Vector3Int(bricks.x, bricks.y, bricks.z), domainToWorld = domainToWorld, domainSize = size, spacing = spacing,

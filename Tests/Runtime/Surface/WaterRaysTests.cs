@@ -68,6 +68,27 @@ namespace Rill.Tests
             Assert.That(different, Is.InRange(1e-4f, 0.15f));
         }
 
+        // The outline of the water stays as fine as the picture.
+        [UnityTest]
+        public IEnumerator On_a_fine_picture_fewer_rays_show_nearly_the_same([Values(2, 4)] int across)
+        {
+            AddBoard();
+            scene.Put(p => Radius - math.length(p));
+            yield return Frames();
+            float3[] whole = scene.Pixels();
+            MeshFrame frame = scene.Surface.Mesh.Value;
+            frame.fineLines = Across / across;
+            scene.Surface.Mesh = frame;
+            yield return Frames();
+            float different = Difference(scene.Pixels(), whole);
+            frame.rayScale = 1f / across;
+            scene.Surface.Mesh = frame;
+            yield return Frames();
+            float coarse = Difference(scene.Pixels(), whole);
+            TestContext.Out.WriteLine($"rms difference {different:F4}; with faces as coarse {coarse:F4}");
+            Assert.That(different, Is.InRange(1e-4f, 0.75f * coarse));
+        }
+
         // In a furnace: all that faces mirror, let through and turn back adds up to the light around.
         [UnityTest]
         public IEnumerator Clear_water_in_a_world_that_is_equally_bright_everywhere_is_not_to_be_seen()
