@@ -12,7 +12,7 @@
 #include "Environment.hlsl"
 #include "Fog.hlsl"
 #include "../Gpu/Filtering.hlsl"
-#include "../Generated/PhaseFrame.hlsl"
+#include "Medium.hlsl"
 #ifdef RILL_FOAM
 #include "FoamLayer.hlsl"
 #endif
@@ -102,40 +102,16 @@ float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
 }
 #endif
 
-// The water along a ray.
-struct Medium
+// Of the water along a ray, and how much of it there is, m.
+Medium MediumAt(float2 picture, out float path)
 {
-    float thickness;        // m
-    float3 absorption;      // 1/m
-    float3 color;           // that is scattered, linear
-    float scattering;       // 1/m
-};
-
-Medium MediumAt(float2 picture)
-{
-    Medium m;
-    m.absorption = _Absorption.rgb;
-    m.color = _Scattering.rgb;
-    m.scattering = _Scattering.w;
     float2 texels = TexelsAt(picture, _ThicknessSize, _ThicknessWindow);
     float4 thickness = max(LoadBilinear(_SurfaceThickness, texels, 0.0, _ThicknessWindow.zw - 1.0, eyeIndex), 0.0);
-    m.thickness = _HasPhases > 0.5 ? dot(thickness, 1.0) : thickness.x;
-    if (_HasPhases > 0.5 && m.thickness > 1e-6)
-    {
-        // The mean of those along the ray, as if they were stirred: exact for what is absorbed.
-        float3 absorbed = 0.0, scattered = 0.0;
-        float rate = 0.0;
-        for (uint i = 0; i < 4; i++)
-        {
-            absorbed += _PhaseAbsorption[i].rgb * thickness[i];
-            scattered += _PhaseScattering[i].rgb * (_PhaseScattering[i].w * thickness[i]);
-            rate += _PhaseScattering[i].w * thickness[i];
-        }
-        m.absorption = absorbed / m.thickness;
-        m.color = scattered / max(rate, 1e-9);
-        m.scattering = rate / m.thickness;
-    }
-    return m;
+    path = _HasPhases > 0.5 ? dot(thickness, 1.0) : thickness.x;
+    Medium medium = MediumOfLook();
+    if (_HasPhases > 0.5 && path > 1e-6)
+        medium = Stirred(thickness);
+    return medium;
 }
 
 // Reflectance of a dielectric (Schlick 1994).
@@ -204,10 +180,11 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     float facing = dot(p.normal, toEye);
     p.normal = normalize(p.normal + toEye * max(0.05 - facing, 0.0));       // none of those that are seen looks away
     facing = saturate(dot(p.normal, toEye));
-    Medium medium = MediumAt(picture);
+    float path;
+    Medium medium = MediumAt(picture, path);
 #ifdef RILL_REFRACTION
     // The textures of thickness are coarse: what stands in the water keeps its edges by its own depth.
-    medium.thickness = min(medium.thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
+    path = min(path, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
 #endif
 
     MainLight light = LightOfSurface();
@@ -217,7 +194,6 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     float3 mirrored = Mirrored(p.world, reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye,
         light.direction, p.roughness);
 
-    float path = medium.thickness;
 #ifdef RILL_REFRACTION
     // As deep below the surface as the straight ray gets, which is where a floor is.
     float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
