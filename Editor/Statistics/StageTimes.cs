@@ -53,6 +53,7 @@ namespace Rill.Editor
             ("Rill.RenderedMesh", "Surface mesh: for the renderer"),
             ("Rill.Caustics", "Caustics"),
             ("Rill.Water.SunPaths", "Water: paths of the sun"),
+            ("Rill.Water.Phases", "Water: phases"),
             ("Rill.Water.Faces", "Water: nearest faces"),
             ("Rill.Water.Rays", "Water: rays"),
             ("Rill.Water.Tiles", "Water: tiles"),

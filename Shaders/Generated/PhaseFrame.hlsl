@@ -2,6 +2,6 @@
 #ifndef RILL_GENERATED_PHASE_FRAME_INCLUDED
 #define RILL_GENERATED_PHASE_FRAME_INCLUDED
 
-static const uint kMaxPhases = 4;    // phases that the textures of thickness tell apart, those beyond counting as the last
+static const uint kMaxPhases = 4;    // phases that have looks of their own, those beyond counting as the last
 
 #endif

@@ -70,7 +70,8 @@ float3 SunThroughSurface(float2 picture)
     float3 calm = -refract(-light.direction, up, 1.0 / _SurfaceOptics.x);
     calm = normalize(lerp(light.direction, calm, saturate(path)));
     float turned = max(dot(normal, calm), 0.0) * max(dot(up, light.direction), kMinCosine) / max(dot(up, calm), kMinCosine);
-    float3 through = caustics.x * exp(-(_Absorption.rgb + _Scattering.w) * path * Spacing());
+    Medium medium = MediumAlong(p, normalize(mul((float3x3)_WorldToDomain, calm)), path);
+    float3 through = caustics.x * exp(-(medium.absorption + medium.scattering) * path * Spacing());
 
     float3 sun = light.color * MainLightShadow(light, world, WorldToClip(world)), ambient = AmbientOfScene(normal);
     float3 dry = ambient + sun * max(dot(normal, light.direction), 0.0), wet = ambient + sun * turned * through;

@@ -4,6 +4,7 @@
 //
 //   _Bubbles      in   see SprayLayer.hlsl; where RILL_FOAM is on
 //   _RayFaces, _RayEnds, _RayDirections, _RayMirrors  in  Texture2DArrays, a slice for each eye, see WaterRays.compute
+//   _RayPhases    in   Texture2DArray, see there too; where RILL_PHASES is on, as is the buffer of PhaseGrid.hlsl
 //   the buffers of MeshField.hlsl, in RILL_UNDER_WATER
 //   the scene's color, where RILL_REFRACTION is on, and its depth, as the pipeline gives them
 #include "SurfaceView.hlsl"
@@ -13,6 +14,7 @@
 #include "SceneColor.hlsl"
 #include "WaterRays.hlsl"
 #include "WaterTile.hlsl"
+#include "Medium.hlsl"
 
 static const float kSeenBorder = 0.02, kMirrorBorder = 0.1;    // of half the picture's width: over which the scene fades to what is around
 
@@ -39,9 +41,31 @@ MainLight LightOfWater()
 }
 
 // What scatters in the water sends to the eye in the end, where it is deep.
-float3 ScatteredLight(float3 around, float3 lightColor, float toLight)
+float3 ScatteredLight(Medium medium, float3 around, float3 lightColor, float toLight)
 {
-    return (around + lightColor * (0.5 * saturate(toLight) + 0.25)) * _Scattering.rgb;
+    return (around + lightColor * (0.5 * saturate(toLight) + 0.25)) * medium.color;
+}
+
+// Of a ray: one for all of its path.
+Medium MediumAlong(WaterRay ray)
+{
+#ifdef RILL_PHASES
+    return Stirred(ray.phases);
+#else
+    return MediumOfLook();
+#endif
+}
+
+// Of a straight path from a point of the domain, both in d, in the frame of the mesh's field.
+Medium MediumAlong(float3 from, float3 along, float path)
+{
+#ifdef RILL_PHASES
+    float4 phases = 0.0;
+    AddPhases(from, along, path, phases);
+    return Stirred(MeanPhases(phases));
+#else
+    return MediumOfLook();
+#endif
 }
 
 #ifdef RILL_REFRACTION
@@ -53,10 +77,10 @@ float3 SceneColorAt(float2 picture)
 }
 
 // Light from the end of a ray and from along it. world: where it begins; lit: see ScatteredLight.
-float3 SeenAlong(WaterRay ray, float3 world, float3 lit)
+float3 SeenAlong(WaterRay ray, Medium medium, float3 world, float3 lit)
 {
-    float3 rate = _Absorption.rgb + _Scattering.w;
-    float3 color = lit * (1.0 - exp(-_Scattering.w * ray.path));
+    float3 rate = medium.absorption + medium.scattering;
+    float3 color = lit * (1.0 - exp(-medium.scattering * ray.path));
     if (ray.mirrored > 0.0)
     {
         float3 mirrored = ray.turnsInWater ? lit : Mirrored(world, ray.turned, 0.0);
@@ -130,16 +154,20 @@ float4 UnderWaterFragment(UnderWaterVaryings input) : SV_Target
     float3 along = normalize(mul((float3x3)_WorldToDomain, ray.direction));
     MainLight light = LightOfWater();
     float3 lightColor = light.color * MainLightShadow(light, world, WorldToClip(world));
-    float3 lit = ScatteredLight(Ambient(world, float3(0.0, 1.0, 0.0)), lightColor, light.direction.y);
+    float3 around = Ambient(world, float3(0.0, 1.0, 0.0));
 #ifdef RILL_REFRACTION
-    return float4(SeenAlong(TraceWater(p, along), world, lit), 1.0);
+    WaterRay traced = TraceWater(p, along);
+    Medium medium = MediumAlong(traced);
+    return float4(SeenAlong(traced, medium, world, ScatteredLight(medium, around, lightColor, light.direction.y)), 1.0);
 #else
     float3 wall;
     bool found;
     float end = BoxExit(p, along, wall), z = SceneDepthAt(picture) - FromSurfaceDepth(1.0, eyeIndex);
     float path = min(MarchMesh(p, along, 1.0, 0.0, end, found) * Spacing(), z * length(ray.direction));
-    float through = dot(exp(-(_Absorption.rgb + _Scattering.w) * path), 1.0 / 3.0);
-    return float4(lit * (1.0 - exp(-_Scattering.w * path)), 1.0 - through);
+    Medium medium = MediumAlong(p, along, path / Spacing());
+    float3 lit = ScatteredLight(medium, around, lightColor, light.direction.y);
+    float through = dot(exp(-(medium.absorption + medium.scattering) * path), 1.0 / 3.0);
+    return float4(lit * (1.0 - exp(-medium.scattering * path)), 1.0 - through);
 #endif
 }
 
@@ -153,6 +181,9 @@ Texture2DArray<float4> _RayFaces;
 Texture2DArray<float4> _RayEnds;
 Texture2DArray<float4> _RayDirections;
 Texture2DArray<float4> _RayMirrors;
+#ifdef RILL_PHASES
+Texture2DArray<float4> _RayPhases;
+#endif
 
 struct WaterPoint
 {
@@ -174,6 +205,9 @@ PackedRay RayAt(float2 picture)
     ray.ends = _RayEnds.Load(texel);
     ray.directions = _RayDirections.Load(texel);
     ray.mirrored = _RayMirrors.Load(texel);
+#ifdef RILL_PHASES
+    ray.phases = _RayPhases.Load(texel).xyz;
+#endif
     if (_FoamSize.x < _SurfaceSize.x)
     {
         uint width, height, slices;
@@ -208,8 +242,7 @@ WaterPoint PointOn(float2 picture)
     float alpha = max(_SurfaceOptics.z * _SurfaceOptics.z, 0.002);
     p.alpha = sqrt(saturate(alpha * alpha + min(2.0 * 0.15915494 * face.w, 0.18)));
 
-    PackedRay packed;
-    packed = RayAt(picture);
+    PackedRay packed = RayAt(picture);
     p.ray = UnpackRay(packed, picture);
     p.mirrored = packed.mirrored.x == kNoPoint ? kNoPoint : packed.mirrored.xy + picture;
     return p;
@@ -243,23 +276,25 @@ float4 WaterFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Tar
         + lightColor * Highlight(p.normal, p.toEye, light.direction, p.alpha);
     float3 around = Ambient(p.world, p.normal);
     float toLight = dot(p.normal, light.direction);
-    float3 lit = ScatteredLight(around, lightColor, toLight);
+    Medium medium = MediumAlong(p.ray);
+    float3 lit = ScatteredLight(medium, around, lightColor, toLight);
     float covered = 0.0;
     float3 bubbles = 0.0;
 #ifdef RILL_FOAM
     float2 under = BubblesAt(input.picture.xy, eyeIndex, rill_linear_clamp_sampler);
     under.y = min(under.y, p.ray.path);
     covered = under.x;
-    bubbles = LitFoam(around, lightColor, toLight) * exp(-(_Absorption.rgb + _Scattering.w) * under.y) + lit * (1.0 - exp(-_Scattering.w * under.y));
+    bubbles = LitFoam(around, lightColor, toLight) * exp(-(medium.absorption + medium.scattering) * under.y)
+        + lit * (1.0 - exp(-medium.scattering * under.y));
 #endif
 
 #ifdef RILL_REFRACTION
-    float3 color = lerp(SeenAlong(p.ray, p.world, lit), bubbles, covered) * (1.0 - reflectance) + mirrored;
+    float3 color = lerp(SeenAlong(p.ray, medium, p.world, lit), bubbles, covered) * (1.0 - reflectance) + mirrored;
     float coverage = 1.0;
 #else
-    float3 through = exp(-(_Absorption.rgb + _Scattering.w) * p.ray.path) * (1.0 - covered);
+    float3 through = exp(-(medium.absorption + medium.scattering) * p.ray.path) * (1.0 - covered);
     float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);
-    float3 color = lerp(lit * (1.0 - exp(-_Scattering.w * p.ray.path)), bubbles, covered) * (1.0 - reflectance) + mirrored;
+    float3 color = lerp(lit * (1.0 - exp(-medium.scattering * p.ray.path)), bubbles, covered) * (1.0 - reflectance) + mirrored;
 #endif
     return float4(ApplyFog(color, coverage, p.z), coverage);
 }

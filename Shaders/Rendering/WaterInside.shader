@@ -26,6 +26,7 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL
@@ -56,6 +57,7 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL
@@ -83,6 +85,7 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL
@@ -110,6 +113,7 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL

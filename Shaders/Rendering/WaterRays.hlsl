@@ -2,13 +2,16 @@
 // where it ends, not what color it has there. Kernels follow it for each texel of the picture; an eye in the water does so itself. Includes nothing
 // of Unity's.
 //
-//   the buffers of MeshField.hlsl, the scene's depth
+//   the buffers of MeshField.hlsl, the scene's depth; where RILL_PHASES is on, that of PhaseGrid.hlsl
 // Include after SurfaceView.hlsl and what defines eyeIndex.
 #ifndef RILL_WATER_RAYS_INCLUDED
 #define RILL_WATER_RAYS_INCLUDED
 
 #include "SceneDepth.hlsl"
 #include "MeshField.hlsl"
+#ifdef RILL_PHASES
+#include "PhaseGrid.hlsl"
+#endif
 #include "Optics.hlsl"
 #include "SceneTrace.hlsl"
 #include "Directions.hlsl"
@@ -38,6 +41,9 @@ struct WaterRay
     float3 turned;          // world, unit: from where most of that comes
     float turnedPath;       // part of the path up to there
     bool turnsInWater;      // it comes from the water
+#ifdef RILL_PHASES
+    float3 phases;          // fractions of phases 1 to 3 along the path
+#endif
 };
 
 float3 ToDrawn(float3 p)
@@ -64,6 +70,9 @@ WaterRay TraceWater(float3 p, float3 along)
     float spacing = Spacing(), side = 1.0, index = _SurfaceOptics.x;
     float left = 1.0, strongest = 0.0, begin = 0.0, turnedAt = 0.0;
     bool isDone = false, isTurned = false;
+#ifdef RILL_PHASES
+    float4 phases = 0.0;
+#endif
     [loop]
     for (uint i = 0; i < kSegments && !isDone; i++)
     {
@@ -74,7 +83,13 @@ WaterRay TraceWater(float3 p, float3 along)
         float traced = found ? reach * spacing : isWater ? (reach + kContact) * spacing : kFarAway;
         SceneTrace seen = TraceScene(ToDrawn(p), direction * traced, isWater ? kWaterSteps : kAirSteps, isWater ? kWaterBorder : 1.0);
         if (isWater)
-            ray.path += min(seen.found ? traced * seen.reach : traced, reach * spacing);
+        {
+            float through = min(seen.found ? traced * seen.reach : traced, reach * spacing);
+            ray.path += through;
+#ifdef RILL_PHASES
+            AddPhases(p, along, through / spacing, phases);
+#endif
+        }
         ray.direction = direction;
         ray.picture = seen.picture;
         isDone = true;
@@ -126,6 +141,9 @@ WaterRay TraceWater(float3 p, float3 along)
         ray.direction = mul((float3x3)_DomainToWorld, along) / spacing;
     }
     ray.turnedPath = turnedAt / max(ray.path, 1e-6);
+#ifdef RILL_PHASES
+    ray.phases = MeanPhases(phases);
+#endif
     return ray;
 }
 
@@ -143,16 +161,18 @@ struct PackedRay
     float4 ends;            // xy point of the picture, z path, m, w kind of the end
     float4 directions;      // of the end, and of what is mirrored
     float4 mirrored;        // xy point of the picture that the surface mirrors, or kNoPoint; z, w: mirrored and turnedPath
+#ifdef RILL_PHASES
+    float3 phases;
+#endif
 };
 
 static const float kNoPoint = 8.0;
 
 PackedRay NoRay()
 {
-    PackedRay packed;
-    packed.ends = float4(0.0, 0.0, 0.0, kNoRay);
-    packed.directions = 0.0;
-    packed.mirrored = float4(kNoPoint, kNoPoint, 0.0, 0.0);
+    PackedRay packed = (PackedRay)0;
+    packed.ends.w = kNoRay;
+    packed.mirrored.xy = kNoPoint;
     return packed;
 }
 
@@ -162,6 +182,9 @@ PackedRay PackRay(WaterRay ray, float2 picture)
     packed.ends = float4(ray.picture - picture, ray.path, ray.ends);
     packed.directions = float4(PackDirection(ray.direction), PackDirection(ray.turned));
     packed.mirrored = float4(kNoPoint, kNoPoint, ray.mirrored, ray.turnedPath);
+#ifdef RILL_PHASES
+    packed.phases = ray.phases;
+#endif
     return packed;
 }
 
@@ -175,6 +198,9 @@ WaterRay UnpackRay(PackedRay packed, float2 picture)
     ray.turned = UnpackDirection(packed.directions.zw);
     ray.mirrored = packed.mirrored.z;
     ray.turnedPath = packed.mirrored.w;
+#ifdef RILL_PHASES
+    ray.phases = packed.phases;
+#endif
     return ray;
 }
 

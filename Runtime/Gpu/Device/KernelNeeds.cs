@@ -56,6 +56,7 @@ namespace Rill
                 case "SurfaceMesh":
                 case "SurfaceThickness":
                 case "SurfaceParticles":
+                case "WaterPhases":
                 case "WaterRays":
                 case "WaterSpray":
                 case "WaterShadow": return DeviceFeature.Surface;
@@ -130,6 +131,7 @@ namespace Rill
                 case "REMOVE":
                 case "RESIDUAL":
                 case "RILL_BUILD_LIST":
+                case "RILL_PHASES":
                 case "RILL_RAW":
                 case "ROOM":
                 case "ROWS":

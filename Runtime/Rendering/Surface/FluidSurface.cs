@@ -78,7 +78,8 @@ namespace Rill
         MeshDraw meshDraw;      // this and the next are made when first needed
         SurfaceMotion motion;
         CausticMap causticMap;  // where caustics are on
-        [NonSerialized] bool isCausticMapDue;     // in this frame, as soon as a camera sees the water
+        PhaseGrid phaseGrid;    // where the mesh shows phases
+        [NonSerialized] bool isCausticMapDue, isPhaseGridDue;     // in this frame, as soon as a camera sees the water
         [NonSerialized] bool hasSaidWhy;        // there is none
         [NonSerialized] bool hasSaidMeshProblem;
         readonly SurfaceWatch watch = new SurfaceWatch();
@@ -204,6 +205,7 @@ namespace Rill
                 return false;
             watch.See();
             UpdateCaustics();
+            UpdatePhases();
             return true;
         }
 
@@ -328,6 +330,7 @@ namespace Rill
             motion = null;
             causticMap?.Dispose();
             causticMap = null;
+            ReleasePhases();
             if (active.Count == 0)
                 SurfaceScratch.Shared.Release();
         }
@@ -381,13 +384,16 @@ namespace Rill
                 found.SetRipples(Simulation, ripples);
                 if (TryGetComponent(out FluidFoam foamOnMesh))
                     found.foam = foamOnMesh.Frame;
+                found.phases = FollowPhases(solver);
                 mesh = found;
             }
+            else
+                ReleasePhases();
             FollowCaustics();
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
-                meshDraw.SetKeywords(refraction, reflection != null, mesh.Value.HasFoam);
+                meshDraw.SetKeywords(refraction, reflection != null, mesh.Value.HasFoam, phaseGrid != null);
                 hasFrame = true;
                 if (CastsShadow)
                     shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, causticMap != null, KnownLight);
@@ -439,6 +445,34 @@ namespace Rill
             causticMap.Update(mesh.Value, -KnownLight.transform.forward, Simulation.Gravity, look.refractionIndex, quality);
         }
 
+        // Returns null where all phases look alike.
+        PhaseGrid FollowPhases(PbfSolver solver)
+        {
+            bool isOn = phaseLooks.Length > 0 && solver.Tags != null;
+            if (!isOn || phaseGrid != null && !phaseGrid.IsOf(solver.Layout.DomainSize))
+                ReleasePhases();
+            if (isOn)
+                phaseGrid ??= new PhaseGrid(solver.Layout.DomainSize);
+            isPhaseGridDue = isOn;
+            return phaseGrid;
+        }
+
+        void UpdatePhases()
+        {
+            if (!isPhaseGridDue)
+                return;
+            isPhaseGridDue = false;
+            if (Simulation.Solver.Tags != null)     // a script may have cleared the fluid meanwhile
+                phaseGrid.Update(Simulation.Solver);
+        }
+
+        void ReleasePhases()
+        {
+            isPhaseGridDue = false;
+            phaseGrid?.Dispose();
+            phaseGrid = null;
+        }
+
         /// <summary>Distance of the mesh's nodes, d.</summary>
         internal static float CellOf(SurfaceQuality quality) => quality == SurfaceQuality.Low ? 1f : quality == SurfaceQuality.Medium ? 0.75f : 0.5f;
 
@@ -463,6 +497,7 @@ namespace Rill
             recorder?.Describe(description, frame.filterPasses);
             meshDraw?.Describe(description);
             causticMap?.Describe(description);
+            phaseGrid?.Describe(description);
             shadow?.Describe(description);
             BuiltInSurfaces.Describe(description);
         }
@@ -505,8 +540,9 @@ namespace Rill
             SunOf(sun, out constants.sunDirection, out constants.sunColor);
             constants.absorption = look.Absorption;
             constants.scattering = ScatteringOf(look);
-            constants.hasPhases = frame.phases.AreShown ? 1f : 0f;
-            for (int phase = 0; phase < PhaseFrame.MaxPhases && frame.phases.AreShown; phase++)
+            bool showsPhases = mesh.HasValue ? phaseGrid != null : frame.phases.AreShown;
+            constants.hasPhases = showsPhases ? 1f : 0f;
+            for (int phase = 0; phase < PhaseFrame.MaxPhases && showsPhases; phase++)
             {
                 SurfaceLook own = phase == 0 || phaseLooks.Length == 0 ? look : phaseLooks[Mathf.Min(phase, phaseLooks.Length) - 1];
                 constants.phaseAbsorption[phase] = own.Absorption;

@@ -16,26 +16,30 @@ namespace Rill
     sealed class MeshDraw : IDisposable
     {
         const int RectangleVertices = 6;
-        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM";
+        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM",
+            PhasesKeyword = "RILL_PHASES";
 
         Material colors = MaterialOf("Water"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops"),
             sprays = MaterialOf("WaterSpray");
         readonly WaterRays rays = new WaterRays();
         readonly WaterSpray spray = new WaterSpray();
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
-        bool refracts, reflectsOwn, withFoam;
+        bool refracts, reflectsOwn, withFoam, withPhases;
 
-        /// <summary>Whether what is behind is seen bent, whether a cube map of the user's own is mirrored, and whether there is foam.</summary>
-        public void SetKeywords(bool refraction, bool ownReflection, bool foam)
+        /// <summary>Whether what is behind is seen bent, whether a cube map of the user's own is mirrored, whether there is foam, and whether phases
+        /// have looks of their own.</summary>
+        public void SetKeywords(bool refraction, bool ownReflection, bool foam, bool phases)
         {
-            if ((refraction, ownReflection, foam) == (refracts, reflectsOwn, withFoam))
+            if ((refraction, ownReflection, foam, phases) == (refracts, reflectsOwn, withFoam, withPhases))
                 return;
-            (refracts, reflectsOwn, withFoam) = (refraction, ownReflection, foam);
+            (refracts, reflectsOwn, withFoam, withPhases) = (refraction, ownReflection, foam, phases);
             SetKeyword(colors);
             SetKeyword(inside);
             SetKeyword(drops);
             FluidRenderer.SetKeyword(sprays, ReflectionKeyword, ownReflection);
             FluidRenderer.SetKeyword(colors, FoamKeyword, foam);
+            FluidRenderer.SetKeyword(colors, PhasesKeyword, phases);
+            FluidRenderer.SetKeyword(inside, PhasesKeyword, phases);
         }
 
         /// <summary>Before a camera culls.</summary>
@@ -73,6 +77,7 @@ namespace Rill
                 return null;
             view.MarkSubmitted(camera.width, camera.height);
             mesh.SetOn(view.Properties);
+            mesh.phases?.SetOn(view.Properties);
             return view.Properties;
         }
 
@@ -141,7 +146,7 @@ namespace Rill
             for (int i = 0; i < views.Count; i++)
                 if (views[i].Faces != null)
                 {
-                    rays.Describe(stage, views[i].Faces.volumeDepth, views[i].Chords != null);
+                    rays.Describe(stage, views[i].Faces.volumeDepth, views[i].Chords != null, views[i].Phases != null);
                     if (views[i].Chords != null)
                         stage.Draw("SurfaceMotion", 1);
                     if (views[i].Spray != null)

@@ -31,6 +31,9 @@ namespace Rill
         /// <summary>None where its buffers are null.</summary>
         public FoamFrame foam;
 
+        /// <summary>Null where all phases look alike.</summary>
+        public PhaseGrid phases;
+
         /// <summary>Length of the exposure in substeps: what flies is drawn out by so many displacements.</summary>
         public float exposure;
 

@@ -5,7 +5,7 @@ namespace Rill
     /// <summary>The phases of a fluid whose surface shows each with a look of its own.</summary>
     readonly struct PhaseFrame
     {
-        /// <summary>phases that the textures of thickness tell apart, those beyond counting as the last</summary>
+        /// <summary>phases that have looks of their own, those beyond counting as the last</summary>
         [GenerateHlsl("PhaseFrame")] public const int MaxPhases = 4;
 
         /// <summary>See ParticleTags.hlsl; null where all particles look alike.</summary>

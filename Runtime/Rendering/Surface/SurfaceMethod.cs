@@ -5,8 +5,7 @@ namespace Rill
     {
         /// <summary>For each camera, on its picture: one layer of water, with the cost of the pixels that it covers.</summary>
         ScreenSpace,
-        /// <summary>Once a frame for all cameras, as a closed mesh: light goes in at one side and out at the other. Foam is drawn as
-        /// particles, and phases look alike.</summary>
+        /// <summary>Once a frame for all cameras, as a closed mesh: light goes in at one side and out at the other.</summary>
         Mesh,
     }
 }

@@ -21,7 +21,8 @@ namespace Rill
 
         readonly ComputeShader shader;
         readonly BufferClear clear = new BufferClear();
-        readonly Kernel findFaces, trace, storeChords, listTiles;
+        readonly KernelVariants traceRays;      // with phases
+        readonly Kernel findFaces, storeChords, listTiles;
         readonly LocalKeyword sceneArray;
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         Material raster;
@@ -32,7 +33,7 @@ namespace Rill
             shader = stage.Compute;
             raster = new Material(stage.Shader) { hideFlags = HideFlags.HideAndDontSave };
             findFaces = new Kernel(shader, "FindFaces");
-            trace = new Kernel(shader, "TraceRays");
+            traceRays = new KernelVariants(shader, "TraceRays", "TracePhases");
             storeChords = new Kernel(shader, "StoreChords");
             listTiles = new Kernel(shader, "ListTiles");
             sceneArray = new LocalKeyword(stage.Shader, SceneArrayKeyword);
@@ -48,11 +49,13 @@ namespace Rill
         {
             SurfaceScratch scratch = SurfaceScratch.Shared;
             RecordFaces(cmd, camera, mesh, view);
+            Kernel trace = traceRays.For(mesh.phases != null);
             cmd.BeginSample(RaysMarker);
             clear.Record(cmd, scratch.TileMarks, 2 * WaterTiles.Count(view.CoarseWindow.Width, view.CoarseWindow.Height));
             view.SetConstants(cmd, shader);
             mesh.SetOn(cmd, shader);
             mesh.SetField(cmd, shader, trace);
+            mesh.phases?.SetOn(cmd, shader, trace);
             cmd.SetComputeFloatParam(shader, Ids.RaysBend, refracts ? 1f : 0f);
             cmd.SetComputeIntParam(shader, Ids.RaysAcross, WaterView.Divisor(camera, mesh));
             for (int eye = 0; eye < camera.eyes; eye++)
@@ -68,6 +71,8 @@ namespace Rill
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayEnds, view.Ends);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayDirections, view.Directions);
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayMirrors, view.Mirrors);
+                if (mesh.phases != null)
+                    cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayPhases, view.Phases);
                 SurfaceIds.Dispatch(cmd, shader, trace, view.CoarseWindow.Width, view.CoarseWindow.Height);
                 if (view.Chords == null)
                     continue;
@@ -91,12 +96,12 @@ namespace Rill
             cmd.EndSample(TilesMarker);
         }
 
-        public void Describe(StageDescription stage, int eyes, bool withMotion)
+        public void Describe(StageDescription stage, int eyes, bool withMotion, bool withPhases)
         {
             clear.Describe(stage, sizeof(uint), 1);
             stage.Draw("WaterFaces", 2 * eyes);
             stage.Kernel(findFaces, eyes);
-            stage.Kernel(trace, eyes);
+            stage.Kernel(traceRays.For(withPhases), eyes);
             if (withMotion)
                 stage.Kernel(storeChords, eyes);
             stage.Kernel(listTiles, 1);

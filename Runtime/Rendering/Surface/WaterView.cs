@@ -17,6 +17,9 @@ namespace Rill
         /// <summary>Where rays through those end; of <see cref="CoarseWindow"/>, as are spray and bubbles.</summary>
         public RenderTexture Ends, Directions, Mirrors;
 
+        /// <summary>Fractions of phases 1 to 3 along the rays; null where all phases look alike.</summary>
+        public RenderTexture Phases;
+
         /// <summary>See SprayLayer.hlsl; null where there is neither spray nor foam, and without foam.</summary>
         public RenderTexture Spray, Bubbles;
 
@@ -39,7 +42,8 @@ namespace Rill
         {
             PictureWindow window = PictureWindow.Of(camera, bounds, mesh.rayScale);
             return Faces != null && Faces.volumeDepth == camera.eyes && window.Width <= Faces.width && window.Height <= Faces.height
-                && camera.needsMotion == (Chords != null) && mesh.HasSpray == (Spray != null) && mesh.HasFoam == (Bubbles != null);
+                && camera.needsMotion == (Chords != null) && mesh.HasSpray == (Spray != null) && mesh.HasFoam == (Bubbles != null)
+                && (mesh.phases != null) == (Phases != null);
         }
 
         /// <summary>Makes the textures where they are missing, too small, or for long much too large.</summary>
@@ -58,6 +62,7 @@ namespace Rill
             Fit(ref Directions, true, "Rill.Water.RayDirections", across, up);
             Fit(ref Mirrors, true, "Rill.Water.RayMirrors", across, up);
             Fit(ref Chords, camera.needsMotion, "Rill.Water.Chords", Faces.width, Faces.height);
+            Fit(ref Phases, mesh.phases != null, "Rill.Water.RayPhases", across, up);
             Fit(ref Spray, mesh.HasSpray, "Rill.Water.Spray", across, up);
             Fit(ref Bubbles, mesh.HasFoam, "Rill.Water.Bubbles", across, up);
             Tiles.Fit(across, up);
@@ -66,6 +71,8 @@ namespace Rill
             Properties.SetTexture(Ids.RayEnds, Ends);
             Properties.SetTexture(Ids.RayDirections, Directions);
             Properties.SetTexture(Ids.RayMirrors, Mirrors);
+            if (Phases != null)
+                Properties.SetTexture(Ids.RayPhases, Phases);
             if (Spray != null)
                 Properties.SetTexture(Ids.Spray, Spray);
             if (Bubbles != null)
@@ -92,6 +99,7 @@ namespace Rill
             SurfaceView.Describe(stage, Directions);
             SurfaceView.Describe(stage, Mirrors);
             SurfaceView.Describe(stage, Chords);
+            SurfaceView.Describe(stage, Phases);
             SurfaceView.Describe(stage, Spray);
             SurfaceView.Describe(stage, Bubbles);
             Tiles.Describe(stage);
@@ -126,6 +134,7 @@ namespace Rill
             EngineObject.Release(ref Directions);
             EngineObject.Release(ref Mirrors);
             EngineObject.Release(ref Chords);
+            EngineObject.Release(ref Phases);
             EngineObject.Release(ref Spray);
             EngineObject.Release(ref Bubbles);
             Tiles.Release();
@@ -139,6 +148,7 @@ namespace Rill
             public static readonly int RayDirections = Shader.PropertyToID("_RayDirections");
             public static readonly int RayMirrors = Shader.PropertyToID("_RayMirrors");
             public static readonly int RayChords = Shader.PropertyToID("_RayChords");
+            public static readonly int RayPhases = Shader.PropertyToID("_RayPhases");
             public static readonly int Spray = Shader.PropertyToID("_Spray");
             public static readonly int Bubbles = Shader.PropertyToID("_Bubbles");
             public static readonly int WaterTiles = Shader.PropertyToID("_WaterTiles");

@@ -1,0 +1,38 @@
+// Which phases the water is of, for its mesh: WaterPhases.compute adds up the particles around the nodes of a coarse grid over the fluid's box. All
+// in the frame of the mesh's field, d. Include after MeshField.hlsl.
+//
+//   _PhaseGrid     in  Texture3D, a texel for each node: particles of phases 1 to 3 around it, and of all
+#ifndef RILL_PHASE_GRID_INCLUDED
+#define RILL_PHASE_GRID_INCLUDED
+
+Texture3D<float4> _PhaseGrid;
+float4 _PhaseGridSize;          // xyz: nodes along each axis, of which the first lie in the walls; w: distance between them, d
+
+static const float kMinPhaseSteps = 2.0, kMaxPhaseSteps = 16.0;     // along a stretch of a ray; between them, one for each node
+
+// Of a point between nodes: what lies nearer counts more, and what no particle lies near does not count.
+float4 PhasesAround(float3 p)
+{
+    return _PhaseGrid.SampleLevel(rill_field_linear_clamp_sampler, (p / _PhaseGridSize.w + 0.5) / _PhaseGridSize.xyz, 0);
+}
+
+// Adds a straight stretch of a ray. sums: fractions of phases 1 to 3 times the length, and the length where they are known.
+void AddPhases(float3 from, float3 along, float reach, inout float4 sums)
+{
+    float steps = clamp(ceil(reach / _PhaseGridSize.w), kMinPhaseSteps, kMaxPhaseSteps), each = max(reach, 0.0) / steps;
+    [loop]
+    for (float i = 0.5; i < steps; i += 1.0)
+    {
+        float4 around = PhasesAround(from + along * (i * each));
+        if (around.w > 0.0)
+            sums += each * float4(around.xyz / around.w, 1.0);
+    }
+}
+
+// The mean along the stretches that were added: fractions of phases 1 to 3.
+float3 MeanPhases(float4 sums)
+{
+    return sums.xyz / max(sums.w, 1e-6);
+}
+
+#endif
