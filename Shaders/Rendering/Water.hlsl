@@ -4,9 +4,10 @@
 //
 //   _Bubbles      in   see SprayLayer.hlsl; where RILL_FOAM is on
 //   _RayFaces, _RayEnds, _RayDirections, _RayMirrors  in  Texture2DArrays, a slice for each eye, see WaterRays.compute
-//   _RayPhases    in   Texture2DArray, see there too; where RILL_PHASES is on, as is the buffer of PhaseGrid.hlsl
+//   _RayPhases    in   Texture2DArray, see there too; read where _HasPhases is 1, as is that of PhaseGrid.hlsl: a keyword would double the variants
 //   the buffers of MeshField.hlsl, in RILL_UNDER_WATER
 //   the scene's color, where RILL_REFRACTION is on, and its depth, as the pipeline gives them
+#define RILL_PHASES
 #include "SurfaceView.hlsl"
 #include "MainLight.hlsl"
 #include "Environment.hlsl"
@@ -49,23 +50,23 @@ float3 ScatteredLight(Medium medium, float3 around, float3 lightColor, float toL
 // Of a ray: one for all of its path.
 Medium MediumAlong(WaterRay ray)
 {
-#ifdef RILL_PHASES
-    return Stirred(ray.phases);
-#else
-    return MediumOfLook();
-#endif
+    Medium medium = MediumOfLook();
+    if (_HasPhases > 0.5)
+        medium = Stirred(ray.phases);
+    return medium;
 }
 
 // Of a straight path from a point of the domain, both in d, in the frame of the mesh's field.
 Medium MediumAlong(float3 from, float3 along, float path)
 {
-#ifdef RILL_PHASES
-    float4 phases = 0.0;
-    AddPhases(from, along, path, phases);
-    return Stirred(MeanPhases(phases));
-#else
-    return MediumOfLook();
-#endif
+    Medium medium = MediumOfLook();
+    if (_HasPhases > 0.5)
+    {
+        float4 phases = 0.0;
+        AddPhases(from, along, path, phases);
+        medium = Stirred(MeanPhases(phases));
+    }
+    return medium;
 }
 
 #ifdef RILL_REFRACTION
@@ -181,9 +182,7 @@ Texture2DArray<float4> _RayFaces;
 Texture2DArray<float4> _RayEnds;
 Texture2DArray<float4> _RayDirections;
 Texture2DArray<float4> _RayMirrors;
-#ifdef RILL_PHASES
 Texture2DArray<float4> _RayPhases;
-#endif
 
 struct WaterPoint
 {
@@ -205,9 +204,9 @@ PackedRay RayAt(float2 picture)
     ray.ends = _RayEnds.Load(texel);
     ray.directions = _RayDirections.Load(texel);
     ray.mirrored = _RayMirrors.Load(texel);
-#ifdef RILL_PHASES
-    ray.phases = _RayPhases.Load(texel).xyz;
-#endif
+    ray.phases = 0.0;
+    if (_HasPhases > 0.5)
+        ray.phases = _RayPhases.Load(texel).xyz;
     if (_FoamSize.x < _SurfaceSize.x)
     {
         uint width, height, slices;

@@ -27,7 +27,6 @@ Shader "Rill/Water"
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #pragma multi_compile_local_fragment _ RILL_FOAM
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #include "Water.hlsl"
             ENDHLSL
         }
@@ -58,7 +57,6 @@ Shader "Rill/Water"
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #pragma multi_compile_local_fragment _ RILL_FOAM
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #include "Water.hlsl"
             ENDHLSL
         }
@@ -87,7 +85,6 @@ Shader "Rill/Water"
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #pragma multi_compile_local_fragment _ RILL_FOAM
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
             #include "Water.hlsl"
             ENDHLSL
@@ -116,7 +113,6 @@ Shader "Rill/Water"
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #pragma multi_compile_local_fragment _ RILL_FOAM
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
             #include "Water.hlsl"
             ENDHLSL

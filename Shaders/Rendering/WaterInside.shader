@@ -26,7 +26,6 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL
@@ -57,7 +56,6 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL
@@ -85,7 +83,6 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL
@@ -113,7 +110,6 @@ Shader "Rill/Water Inside"
             #pragma fragment UnderWaterFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
-            #pragma multi_compile_local_fragment _ RILL_PHASES
             #define RILL_UNDER_WATER
             #include "Water.hlsl"
             ENDHLSL

@@ -87,7 +87,8 @@ WaterRay TraceWater(float3 p, float3 along)
             float through = min(seen.found ? traced * seen.reach : traced, reach * spacing);
             ray.path += through;
 #ifdef RILL_PHASES
-            AddPhases(p, along, through / spacing, phases);
+            if (_HasPhases > 0.5)
+                AddPhases(p, along, through / spacing, phases);
 #endif
         }
         ray.direction = direction;

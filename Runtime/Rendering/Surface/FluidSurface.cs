@@ -393,7 +393,7 @@ namespace Rill
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
-                meshDraw.SetKeywords(refraction, reflection != null, mesh.Value.HasFoam, phaseGrid != null);
+                meshDraw.SetKeywords(refraction, reflection != null, mesh.Value.HasFoam);
                 hasFrame = true;
                 if (CastsShadow)
                     shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, causticMap != null, KnownLight);

@@ -16,30 +16,26 @@ namespace Rill
     sealed class MeshDraw : IDisposable
     {
         const int RectangleVertices = 6;
-        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM",
-            PhasesKeyword = "RILL_PHASES";
+        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM";
 
         Material colors = MaterialOf("Water"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops"),
             sprays = MaterialOf("WaterSpray");
         readonly WaterRays rays = new WaterRays();
         readonly WaterSpray spray = new WaterSpray();
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
-        bool refracts, reflectsOwn, withFoam, withPhases;
+        bool refracts, reflectsOwn, withFoam;
 
-        /// <summary>Whether what is behind is seen bent, whether a cube map of the user's own is mirrored, whether there is foam, and whether phases
-        /// have looks of their own.</summary>
-        public void SetKeywords(bool refraction, bool ownReflection, bool foam, bool phases)
+        /// <summary>Whether what is behind is seen bent, whether a cube map of the user's own is mirrored, and whether there is foam.</summary>
+        public void SetKeywords(bool refraction, bool ownReflection, bool foam)
         {
-            if ((refraction, ownReflection, foam, phases) == (refracts, reflectsOwn, withFoam, withPhases))
+            if ((refraction, ownReflection, foam) == (refracts, reflectsOwn, withFoam))
                 return;
-            (refracts, reflectsOwn, withFoam, withPhases) = (refraction, ownReflection, foam, phases);
+            (refracts, reflectsOwn, withFoam) = (refraction, ownReflection, foam);
             SetKeyword(colors);
             SetKeyword(inside);
             SetKeyword(drops);
             FluidRenderer.SetKeyword(sprays, ReflectionKeyword, ownReflection);
             FluidRenderer.SetKeyword(colors, FoamKeyword, foam);
-            FluidRenderer.SetKeyword(colors, PhasesKeyword, phases);
-            FluidRenderer.SetKeyword(inside, PhasesKeyword, phases);
         }
 
         /// <summary>Before a camera culls.</summary>
@@ -77,7 +73,7 @@ namespace Rill
                 return null;
             view.MarkSubmitted(camera.width, camera.height);
             mesh.SetOn(view.Properties);
-            mesh.phases?.SetOn(view.Properties);
+            PhaseGrid.SetOn(view.Properties, mesh.phases, mesh.field);
             return view.Properties;
         }
 

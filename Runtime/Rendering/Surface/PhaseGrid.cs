@@ -80,10 +80,12 @@ namespace Rill
         }
 
         /// <summary>Sets what PhaseGrid.hlsl reads for a draw.</summary>
-        public void SetOn(MaterialPropertyBlock block)
+        /// <param name="grid">Null where all phases look alike.</param>
+        /// <param name="unread">A 3D texture that stands for it then.</param>
+        public static void SetOn(MaterialPropertyBlock block, PhaseGrid grid, Texture unread)
         {
-            block.SetTexture(Ids.Grid, texture);
-            block.SetVector(Ids.Size, size);
+            block.SetTexture(Ids.Grid, grid != null ? grid.texture : unread);
+            block.SetVector(Ids.Size, grid != null ? grid.size : Vector4.one);
         }
 
         /// <summary>Sets what PhaseGrid.hlsl reads for a kernel.</summary>

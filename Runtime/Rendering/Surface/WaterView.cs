@@ -71,8 +71,7 @@ namespace Rill
             Properties.SetTexture(Ids.RayEnds, Ends);
             Properties.SetTexture(Ids.RayDirections, Directions);
             Properties.SetTexture(Ids.RayMirrors, Mirrors);
-            if (Phases != null)
-                Properties.SetTexture(Ids.RayPhases, Phases);
+            Properties.SetTexture(Ids.RayPhases, Phases != null ? Phases : Ends);       // which is not read then
             if (Spray != null)
                 Properties.SetTexture(Ids.Spray, Spray);
             if (Bubbles != null)
