@@ -18,7 +18,7 @@ namespace Rill.Tests
         const float Picture = 0.6f;     // m
         const int Droplets = 12;
         const float FirstRadius = 0.3694f, LastRadius = 0.45f * FirstRadius;     // d, of the droplets of a particle
-        const float Small = 2f, Shaped = 6f;        // texels: those up to here are added up, and those from here on are seen as they are
+        const float Small = 3f, Shaped = 6f;        // texels: those up to here are added up, and those from here on are seen as they are
         const float Forward = 0.8f;     // cosine of the angle by which light has to be turned to come to the camera
 
         WaterScene scene;
