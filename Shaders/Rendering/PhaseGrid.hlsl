@@ -10,7 +10,7 @@ float4 _PhaseGridSize;          // xyz: nodes along each axis, of which the firs
 
 static const float kMinPhaseSteps = 2.0, kMaxPhaseSteps = 16.0;     // along a stretch of a ray; between them, one for each node
 
-// Of a point between nodes: what lies nearer counts more, and what no particle lies near does not count.
+// Returns the particles around a point: nearer nodes count more, and those without a particle do not count.
 float4 PhasesAround(float3 p)
 {
     return _PhaseGrid.SampleLevel(rill_field_linear_clamp_sampler, (p / _PhaseGridSize.w + 0.5) / _PhaseGridSize.xyz, 0);

@@ -102,7 +102,7 @@ float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
 }
 #endif
 
-// Of the water along a ray, and how much of it there is, m.
+// Returns the medium along a ray. path: length of it, m.
 Medium MediumAt(float2 picture, out float path)
 {
     float2 texels = TexelsAt(picture, _ThicknessSize, _ThicknessWindow);

@@ -5,16 +5,11 @@
 #ifndef RILL_TILE_MARKS_INCLUDED
 #define RILL_TILE_MARKS_INCLUDED
 
-#include "../Generated/WaterTiles.hlsl"
+#include "TileGrid.hlsl"
 
 RWStructuredBuffer<uint> _TileMarks;
 
 groupshared uint groupShows;
-
-uint2 TilesOnPicture()
-{
-    return (uint2(_FoamWindow.zw) + kTile - 1) / kTile;
-}
 
 // By all threads of a group. shows: whether there is something in the thread's texel; tile: of the group; list: 0 for the water, 1 for its spray.
 void MarkTile(bool shows, uint2 tile, uint list, uint thread)

@@ -47,7 +47,7 @@ float3 ScatteredLight(Medium medium, float3 around, float3 lightColor, float toL
     return (around + lightColor * (0.5 * saturate(toLight) + 0.25)) * medium.color;
 }
 
-// Of a ray: one for all of its path.
+// Returns one medium for all of a ray's path.
 Medium MediumAlong(WaterRay ray)
 {
     Medium medium = MediumOfLook();
@@ -56,7 +56,7 @@ Medium MediumAlong(WaterRay ray)
     return medium;
 }
 
-// Of a straight path from a point of the domain, both in d, in the frame of the mesh's field.
+// The same for a straight path from a point of the domain, both in d, in the frame of the mesh's field.
 Medium MediumAlong(float3 from, float3 along, float path)
 {
     Medium medium = MediumOfLook();

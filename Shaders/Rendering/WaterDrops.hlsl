@@ -48,12 +48,12 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     result.a = float4(mul(toWorld, droplet.axis) * droplet.along, droplet.isCap ? kCapSunk : -2.0);
     result.b = float4(mul(toWorld, x) * droplet.across, droplet.shown);
     result.c = float4(mul(toWorld, y) * droplet.across, 0.0);
-    float3 middle = droplet.isCap ? center + result.a.xyz * kCapSunk : center;
+    float3 ballCenter = droplet.isCap ? center + result.a.xyz * kCapSunk : center;
     float reach = (droplet.isCap ? kCapRadius : droplet.along) * Spacing();
-    result.world = PointOnSilhouette(middle, QuadCorner(vertex), result.a.xyz, droplet.isCap ? 1.0 : droplet.across / droplet.along, reach);
+    result.world = PointOnSilhouette(ballCenter, QuadCorner(vertex), result.a.xyz, droplet.isCap ? 1.0 : droplet.across / droplet.along, reach);
     result.clip = WorldToClip(result.world);
     // As near as any of it, along the view.
-    float4 nearest = WorldToClip(middle + RILL_VIEW_MATRIX[2].xyz * reach);
+    float4 nearest = WorldToClip(ballCenter + RILL_VIEW_MATRIX[2].xyz * reach);
     if (nearest.w > 1e-4)
         result.clip.z = nearest.z / nearest.w * result.clip.w;
     return result;

@@ -5,15 +5,15 @@
 #define RILL_WATER_TILE_INCLUDED
 
 #include "SurfaceRectangle.hlsl"
-#include "../Generated/WaterTiles.hlsl"
+#include "TileGrid.hlsl"
 
 StructuredBuffer<uint> _WaterTiles;
 
 SurfaceVaryings VertexOfTile(uint vertex, uint instance, uint list)
 {
-    uint2 tiles = (uint2(_FoamWindow.zw) + kTile - 1) / kTile;
+    uint2 tiles = TilesOnPicture();
     uint tile = _WaterTiles[list * tiles.x * tiles.y + vertex / 6];
-    // Of the grid of tiles, so that tiles side by side share it exactly.
+    // Tiles side by side have exactly the same corners.
     float2 corner = RectangleCorner(vertex, 0.0, 1.0) + float2(tile % max(tiles.x, 1u), tile / max(tiles.x, 1u));
     float2 picture = (corner * kTile + _FoamWindow.xy) * _FoamSize.zw * 2.0 - 1.0;
     return SurfaceCorner(clamp(picture, _PictureBounds.xy, _PictureBounds.zw), instance);

@@ -28,7 +28,7 @@ namespace Rill
         public Vector4 surfaceWindow;
         /// <summary>the same of the textures of thickness and of the scene's distance</summary>
         public Vector4 thicknessSize, thicknessWindow;
-        /// <summary>the same of the texture of foam</summary>
+        /// <summary>the same of the texture of foam; with a mesh of the textures of rays, foam and spray, and of the copy of the scene</summary>
         public Vector4 foamSize, foamWindow;
         /// <summary>lowest x, y and highest x, y of the fluid's box on the picture, of both eyes; all 0: nothing is drawn</summary>
         public Vector4 pictureBounds;

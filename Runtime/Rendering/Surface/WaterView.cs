@@ -14,7 +14,7 @@ namespace Rill
         /// <summary>The nearest faces, in floats; the others are half floats.</summary>
         public RenderTexture Faces;
 
-        /// <summary>Where rays through those end; of <see cref="CoarseWindow"/>, as are spray and bubbles.</summary>
+        /// <summary>Ends of the rays through those faces, in texels of <see cref="CoarseWindow"/>, as are spray and bubbles.</summary>
         public RenderTexture Ends, Directions, Mirrors;
 
         /// <summary>Fractions of phases 1 to 3 along the rays; null where all phases look alike.</summary>

@@ -165,7 +165,7 @@ namespace Rill.Tests
             return stage.Kernels.Select(kernel => kernel.kernel).Concat(stage.Buffers.Select(texture => texture.name)).ToArray();
         }
 
-        // Of a point, 0 to 1 across the domain, and the particle's index.
+        // phaseOf: phase by the position, 0 to 1 across the domain, and the particle's index.
         void SetPhases(System.Func<float3, int, int> phaseOf)
         {
             PbfSolver solver = scene.Fluid.Solver;

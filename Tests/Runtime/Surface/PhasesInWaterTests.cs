@@ -168,7 +168,7 @@ namespace Rill.Tests
             scene.Camera.transform.position = new Vector3(0f, 0.04f, 0f);
         }
 
-        // Of a point, 0 to 1 across the domain.
+        // phaseOf: phase by the position, 0 to 1 across the domain.
         void SetPhases(Func<float3, int> phaseOf)
         {
             PbfSolver solver = scene.Fluid.Solver;

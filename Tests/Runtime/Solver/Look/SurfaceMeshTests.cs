@@ -174,7 +174,7 @@ namespace Rill.Tests
                 fluid.Add(new[] { new float3(20f, 20f, 4f), new float3(4f) }.Select(p => p * Spacing).ToArray(), velocity);
                 DrawnMesh after = DrawnMesh.Of(fluid, Medium);
                 AssertDrops(fluid, after, 3, chord);
-                // What is new has taken part in no step: it is not known to fly, and may belong to a jet.
+                // New particles have taken part in no step: they are not known to fly, and may belong to a jet.
                 Assert.That(Kinds(fluid)[SurfaceElementKind.Surface], Is.EqualTo(kinds[SurfaceElementKind.Surface] + 2));
             }
         }
