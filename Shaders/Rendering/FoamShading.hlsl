@@ -5,10 +5,7 @@
 // Returns a layer at a point of the picture, between its texels.
 float4 SampleFoam(Texture2DArray<float4> layer, float2 picture, uint eye, SamplerState linearClamp)
 {
-    uint width, height, slices;
-    layer.GetDimensions(width, height, slices);
-    float2 texels = clamp(TexelsAt(picture, _FoamSize, _FoamWindow), 0.5, max(_FoamWindow.zw - 0.5, 0.5));
-    return layer.SampleLevel(linearClamp, float3(texels / float2(width, height), eye), 0);
+    return layer.SampleLevel(linearClamp, PointOfLayer(layer, picture, eye), 0);
 }
 
 // Foam scatters light to all sides: however the surface under it is turned, some arrives.

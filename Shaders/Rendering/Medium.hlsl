@@ -1,4 +1,4 @@
-// What the water absorbs and scatters: by its look, or by those of its phases. Include after SurfaceView.hlsl.
+// The medium that light goes through in the water: by its look, or by those of its phases. Include after SurfaceView.hlsl.
 #ifndef RILL_MEDIUM_INCLUDED
 #define RILL_MEDIUM_INCLUDED
 
@@ -20,7 +20,7 @@ Medium MediumOfLook()
     return m;
 }
 
-// The mean of the phases along a ray, as if they were stirred: exact for what is absorbed. amounts: of each phase, not all 0.
+// Returns the mean of the phases along a ray, as if they were stirred: exact for what is absorbed. amounts: of each phase, not all 0.
 Medium Stirred(float4 amounts)
 {
     float3 absorbed = 0.0, scattered = 0.0;

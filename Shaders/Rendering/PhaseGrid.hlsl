@@ -29,10 +29,18 @@ void AddPhases(float3 from, float3 along, float reach, inout float4 sums)
     }
 }
 
-// The mean along the stretches that were added: fractions of phases 1 to 3.
+// Returns the fractions of phases 1 to 3 along the stretches that were added.
 float3 MeanPhases(float4 sums)
 {
     return sums.xyz / max(sums.w, 1e-6);
+}
+
+// Returns the fractions of phases 1 to 3 along one straight stretch.
+float3 PhasesAlong(float3 from, float3 along, float reach)
+{
+    float4 sums = 0.0;
+    AddPhases(from, along, reach, sums);
+    return MeanPhases(sums);
 }
 
 #endif

@@ -71,9 +71,7 @@ SurfaceParticle PackBall(float3 position, float radius)
     return PackElement(ball);
 }
 
-static const float kNoContact = 16.0;       // d
-
-// chord: displacement in the last substep, d. contact: xyz normal of what is nearest to it, w its distance, or kNoContact, d.
+// chord: displacement in the last substep, d. contact: xyz normal of what is nearest to it, w its distance, d.
 SurfaceParticle PackDrop(float3 position, uint id, float3 chord, float4 contact)
 {
     SurfaceParticle packed;

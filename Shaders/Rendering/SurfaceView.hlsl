@@ -100,6 +100,15 @@ float2 TexelsAt(float2 picture, float4 size, float4 window)
     return (picture * 0.5 + 0.5) * size.xy - window.xy;
 }
 
+// Returns where a texture of foam's window is sampled between texels, for a point of the picture.
+float3 PointOfLayer(Texture2DArray<float4> layer, float2 picture, uint eye)
+{
+    uint width, height, slices;
+    layer.GetDimensions(width, height, slices);
+    float2 texels = clamp(TexelsAt(picture, _FoamSize, _FoamWindow), 0.5, max(_FoamWindow.zw - 0.5, 0.5));
+    return float3(texels / float2(width, height), eye);
+}
+
 // The texel of the surface's textures in which a point of the picture lies; the nearest of the window beyond it.
 int2 SurfaceTexel(float2 picture)
 {

@@ -56,16 +56,12 @@ Medium MediumAlong(WaterRay ray)
     return medium;
 }
 
-// The same for a straight path from a point of the domain, both in d, in the frame of the mesh's field.
+// Returns the medium along a straight path from a point of the domain, both in d, in the frame of the mesh's field.
 Medium MediumAlong(float3 from, float3 along, float path)
 {
     Medium medium = MediumOfLook();
     if (_HasPhases > 0.5)
-    {
-        float4 phases = 0.0;
-        AddPhases(from, along, path, phases);
-        medium = Stirred(MeanPhases(phases));
-    }
+        medium = Stirred(PhasesAlong(from, along, path));
     return medium;
 }
 
@@ -195,11 +191,10 @@ struct WaterPoint
     float2 mirrored;        // what the surface mirrors, see PackedRay
 };
 
-// The nearest ray; where rays are fewer than pixels, what is seen and mirrored is between those around that end on the same.
+// Returns the nearest ray. Where rays are fewer than pixels its ends lie between those of the rays around that end on the same.
 PackedRay RayAt(float2 picture)
 {
-    float2 texels = TexelsAt(picture, _FoamSize, _FoamWindow);
-    int4 texel = int4(clamp(texels, 0.0, _FoamWindow.zw - 1.0), eyeIndex, 0);
+    int4 texel = int4(clamp(TexelsAt(picture, _FoamSize, _FoamWindow), 0.0, _FoamWindow.zw - 1.0), eyeIndex, 0);
     PackedRay ray;
     ray.ends = _RayEnds.Load(texel);
     ray.directions = _RayDirections.Load(texel);
@@ -209,9 +204,7 @@ PackedRay RayAt(float2 picture)
         ray.phases = _RayPhases.Load(texel).xyz;
     if (_FoamSize.x < _SurfaceSize.x)
     {
-        uint width, height, slices;
-        _RayEnds.GetDimensions(width, height, slices);
-        float3 at = float3(clamp(texels, 0.5, max(_FoamWindow.zw - 0.5, 0.5)) / float2(width, height), eyeIndex);
+        float3 at = PointOfLayer(_RayEnds, picture, eyeIndex);
         if (all(_RayEnds.GatherAlpha(rill_linear_clamp_sampler, at) == ray.ends.w))
             ray.ends.xyz = _RayEnds.SampleLevel(rill_linear_clamp_sampler, at, 0).xyz;
         if (all(_RayMirrors.GatherRed(rill_linear_clamp_sampler, at) < kNoPoint))

@@ -103,7 +103,7 @@ float4 SeenInCap(Ellipsoid e, float plane, float3 world, float3 normal, float3 r
 }
 
 // A droplet is as clear as its path through it is short: light is bent twice and not absorbed. No shadow falls on what is so small. What flies
-// while the picture is exposed is seen for a part of that at each place.
+// while the picture is exposed covers a point for a part of that time.
 float4 DropFragment(DropVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH) : SV_Target
 {
     RestoreView(input);

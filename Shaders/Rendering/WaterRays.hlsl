@@ -9,9 +9,7 @@
 
 #include "SceneDepth.hlsl"
 #include "MeshField.hlsl"
-#ifdef RILL_PHASES
 #include "PhaseGrid.hlsl"
-#endif
 #include "Optics.hlsl"
 #include "SceneTrace.hlsl"
 #include "Directions.hlsl"
@@ -41,9 +39,7 @@ struct WaterRay
     float3 turned;          // world, unit: from where most of that comes
     float turnedPath;       // part of the path up to there
     bool turnsInWater;      // it comes from the water
-#ifdef RILL_PHASES
-    float3 phases;          // fractions of phases 1 to 3 along the path
-#endif
+    float3 phases;          // fractions of phases 1 to 3 along the path; 0 where RILL_PHASES is off
 };
 
 float3 ToDrawn(float3 p)
@@ -70,9 +66,7 @@ WaterRay TraceWater(float3 p, float3 along)
     float spacing = Spacing(), side = 1.0, index = _SurfaceOptics.x;
     float left = 1.0, strongest = 0.0, begin = 0.0, turnedAt = 0.0;
     bool isDone = false, isTurned = false;
-#ifdef RILL_PHASES
     float4 phases = 0.0;
-#endif
     [loop]
     for (uint i = 0; i < kSegments && !isDone; i++)
     {
@@ -142,9 +136,7 @@ WaterRay TraceWater(float3 p, float3 along)
         ray.direction = mul((float3x3)_DomainToWorld, along) / spacing;
     }
     ray.turnedPath = turnedAt / max(ray.path, 1e-6);
-#ifdef RILL_PHASES
     ray.phases = MeanPhases(phases);
-#endif
     return ray;
 }
 
@@ -162,9 +154,7 @@ struct PackedRay
     float4 ends;            // xy point of the picture, z path, m, w kind of the end
     float4 directions;      // of the end, and of what is mirrored
     float4 mirrored;        // xy point of the picture that the surface mirrors, or kNoPoint; z, w: mirrored and turnedPath
-#ifdef RILL_PHASES
-    float3 phases;
-#endif
+    float3 phases;          // see WaterRay
 };
 
 static const float kNoPoint = 8.0;
@@ -183,9 +173,7 @@ PackedRay PackRay(WaterRay ray, float2 picture)
     packed.ends = float4(ray.picture - picture, ray.path, ray.ends);
     packed.directions = float4(PackDirection(ray.direction), PackDirection(ray.turned));
     packed.mirrored = float4(kNoPoint, kNoPoint, ray.mirrored, ray.turnedPath);
-#ifdef RILL_PHASES
     packed.phases = ray.phases;
-#endif
     return packed;
 }
 
@@ -199,9 +187,7 @@ WaterRay UnpackRay(PackedRay packed, float2 picture)
     ray.turned = UnpackDirection(packed.directions.zw);
     ray.mirrored = packed.mirrored.z;
     ray.turnedPath = packed.mirrored.w;
-#ifdef RILL_PHASES
     ray.phases = packed.phases;
-#endif
     return ray;
 }
 

@@ -52,7 +52,7 @@ namespace Rill
         /// <summary>The textures of a camera; made when it first asks. Those of cameras that draw no more are given back.</summary>
         public SurfaceView ViewOf(Camera camera) => views.ViewOf(camera);
 
-        /// <summary>The same; null for a camera that has none.</summary>
+        /// <summary>Returns the textures of a camera; null for one that has none.</summary>
         public CameraView Find(Camera camera) => views.Find(camera);
 
         /// <summary>What a draw of this camera may still show in this frame is no longer shown, until it is recorded again.</summary>

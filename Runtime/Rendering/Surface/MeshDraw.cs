@@ -125,7 +125,7 @@ namespace Rill
             view.HasMotion = view.Chords != null;
         }
 
-        /// <summary>The textures of a camera; null for one that has none.</summary>
+        /// <summary>Returns the textures of a camera; null for one that has none.</summary>
         public CameraView Find(Camera camera) => views.Find(camera);
 
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>

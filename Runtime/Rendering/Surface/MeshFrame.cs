@@ -58,8 +58,8 @@ namespace Rill
         /// <summary>Width of the textures of faces over that of the picture, up to 1.</summary>
         public float rayScale;
 
-        /// <summary>Texels of those from the bottom to the top of a picture, of which twice as many show no more of what is bent, mirrored or
-        /// small: above that rays and spray have textures of half their width, then a quarter.</summary>
+        /// <summary>Most texels from the bottom to the top of a picture up to which rays and spray have textures as wide as those of faces. Above
+        /// that theirs have half the width, above twice as many a quarter.</summary>
         public int fineLines;
 
         /// <summary>See Ripples.hlsl; 0 for none.</summary>
@@ -97,7 +97,7 @@ namespace Rill
                 cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
                 domainToWorld = fluid.DomainToWorld, lastDomainToWorld = fluid.DomainToWorld,
                 domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
-                rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f, fineLines = quality == SurfaceQuality.High ? int.MaxValue / 2 : FineLines,
+                rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f, fineLines = quality == SurfaceQuality.High ? int.MaxValue : FineLines,
                 bounds = new Bounds(fluid.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)), Vector3.one * (box.magnitude + 4f * spacing)),
             };
         }

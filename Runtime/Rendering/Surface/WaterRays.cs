@@ -15,7 +15,6 @@ namespace Rill
         static readonly ProfilerMarker RaysMarker = GpuMarker.Create("Rill.Water.Rays");
         static readonly ProfilerMarker TilesMarker = GpuMarker.Create("Rill.Water.Tiles");
 
-        const int TilesGroup = 64;
         const int FacePass = 0, CopyPass = 1;       // of WaterFaces.shader
         const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
 
@@ -51,13 +50,12 @@ namespace Rill
             RecordFaces(cmd, camera, mesh, view);
             Kernel trace = traceRays.For(mesh.phases != null);
             cmd.BeginSample(RaysMarker);
-            clear.Record(cmd, scratch.TileMarks, 2 * WaterTiles.Count(view.CoarseWindow.Width, view.CoarseWindow.Height));
+            clear.Record(cmd, scratch.TileMarks, WaterTiles.MarksOf(view.CoarseWindow.Width, view.CoarseWindow.Height));
             view.SetConstants(cmd, shader);
             mesh.SetOn(cmd, shader);
             mesh.SetField(cmd, shader, trace);
             mesh.phases?.SetOn(cmd, shader, trace);
             cmd.SetComputeFloatParam(shader, Ids.RaysBend, refracts ? 1f : 0f);
-            cmd.SetComputeIntParam(shader, Ids.RaysAcross, WaterView.Divisor(camera, mesh));
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
@@ -91,8 +89,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, listTiles, Ids.TileMarks, SurfaceScratch.Shared.TileMarks);
             cmd.SetComputeBufferParam(shader, listTiles, WaterView.Ids.WaterTiles, view.Tiles.Tiles);
             cmd.SetComputeBufferParam(shader, listTiles, Ids.TileArguments, view.Tiles.Arguments);
-            int tiles = 2 * WaterTiles.Count(view.CoarseWindow.Width, view.CoarseWindow.Height);
-            cmd.DispatchCompute(shader, listTiles, (tiles + TilesGroup - 1) / TilesGroup, 1, 1);
+            SurfaceIds.Dispatch(cmd, shader, listTiles, WaterTiles.MarksOf(view.CoarseWindow.Width, view.CoarseWindow.Height), 1);
             cmd.EndSample(TilesMarker);
         }
 
@@ -148,7 +145,6 @@ namespace Rill
             public static readonly int SceneCopy = Shader.PropertyToID("_SceneCopy");
             public static readonly int TileMarks = Shader.PropertyToID("_TileMarks");
             public static readonly int TileArguments = Shader.PropertyToID("_TileArguments");
-            public static readonly int RaysAcross = Shader.PropertyToID("_RaysAcross");
             public static readonly int RaysBend = Shader.PropertyToID("_RaysBend");
         }
     }

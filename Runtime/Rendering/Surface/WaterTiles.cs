@@ -27,15 +27,15 @@ namespace Rill
         /// <summary>Draw arguments of both lists.</summary>
         public GraphicsBuffer Arguments => arguments;
 
-        /// <summary>Returns how many tiles so many texels of rays take.</summary>
-        public static int Count(int width, int height) => (width + Tile - 1) / Tile * ((height + Tile - 1) / Tile);
+        /// <summary>Returns how many words of TileMarks.hlsl so many texels of rays take: one for each tile and list.</summary>
+        public static int MarksOf(int width, int height) => Lists * ((width + Tile - 1) / Tile) * ((height + Tile - 1) / Tile);
 
         /// <summary>Makes the buffers where they are missing or of another size.</summary>
         /// <param name="width">Of the textures of rays, texels.</param>
         /// <param name="height">The same.</param>
         public void Fit(int width, int height)
         {
-            int count = Lists * Count(width, height);
+            int count = MarksOf(width, height);
             if (tiles != null && tiles.count == count)
                 return;
             Release();

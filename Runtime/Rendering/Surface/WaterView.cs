@@ -110,11 +110,11 @@ namespace Rill
             Faces = SurfaceView.Make("Rill.Water.RayFaces", size.Width, size.Height, eyes, GraphicsFormat.R32G32B32A32_SFloat, true);
         }
 
-        /// <summary>Returns how many texels of <see cref="Window"/> one of <see cref="CoarseWindow"/> is wide: 1, 2 or 4.</summary>
-        public static int Divisor(in FluidViews camera, in MeshFrame mesh)
+        // Returns how many texels of the window one of the coarse window is wide: 1, 2 or 4.
+        static int Divisor(in FluidViews camera, in MeshFrame mesh)
         {
             int lines = PictureWindow.Scaled(camera.height, mesh.rayScale);
-            return lines <= mesh.fineLines ? 1 : lines <= 2 * mesh.fineLines ? 2 : 4;
+            return lines <= mesh.fineLines ? 1 : (lines + 1) / 2 <= mesh.fineLines ? 2 : 4;
         }
 
         // A texture of half floats that is there only where something needs it.

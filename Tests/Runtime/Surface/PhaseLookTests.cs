@@ -47,7 +47,7 @@ namespace Rill.Tests
             surface.PhaseLooks = new[] { Clear(First), Clear(Second) };
             yield return scene.Settle();
             float3 alike = scene.At(0.25f);
-            SetPhases((p, i) => p.x > 0.5f ? phase : 0);
+            scene.SetPhases((p, i) => p.x > 0.5f ? phase : 0);
             yield return WaterScene.Frames(2);
             float3 left = scene.At(-0.25f), right = scene.At(0.25f);
             float thickness = math.log(alike.z / kept) / math.log(Base.z) * 0.5f;
@@ -63,7 +63,7 @@ namespace Rill.Tests
             surface.PhaseLooks = new[] { Clear(First) };
             yield return scene.Settle();
             float thickness = math.log(scene.At(0f).z / kept) / math.log(Base.z) * 0.5f;
-            SetPhases((p, i) => i % one == 0 ? 1 : 0);
+            scene.SetPhases((p, i) => i % one == 0 ? 1 : 0);
             yield return WaterScene.Frames(2);
             float3 sum = 0f;
             int samples = 0;
@@ -79,7 +79,7 @@ namespace Rill.Tests
         {
             surface.PhaseLooks = new[] { SurfaceLook.Of(SurfacePreset.Milk) };
             yield return scene.Settle();
-            SetPhases((p, i) => 1);
+            scene.SetPhases((p, i) => 1);
             yield return WaterScene.Frames(2);
             float3 milk = scene.At(0f);
             surface.PhaseLooks = null;
@@ -110,7 +110,7 @@ namespace Rill.Tests
             float4[] before = scene.Pixels();
             Assert.That(Work(), Has.None.Contains("Phase"));
             surface.PhaseLooks = new[] { Clear(First) };
-            SetPhases((p, i) => 1);
+            scene.SetPhases((p, i) => 1);
             yield return WaterScene.Frames(2);
             Assert.That(Work(), Has.Some.Contains(method == SurfaceMethod.Mesh ? "TracePhases" : "AddPhases"));
             Assert.That(math.cmax(math.abs(scene.At(0f) - before[before.Length / 2 + scene.Target.width / 2].xyz)), Is.GreaterThan(0.1f));
@@ -125,7 +125,7 @@ namespace Rill.Tests
         {
             surface.PhaseLooks = new[] { Clear(First), Clear(Second) };
             yield return scene.Settle();
-            SetPhases((p, i) => i % 3);
+            scene.SetPhases((p, i) => i % 3);
             yield return WaterScene.Frames(2);
             float4[] first = scene.Pixels();
             for (int i = 0; i < 4; i++)
@@ -163,18 +163,6 @@ namespace Rill.Tests
         {
             StageDescription stage = scene.Fluid.Describe().Single(one => one.Name == "FluidSurface");
             return stage.Kernels.Select(kernel => kernel.kernel).Concat(stage.Buffers.Select(texture => texture.name)).ToArray();
-        }
-
-        // phaseOf: phase by the position, 0 to 1 across the domain, and the particle's index.
-        void SetPhases(System.Func<float3, int, int> phaseOf)
-        {
-            PbfSolver solver = scene.Fluid.Solver;
-            var positions = new float4[solver.Positions.count];
-            solver.Positions.GetData(positions);
-            var tags = new uint[solver.Tags.count];
-            for (int i = 0; i < tags.Length; i++)
-                tags[i] = (uint)phaseOf(positions[i].xyz * WaterScene.Spacing, i) << 24;
-            solver.Tags.SetData(tags);
         }
     }
 }

@@ -46,7 +46,7 @@ namespace Rill.Tests
             look.refractionIndex = surface.Look.refractionIndex;
             float4[] plain = scene.Pixels();
             surface.PhaseLooks = new[] { look };
-            SetPhases(p => 1);
+            scene.SetPhases((p, i) => 1);
             yield return WaterScene.Frames(2);
             float4[] phases = scene.Pixels();
             surface.PhaseLooks = null;
@@ -64,7 +64,7 @@ namespace Rill.Tests
             PutEyeInWater();
             surface.PhaseLooks = new[] { WaterScene.Absorbing(First, Tinted) };
             yield return scene.Settle();
-            SetPhases(p => p.x > 0.5f ? 1 : 0);
+            scene.SetPhases((p, i) => p.x > 0.5f ? 1 : 0);
             yield return WaterScene.Frames(2);
             float path = scene.Camera.transform.position.y - scene.Camera.nearClipPlane + 0.5f;
             IsNear(scene.At(-0.25f), Face * math.pow(WaterScene.Left, path / 0.5f));
@@ -76,7 +76,7 @@ namespace Rill.Tests
         {
             surface.PhaseLooks = new[] { WaterScene.Absorbing(First, Tinted) };
             yield return scene.Settle();
-            SetPhases(p => p.y > WaterScene.Depth - upper ? 1 : 0);
+            scene.SetPhases((p, i) => p.y > WaterScene.Depth - upper ? 1 : 0);
             yield return WaterScene.Frames(2);
             IsNear(scene.At(0f), Face * Face * math.pow(First, upper / Tinted) * math.pow(WaterScene.Left, (WaterScene.Depth - upper) / 0.5f));
         }
@@ -88,17 +88,17 @@ namespace Rill.Tests
             AddSun();
             yield return scene.Settle();
             surface.PhaseLooks = new[] { WaterScene.Absorbing(First, 0.1f) };
-            SetPhases(p => 1);
+            scene.SetPhases((p, i) => 1);
             yield return WaterScene.Frames(2);
             float3 all = scene.At(0f);
-            SetPhases(p => p.y > 0.2f ? 1 : 0);
+            scene.SetPhases((p, i) => p.y > 0.2f ? 1 : 0);
             yield return WaterScene.Frames(2);
             float3 upper = scene.At(0f);
             surface.Caustics = false;
             yield return WaterScene.Frames(2);
             float3 without = scene.At(0f);
             TestContext.Out.WriteLine($"all of the phase {all}, the water above {upper}, without caustics {without}");
-            Assert.That(math.cmax(math.abs(without / all - 1f)), Is.GreaterThan(0.3f), "the sun's light is absorbed on its way");
+            Assert.That(math.cmax(math.abs(without / all - 1f)), Is.GreaterThan(0.3f), "the sun's light is absorbed on its path");
             IsNear(upper, all);
         }
 
@@ -107,7 +107,7 @@ namespace Rill.Tests
         {
             surface.PhaseLooks = new[] { WaterScene.Absorbing(First, Tinted) };
             yield return scene.Settle();
-            SetPhases(p => math.hash(p) % 2 == 0 ? 1 : 0);
+            scene.SetPhases((p, i) => math.hash(p) % 2 == 0 ? 1 : 0);
             yield return WaterScene.Frames(2);
             float4[] before = scene.Pixels();
             PbfSolver solver = scene.Fluid.Solver;
@@ -166,18 +166,6 @@ namespace Rill.Tests
         {
             scene.Camera.nearClipPlane = 0.01f;
             scene.Camera.transform.position = new Vector3(0f, 0.04f, 0f);
-        }
-
-        // phaseOf: phase by the position, 0 to 1 across the domain.
-        void SetPhases(Func<float3, int> phaseOf)
-        {
-            PbfSolver solver = scene.Fluid.Solver;
-            var positions = new float4[solver.Positions.count];
-            solver.Positions.GetData(positions);
-            var tags = new uint[solver.Tags.count];
-            for (int i = 0; i < tags.Length; i++)
-                tags[i] = (uint)phaseOf(positions[i].xyz * WaterScene.Spacing) << 24;
-            solver.Tags.SetData(tags);
         }
     }
 }

@@ -74,6 +74,19 @@ namespace Rill.Tests
             return Surface.Sun = sun;
         }
 
+        /// <summary>Gives the particles phases; the fluid has to have tags.</summary>
+        /// <param name="phaseOf">By the position, m from the lowest corner of the box, and the particle's index.</param>
+        public void SetPhases(System.Func<float3, int, int> phaseOf)
+        {
+            PbfSolver solver = Fluid.Solver;
+            var positions = new float4[solver.Positions.count];
+            solver.Positions.GetData(positions);
+            var tags = new uint[solver.Tags.count];
+            for (int i = 0; i < tags.Length; i++)
+                tags[i] = (uint)phaseOf(positions[i].xyz * Spacing, i) << 24;
+            solver.Tags.SetData(tags);
+        }
+
         /// <summary>On an object beside the water, as part of the fluid.</summary>
         public T NewChild<T>(string name) where T : Component
         {

@@ -69,16 +69,23 @@ namespace Host.Bench
                 table.Save(Path.GetFullPath(csv));
         }
 
+        /// <summary>Foam of more than a hundred times what a scene has, so that all of the budget is there.</summary>
+        public static FoamSettings FillOf(ExperimentScene scene, int budget)
+        {
+            float depth = scene.Blocks[0].counts.y * scene.Spacing;
+            FoamSettings settings = FoamSettings.Default;
+            settings.budget = budget;
+            settings.amount = 10f;
+            settings.lifetime = 200f;
+            settings.referenceSpeed = (float)Math.Sqrt(9.81 * depth);
+            settings.referenceDepth = 0.2f * depth;
+            return settings;
+        }
+
         static void Measure(ExperimentScene scene, int budget, int steps, ReportTable table, TextWriter output)
         {
             StepInput input = ExperimentFigures.Input(SolverSettings.Default);
-            input.foam = FoamSettings.Default;
-            input.foam.budget = budget;
-            input.foam.amount = 10f;
-            input.foam.lifetime = 200f;
-            // More than a hundred times what a scene has, so that all of the budget is there.
-            input.foam.referenceSpeed = (float)Math.Sqrt(9.81 * scene.Blocks[0].counts.y * scene.Spacing);
-            input.foam.referenceDepth = 0.2f * scene.Blocks[0].counts.y * scene.Spacing;
+            input.foam = FillOf(scene, budget);
             using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity,
                 input.settings.listMargin));
             Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, scene.Fill, input, First, Last, steps);

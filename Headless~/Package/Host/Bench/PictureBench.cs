@@ -208,24 +208,11 @@ namespace Host.Bench
                 surface.Sun = sun;
                 set(surface);
                 if (foam > 0)
-                    AddFoam(box, scene, foam);
+                    box.AddComponent<FluidFoam>().Settings = FoamBench.FillOf(scene, foam);
             }
             box.SetActive(true);
             scene.Fill(fluid.Solver);
             return fluid;
-        }
-
-        // More than a hundred times what a scene has, so that all of the budget is there.
-        static void AddFoam(GameObject box, ExperimentScene scene, int budget)
-        {
-            float depth = scene.Blocks[0].counts.y * scene.Spacing;
-            FoamSettings settings = FoamSettings.Default;
-            settings.budget = budget;
-            settings.amount = 10f;
-            settings.lifetime = 200f;
-            settings.referenceSpeed = Mathf.Sqrt(9.81f * depth);
-            settings.referenceDepth = 0.2f * depth;
-            box.AddComponent<FluidFoam>().Settings = settings;
         }
     }
 }
