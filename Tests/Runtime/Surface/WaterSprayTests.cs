@@ -22,12 +22,14 @@ namespace Rill.Tests
         const float Forward = 0.8f;     // cosine of the angle by which light has to be turned to come to the camera
 
         WaterScene scene;
+        float3 velocity;        // of the drops, m/s
         AmbientMode mode;
         Color sky;
 
         [SetUp]
         public void Begin()
         {
+            velocity = 0f;
             (mode, sky) = (RenderSettings.ambientMode, RenderSettings.ambientSkyColor);
             (RenderSettings.ambientMode, RenderSettings.ambientSkyColor) = (AmbientMode.Flat, Color.black);
         }
@@ -39,10 +41,12 @@ namespace Rill.Tests
             yield return scene.End();
         }
 
-        // The texel's width goes from half a spacing to an eighth.
+        // The texel's width goes from half a spacing to a twelfth, where the larger droplets are drawn by themselves. What flies is drawn out along
+        // its path, and no brighter.
         [UnityTest]
-        public IEnumerator Droplets_send_on_as_much_light_however_large_the_picture_is([Values(24, 48, 96)] int pixels)
+        public IEnumerator Droplets_send_on_as_much_light_however_large_the_picture_is([Values(24, 48, 96, 144)] int pixels, [Values] bool fly)
         {
+            velocity = fly ? new float3(1.6f, 0f, 0.8f) : 0f;
             yield return PutDrops(pixels);
             float texel = Picture / pixels / Spacing, area = 0f, bar = 0f;
             for (int k = 0; k < Droplets; k++)
@@ -174,7 +178,7 @@ namespace Rill.Tests
             scene.Root.SetActive(true);
             yield return Frames(1);
             using (var positions = new NativeArray<float3>(places, Allocator.Temp))
-            using (var velocities = new NativeArray<float3>(places.Length, Allocator.Temp))
+            using (var velocities = new NativeArray<float3>(Enumerable.Repeat(velocity, places.Length).ToArray(), Allocator.Temp))
                 scene.Fluid.AddParticles(positions, velocities);
             yield return Frames(4);
             scene.Fluid.Paused = true;
