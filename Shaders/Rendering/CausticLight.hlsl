@@ -1,5 +1,5 @@
-// What stands in the water in the light of the sun that has come through its surface. The picture has it lit as if there were no water: its direct
-// light, as far as the main light and the ambient light let one tell, is changed. Part of Water.hlsl.
+// What stands in the water in the light of the sun that has come through its surface, by the map of CausticMap.hlsl. The kernel of the rays finds how
+// much light that is; an eye in the water does so itself. Include after WaterRays.hlsl and Medium.hlsl.
 //
 //   _CausticMap     in  Texture2D, see CausticMap.hlsl
 #ifndef RILL_CAUSTIC_LIGHT_INCLUDED
@@ -9,14 +9,19 @@
 
 Texture2D<float4> _CausticMap;
 
-static const float kMaxBrightening = 32.0;
 static const float kMinCosine = 0.05;
+
+// Returns the direction to the light that the map is of, world.
+float3 ToSun()
+{
+    return normalize(mul((float3x3)_DomainToWorld, _CausticLight.xyz));
+}
 
 // xy: light and light times path of a layer.
 float2 CausticsIn(uint layer, float2 texel)
 {
     float2 at = CausticCorner(layer) + clamp(texel, 0.5, _CausticSize.xy - 0.5);
-    return _CausticMap.SampleLevel(rill_linear_clamp_sampler, at / (_CausticSize.xy * _CausticSize.zw + float2(0.0, 1.0)), 0).xy;
+    return _CausticMap.SampleLevel(rill_field_linear_clamp_sampler, at / (_CausticSize.xy * _CausticSize.zw + float2(0.0, 1.0)), 0).xy;
 }
 
 // The same at a point in the water, d.
@@ -38,44 +43,37 @@ float3 ScenePoint(float2 picture, float z)
 // Along an axis of the picture, on that side where the depth changes less.
 float3 SceneStep(float2 picture, float2 texel, float z, float3 at)
 {
-    float before = SceneDepthAt(picture - texel), after = SceneDepthAt(picture + texel);
+    float before = SceneDepthAt(picture - texel, eyeIndex), after = SceneDepthAt(picture + texel, eyeIndex);
     bool isBefore = abs(before - z) < abs(after - z);
     float3 other = ScenePoint(isBefore ? picture - texel : picture + texel, isBefore ? before : after);
     return isBefore ? at - other : other - at;
 }
 
-// Factor of the scene's color at a point of the picture.
-float3 SunThroughSurface(float2 picture)
+// Finds the sunlight where a ray ends: ray.sun, and in its direction the normal there. Nothing but for the scene in the water, on the map.
+void FindSunlight(inout WaterRay ray)
 {
-    if (_CausticLight.w == 0.0)
-        return 1.0;
-    MainLight light = LightOfWater();
-    float3 traced = normalize(mul((float3x3)_DomainToWorld, _CausticLight.xyz));
-    float2 size = SceneSize(), texel = 2.0 / size;
-    picture = (floor((picture * 0.5 + 0.5) * size) + 0.5) * texel - 1.0;
-    float z = SceneDepthAt(picture);
-    float3 world = ScenePoint(picture, z), p = InDomain(world);
+    ray.sun = 0.0;
+    if (_CausticLight.w == 0.0 || ray.ends != kEndsUnderWater)
+        return;
+    float2 size = SceneSize(), texel = 2.0 / size, picture = (floor((ray.picture * 0.5 + 0.5) * size) + 0.5) * texel - 1.0;
+    float z = SceneDepthAt(picture, eyeIndex);
+    float3 world = ScenePoint(picture, z), p = mul(_WorldToDomain, float4(world, 1.0)).xyz;
     float2 inMap = InCausticMap(p);
-    if (dot(light.direction, traced) < 0.999 || any(inMap < 0.0) || any(inMap > _CausticSize.xy))
-        return 1.0;
+    if (any(inMap < 0.0) || any(inMap > _CausticSize.xy))
+        return;
 
     float3 normal = cross(SceneStep(picture, float2(texel.x, 0.0), z, world), SceneStep(picture, float2(0.0, texel.y), z, world));
-    float3 toEye = ToEye(world);
-    normal *= rsqrt(max(dot(normal, normal), 1e-24)) * (dot(normal, toEye) < 0.0 ? -1.0 : 1.0);
+    normal *= rsqrt(max(dot(normal, normal), 1e-24)) * (dot(normal, RayThrough(picture, eyeIndex).direction) > 0.0 ? -1.0 : 1.0);
 
     // A layer tells what crosses it; what faces otherwise gets more or less of the bundle, which goes down as through calm water.
     float2 caustics = CausticsAt(p);
     float path = caustics.y / max(caustics.x, 1e-4);
-    float3 up = normalize(mul((float3x3)_DomainToWorld, _CausticUp.xyz));
-    float3 calm = -refract(-light.direction, up, 1.0 / _SurfaceOptics.x);
-    calm = normalize(lerp(light.direction, calm, saturate(path)));
-    float turned = max(dot(normal, calm), 0.0) * max(dot(up, light.direction), kMinCosine) / max(dot(up, calm), kMinCosine);
+    float3 toLight = ToSun(), up = normalize(mul((float3x3)_DomainToWorld, _CausticUp.xyz));
+    float3 calm = normalize(lerp(toLight, -refract(-toLight, up, 1.0 / _SurfaceOptics.x), saturate(path)));
+    float turned = max(dot(normal, calm), 0.0) * max(dot(up, toLight), kMinCosine) / max(dot(up, calm), kMinCosine);
     Medium medium = MediumAlong(p, normalize(mul((float3x3)_WorldToDomain, calm)), path);
-    float3 through = caustics.x * exp(-(medium.absorption + medium.scattering) * path * Spacing());
-
-    float3 sun = light.color * MainLightShadow(light, world, WorldToClip(world)), ambient = AmbientOfScene(normal);
-    float3 dry = ambient + sun * max(dot(normal, light.direction), 0.0), wet = ambient + sun * turned * through;
-    return dry > 1e-5 ? min(wet / max(dry, 1e-5), kMaxBrightening) : 1.0;
+    ray.sun = float4(turned * caustics.x * exp(-(medium.absorption + medium.scattering) * path * Spacing()), 1.0);
+    ray.direction = normal;
 }
 
 #endif

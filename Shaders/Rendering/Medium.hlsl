@@ -1,4 +1,5 @@
-// The medium that light goes through in the water: by its look, or by those of its phases. Include after SurfaceView.hlsl.
+// The medium that light goes through in the water: by its look, or by those of its phases. Include after SurfaceView.hlsl, and
+// where RILL_PHASES is on after PhaseGrid.hlsl.
 #ifndef RILL_MEDIUM_INCLUDED
 #define RILL_MEDIUM_INCLUDED
 
@@ -42,6 +43,17 @@ Medium Stirred(float4 amounts)
 Medium Stirred(float3 fractions)
 {
     return Stirred(float4(max(1.0 - dot(fractions, 1.0), 0.0), fractions));
+}
+
+// Returns the medium along a straight path from a point of the domain, both in d, in the frame of the mesh's field.
+Medium MediumAlong(float3 from, float3 along, float path)
+{
+    Medium medium = MediumOfLook();
+#ifdef RILL_PHASES
+    if (_HasPhases > 0.5)
+        medium = Stirred(PhasesAlong(from, along, path));
+#endif
+    return medium;
 }
 
 #endif

@@ -33,10 +33,4 @@ float2 InColorPyramid(float2 uv)
 }
 #endif
 
-// Depth along the view at a point of the picture, m.
-float SceneDepthAt(float2 picture)
-{
-    return FromSceneDepth(FlipDepth(SceneDepth(picture, eyeIndex)), picture, eyeIndex);
-}
-
 #endif

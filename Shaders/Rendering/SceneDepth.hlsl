@@ -52,4 +52,10 @@ float SceneDepth(float2 picture, uint eye)
 
 #endif
 
+// Depth along the view at a point of the picture, m.
+float SceneDepthAt(float2 picture, uint eye)
+{
+    return FromSceneDepth(FlipDepth(SceneDepth(picture, eye)), picture, eye);
+}
+
 #endif

@@ -31,7 +31,7 @@ float SceneFragment(SceneVaryings input) : SV_Target
     {
         float2 offset = (float2(i % kSamples, i / kSamples) + 0.5) / kSamples * 2.0 - 1.0;
         float2 picture = input.picture + offset * _ThicknessSize.zw;
-        farthest = max(farthest, FromSceneDepth(FlipDepth(SceneDepth(picture, _SurfaceEye)), picture, _SurfaceEye));
+        farthest = max(farthest, SceneDepthAt(picture, _SurfaceEye));
     }
     return farthest;
 }

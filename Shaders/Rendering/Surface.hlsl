@@ -68,8 +68,8 @@ static const float kRefractionReach = 0.8;  // of the depth that a ray should re
 bool IsBehind(float2 picture, float z)
 {
     float2 texel = 1.0 / SceneSize();        // half of one, on the picture
-    float nearest = min(min(SceneDepthAt(picture - texel), SceneDepthAt(picture + texel)),
-        min(SceneDepthAt(picture + float2(texel.x, -texel.y)), SceneDepthAt(picture + float2(-texel.x, texel.y))));
+    float nearest = min(min(SceneDepthAt(picture - texel, eyeIndex), SceneDepthAt(picture + texel, eyeIndex)),
+        min(SceneDepthAt(picture + float2(texel.x, -texel.y), eyeIndex), SceneDepthAt(picture + float2(-texel.x, texel.y), eyeIndex)));
     return nearest >= z;
 }
 
@@ -184,7 +184,7 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     Medium medium = MediumAt(picture, path);
 #ifdef RILL_REFRACTION
     // The textures of thickness are coarse: what stands in the water keeps its edges by its own depth.
-    path = min(path, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
+    path = min(path, max(SceneDepthAt(picture, eyeIndex) - p.z, 0.0) * p.stretch);
 #endif
 
     MainLight light = LightOfSurface();

@@ -4,6 +4,7 @@
 //
 //   _Bubbles      in   see SprayLayer.hlsl; where RILL_FOAM is on
 //   _RayFaces, _RayEnds, _RayDirections, _RayMirrors  in  Texture2DArrays, a slice for each eye, see WaterRays.compute
+//   _RaySun       in   Texture2DArray, see there too; read where _CausticLight.w is not 0
 //   _RayPhases    in   Texture2DArray, see there too; read where _HasPhases is 1, as is that of PhaseGrid.hlsl: a keyword would double the variants
 //   the buffers of MeshField.hlsl, in RILL_UNDER_WATER
 //   the scene's color, where RILL_REFRACTION is on, and its depth, as the pipeline gives them
@@ -17,6 +18,8 @@
 #include "WaterTile.hlsl"
 #include "Medium.hlsl"
 
+static const float kMaxBrightening = 32.0;      // of what stands in the water, by the sun
+static const float kSameLight = 0.999;          // cosine between the main light and that of the caustics
 static const float kSeenBorder = 0.02, kMirrorBorder = 0.1;    // of half the picture's width: over which the scene fades to what is around
 
 // ---- optics
@@ -56,15 +59,6 @@ Medium MediumAlong(WaterRay ray)
     return medium;
 }
 
-// Returns the medium along a straight path from a point of the domain, both in d, in the frame of the mesh's field.
-Medium MediumAlong(float3 from, float3 along, float path)
-{
-    Medium medium = MediumOfLook();
-    if (_HasPhases > 0.5)
-        medium = Stirred(PhasesAlong(from, along, path));
-    return medium;
-}
-
 #ifdef RILL_REFRACTION
 #include "CausticLight.hlsl"
 
@@ -73,8 +67,23 @@ float3 SceneColorAt(float2 picture)
     return RILL_SCENE_COLOR(picture * 0.5 + 0.5).rgb;
 }
 
+// Returns the color of the scene at the end of a ray, which stands in the water. The picture has it lit as if there were none: its direct light, as
+// far as the main light and the ambient light let one tell, is changed.
+float3 SceneInWater(WaterRay ray, MainLight light)
+{
+    float3 color = SceneColorAt(ray.picture);
+    if (ray.sun.w > 0.0 && dot(light.direction, ToSun()) > kSameLight)
+    {
+        float3 world = ScenePoint(ray.picture, SceneDepthAt(ray.picture, eyeIndex)), normal = ray.direction;
+        float3 sun = light.color * MainLightShadow(light, world, WorldToClip(world)), ambient = AmbientOfScene(normal);
+        float3 dry = ambient + sun * max(dot(normal, light.direction), 0.0), wet = ambient + sun * ray.sun.rgb;
+        color *= dry > 1e-5 ? min(wet / max(dry, 1e-5), kMaxBrightening) : 1.0;
+    }
+    return color;
+}
+
 // Light from the end of a ray and from along it. world: where it begins; lit: see ScatteredLight.
-float3 SeenAlong(WaterRay ray, Medium medium, float3 world, float3 lit)
+float3 SeenAlong(WaterRay ray, Medium medium, MainLight light, float3 world, float3 lit)
 {
     float3 rate = medium.absorption + medium.scattering;
     float3 color = lit * (1.0 - exp(-medium.scattering * ray.path));
@@ -89,7 +98,7 @@ float3 SeenAlong(WaterRay ray, Medium medium, float3 world, float3 lit)
     if (ray.ends == kEndsInAir)
         end = lerp(end, SceneColorAt(ray.picture), BorderFade(ray.picture, kSeenBorder));
     else if (ray.ends == kEndsUnderWater)
-        end = SceneColorAt(ray.picture) * SunThroughSurface(ray.picture);
+        end = SceneInWater(ray, light);
     else if (ray.ends == kEndsAtWall)
         end = SceneColorAt(ray.picture);
     return color + (1.0 - ray.mirrored) * exp(-rate * ray.path) * end;
@@ -154,12 +163,13 @@ float4 UnderWaterFragment(UnderWaterVaryings input) : SV_Target
     float3 around = Ambient(world, float3(0.0, 1.0, 0.0));
 #ifdef RILL_REFRACTION
     WaterRay traced = TraceWater(p, along);
+    FindSunlight(traced);
     Medium medium = MediumAlong(traced);
-    return float4(SeenAlong(traced, medium, world, ScatteredLight(medium, around, lightColor, light.direction.y)), 1.0);
+    return float4(SeenAlong(traced, medium, light, world, ScatteredLight(medium, around, lightColor, light.direction.y)), 1.0);
 #else
     float3 wall;
     bool found;
-    float end = BoxExit(p, along, wall), z = SceneDepthAt(picture) - FromSurfaceDepth(1.0, eyeIndex);
+    float end = BoxExit(p, along, wall), z = SceneDepthAt(picture, eyeIndex) - FromSurfaceDepth(1.0, eyeIndex);
     float path = min(MarchMesh(p, along, 1.0, 0.0, end, found) * Spacing(), z * length(ray.direction));
     Medium medium = MediumAlong(p, along, path / Spacing());
     float3 lit = ScatteredLight(medium, around, lightColor, light.direction.y);
@@ -178,6 +188,7 @@ Texture2DArray<float4> _RayFaces;
 Texture2DArray<float4> _RayEnds;
 Texture2DArray<float4> _RayDirections;
 Texture2DArray<float4> _RayMirrors;
+Texture2DArray<float4> _RaySun;
 Texture2DArray<float4> _RayPhases;
 
 struct WaterPoint
@@ -199,6 +210,11 @@ PackedRay RayAt(float2 picture)
     ray.ends = _RayEnds.Load(texel);
     ray.directions = _RayDirections.Load(texel);
     ray.mirrored = _RayMirrors.Load(texel);
+    ray.sun = 0.0;
+#ifdef RILL_REFRACTION
+    if (_CausticLight.w > 0.0)
+        ray.sun = _RaySun.Load(texel);
+#endif
     ray.phases = 0.0;
     if (_HasPhases > 0.5)
         ray.phases = _RayPhases.Load(texel).xyz;
@@ -206,7 +222,13 @@ PackedRay RayAt(float2 picture)
     {
         float3 at = PointOfLayer(_RayEnds, picture, eyeIndex);
         if (all(_RayEnds.GatherAlpha(rill_linear_clamp_sampler, at) == ray.ends.w))
+        {
             ray.ends.xyz = _RayEnds.SampleLevel(rill_linear_clamp_sampler, at, 0).xyz;
+#ifdef RILL_REFRACTION
+            if (_CausticLight.w > 0.0 && all(_RaySun.GatherAlpha(rill_linear_clamp_sampler, at) > 0.0))
+                ray.sun = _RaySun.SampleLevel(rill_linear_clamp_sampler, at, 0);
+#endif
+        }
         if (all(_RayMirrors.GatherRed(rill_linear_clamp_sampler, at) < kNoPoint))
             ray.mirrored = _RayMirrors.SampleLevel(rill_linear_clamp_sampler, at, 0);
     }
@@ -281,7 +303,7 @@ float4 WaterFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Tar
 #endif
 
 #ifdef RILL_REFRACTION
-    float3 color = lerp(SeenAlong(p.ray, medium, p.world, lit), bubbles, covered) * (1.0 - reflectance) + mirrored;
+    float3 color = lerp(SeenAlong(p.ray, medium, light, p.world, lit), bubbles, covered) * (1.0 - reflectance) + mirrored;
     float coverage = 1.0;
 #else
     float3 through = exp(-(medium.absorption + medium.scattering) * p.ray.path) * (1.0 - covered);

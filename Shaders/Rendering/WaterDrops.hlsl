@@ -64,7 +64,7 @@ float3 SeenByDroplet(float3 world, float3 along, float2 picture, float z)
 {
     float3 color = Mirrored(world, along, 0.0);
 #ifdef RILL_REFRACTION
-    float forward = dot(along, -ToEye(world)), behind = SceneDepthAt(picture) - z;
+    float forward = dot(along, -ToEye(world)), behind = SceneDepthAt(picture, eyeIndex) - z;
     float4 clip = SurfaceClip(world + along * (max(behind, 0.0) / max(forward, 0.1)), eyeIndex);
     float2 met = clip.xy / max(clip.w, 1e-6);
     if (forward > 0.1 && clip.w > 1e-5)

@@ -33,12 +33,14 @@ struct WaterRay
 {
     uint ends;
     float2 picture;         // where the scene is seen
-    float3 direction;       // world, unit: that in which it ends
+    float3 direction;       // world, unit: that in which it ends; where it ends in sunlight, the scene's normal there
     float path;             // through water, m
     float mirrored;         // part of the light that the faces along it mirror, and not the first
     float3 turned;          // world, unit: from where most of that comes
     float turnedPath;       // part of the path up to there
     bool turnsInWater;      // it comes from the water
+    float4 sun;             // rgb: sunlight where it ends, after its path through the water, over that of the light on what faces it; w: 1
+                            // where that is known, else 0
     float3 phases;          // fractions of phases 1 to 3 along the path; 0 where RILL_PHASES is off
 };
 
@@ -154,7 +156,8 @@ struct PackedRay
     float4 ends;            // xy point of the picture, z path, m, w kind of the end
     float4 directions;      // of the end, and of what is mirrored
     float4 mirrored;        // xy point of the picture that the surface mirrors, or kNoPoint; z, w: mirrored and turnedPath
-    float3 phases;          // see WaterRay
+    float4 sun;             // see WaterRay
+    float3 phases;          // see there too
 };
 
 static const float kNoPoint = 8.0;
@@ -173,6 +176,7 @@ PackedRay PackRay(WaterRay ray, float2 picture)
     packed.ends = float4(ray.picture - picture, ray.path, ray.ends);
     packed.directions = float4(PackDirection(ray.direction), PackDirection(ray.turned));
     packed.mirrored = float4(kNoPoint, kNoPoint, ray.mirrored, ray.turnedPath);
+    packed.sun = ray.sun;
     packed.phases = ray.phases;
     return packed;
 }
@@ -187,6 +191,7 @@ WaterRay UnpackRay(PackedRay packed, float2 picture)
     ray.turned = UnpackDirection(packed.directions.zw);
     ray.mirrored = packed.mirrored.z;
     ray.turnedPath = packed.mirrored.w;
+    ray.sun = packed.sun;
     ray.phases = packed.phases;
     return ray;
 }

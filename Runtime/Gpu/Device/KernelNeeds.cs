@@ -145,6 +145,7 @@ namespace Rill
                 case "STORE_COUNTS":
                 case "STORE_DRAWN":
                 case "STORE_DROPS":
+                case "SUN":
                 case "TAGGED":
                 case "TRACE":
                 case "UNPACK":

@@ -73,7 +73,8 @@ namespace Rill
 
             commands.Clear();
             commands.BeginSample(Marker);
-            SetOn(mesh);
+            mesh.SetOn(commands, shader);
+            SetOn(commands, shader);
             commands.SetComputeVectorParam(shader, Ids.Origin, origin);
             commands.SetComputeVectorParam(shader, Ids.StepX, grid.StepX);
             commands.SetComputeVectorParam(shader, Ids.StepY, grid.StepY);
@@ -92,22 +93,25 @@ namespace Rill
             Graphics.ExecuteCommandBuffer(commands);
         }
 
-        /// <summary>For a draw of a camera, after <see cref="Update"/>.</summary>
-        public void SetOn(MaterialPropertyBlock block)
+        /// <summary>Sets what CausticLight.hlsl reads for a draw, after <see cref="Update"/>.</summary>
+        /// <param name="map">Null where there is none.</param>
+        public static void SetOn(MaterialPropertyBlock block, CausticMap map)
         {
-            block.SetTexture(Ids.Map, texture);
-            block.SetVector(Ids.AxisX, axisX);
-            block.SetVector(Ids.AxisY, axisY);
-            block.SetVector(Ids.Light, light);
-            block.SetVector(Ids.Up, up);
-            block.SetVector(Ids.Size, size);
+            block.SetTexture(Ids.Map, map != null ? (Texture)map.texture : Texture2D.blackTexture);
+            block.SetVector(Ids.Light, map != null ? map.light : Vector4.zero);
+            if (map == null)
+                return;
+            block.SetVector(Ids.AxisX, map.axisX);
+            block.SetVector(Ids.AxisY, map.axisY);
+            block.SetVector(Ids.Up, map.up);
+            block.SetVector(Ids.Size, map.size);
         }
 
-        /// <summary>For a draw without.</summary>
-        public static void SetNone(MaterialPropertyBlock block)
+        /// <summary>Sets what CausticLight.hlsl reads for a kernel, after <see cref="Update"/>.</summary>
+        public void SetOn(CommandBuffer cmd, ComputeShader target, int kernel)
         {
-            block.SetTexture(Ids.Map, Texture2D.blackTexture);
-            block.SetVector(Ids.Light, Vector4.zero);
+            cmd.SetComputeTextureParam(target, kernel, Ids.Map, texture);
+            SetOn(cmd, target);
         }
 
         public void Describe(StageDescription stage)
@@ -129,14 +133,13 @@ namespace Rill
             EngineObject.Release(ref texture);
         }
 
-        void SetOn(in MeshFrame mesh)
+        void SetOn(CommandBuffer cmd, ComputeShader target)
         {
-            mesh.SetOn(commands, shader);
-            commands.SetComputeVectorParam(shader, Ids.AxisX, axisX);
-            commands.SetComputeVectorParam(shader, Ids.AxisY, axisY);
-            commands.SetComputeVectorParam(shader, Ids.Light, light);
-            commands.SetComputeVectorParam(shader, Ids.Up, up);
-            commands.SetComputeVectorParam(shader, Ids.Size, size);
+            cmd.SetComputeVectorParam(target, Ids.AxisX, axisX);
+            cmd.SetComputeVectorParam(target, Ids.AxisY, axisY);
+            cmd.SetComputeVectorParam(target, Ids.Light, light);
+            cmd.SetComputeVectorParam(target, Ids.Up, up);
+            cmd.SetComputeVectorParam(target, Ids.Size, size);
         }
 
         void SetField(Kernel kernel, in MeshFrame mesh)

@@ -263,10 +263,6 @@ namespace Rill
             {
                 if (!(meshDraw.BeginSubmit(camera, drawn) is MaterialPropertyBlock ofMesh))
                     return;
-                if (causticMap != null)
-                    causticMap.SetOn(ofMesh);
-                else
-                    CausticMap.SetNone(ofMesh);
                 meshDraw.Submit(ShadingParameters(camera, ofMesh, sceneColor, shadow), drawn);
                 return;
             }
@@ -328,8 +324,7 @@ namespace Rill
             meshDraw = null;
             motion?.Dispose();
             motion = null;
-            causticMap?.Dispose();
-            causticMap = null;
+            ReleaseCaustics();
             ReleasePhases();
             if (active.Count == 0)
                 SurfaceScratch.Shared.Release();
@@ -385,11 +380,14 @@ namespace Rill
                 if (TryGetComponent(out FluidFoam foamOnMesh))
                     found.foam = foamOnMesh.Frame;
                 found.phases = FollowPhases(solver);
+                found.caustics = FollowCaustics();
                 mesh = found;
             }
             else
+            {
                 ReleasePhases();
-            FollowCaustics();
+                ReleaseCaustics();
+            }
             if (mesh.HasValue)
             {
                 meshDraw ??= new MeshDraw();
@@ -416,10 +414,11 @@ namespace Rill
             SetKeyword(FoamKeyword, frame.foam.particles != null, copy);
         }
 
-        void FollowCaustics()
+        // Returns null where there are none.
+        CausticMap FollowCaustics()
         {
             Light light = KnownLight;
-            bool isOn = mesh.HasValue && caustics && refraction && light != null && light.isActiveAndEnabled && light.intensity > 0f
+            bool isOn = caustics && refraction && light != null && light.isActiveAndEnabled && light.intensity > 0f
                 && light.type == LightType.Directional;
             if (isOn && causticMap == null && !hasSaidWhy && CausticMap.DeviceProblem is string why)
             {
@@ -427,14 +426,19 @@ namespace Rill
                 hasSaidWhy = true;
             }
             isOn &= !hasSaidWhy;
-            isCausticMapDue = isOn;
             if (isOn)
                 causticMap ??= new CausticMap();
             else
-            {
-                causticMap?.Dispose();
-                causticMap = null;
-            }
+                ReleaseCaustics();
+            isCausticMapDue = isOn;
+            return causticMap;
+        }
+
+        void ReleaseCaustics()
+        {
+            causticMap?.Dispose();
+            causticMap = null;
+            isCausticMapDue = false;
         }
 
         void UpdateCaustics()

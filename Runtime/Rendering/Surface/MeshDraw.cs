@@ -74,6 +74,7 @@ namespace Rill
             view.MarkSubmitted(camera.width, camera.height);
             mesh.SetOn(view.Properties);
             PhaseGrid.SetOn(view.Properties, mesh.phases, mesh.field);
+            CausticMap.SetOn(view.Properties, mesh.caustics);
             return view.Properties;
         }
 
@@ -142,7 +143,8 @@ namespace Rill
             for (int i = 0; i < views.Count; i++)
                 if (views[i].Faces != null)
                 {
-                    rays.Describe(stage, views[i].Faces.volumeDepth, views[i].Chords != null, views[i].Phases != null);
+                    rays.Describe(stage, views[i].Faces.volumeDepth, views[i].Chords != null, views[i].Phases != null,
+                        views[i].Sun != null);
                     if (views[i].Chords != null)
                         stage.Draw("SurfaceMotion", 1);
                     if (views[i].Spray != null)

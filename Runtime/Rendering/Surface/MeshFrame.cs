@@ -34,6 +34,9 @@ namespace Rill
         /// <summary>Null where all phases look alike.</summary>
         public PhaseGrid phases;
 
+        /// <summary>Null without caustics.</summary>
+        public CausticMap caustics;
+
         /// <summary>Length of the exposure in substeps: what flies is drawn out by so many displacements.</summary>
         public float exposure;
 

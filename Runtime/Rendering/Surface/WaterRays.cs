@@ -20,7 +20,7 @@ namespace Rill
 
         readonly ComputeShader shader;
         readonly BufferClear clear = new BufferClear();
-        readonly KernelVariants traceRays;      // with phases
+        readonly KernelVariants traceRays;      // with phases; with the light of the sun
         readonly Kernel findFaces, storeChords, listTiles;
         readonly LocalKeyword sceneArray;
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
@@ -32,7 +32,7 @@ namespace Rill
             shader = stage.Compute;
             raster = new Material(stage.Shader) { hideFlags = HideFlags.HideAndDontSave };
             findFaces = new Kernel(shader, "FindFaces");
-            traceRays = new KernelVariants(shader, "TraceRays", "TracePhases");
+            traceRays = new KernelVariants(shader, "TraceRays", "TracePhases", "TraceSun", "TraceSunAndPhases");
             storeChords = new Kernel(shader, "StoreChords");
             listTiles = new Kernel(shader, "ListTiles");
             sceneArray = new LocalKeyword(stage.Shader, SceneArrayKeyword);
@@ -48,13 +48,14 @@ namespace Rill
         {
             SurfaceScratch scratch = SurfaceScratch.Shared;
             RecordFaces(cmd, camera, mesh, view);
-            Kernel trace = traceRays.For(mesh.phases != null);
+            Kernel trace = traceRays.For(mesh.phases != null, mesh.caustics != null);
             cmd.BeginSample(RaysMarker);
             clear.Record(cmd, scratch.TileMarks, WaterTiles.MarksOf(view.CoarseWindow.Width, view.CoarseWindow.Height));
             view.SetConstants(cmd, shader);
             mesh.SetOn(cmd, shader);
             mesh.SetField(cmd, shader, trace);
             mesh.phases?.SetOn(cmd, shader, trace);
+            mesh.caustics?.SetOn(cmd, shader, trace);
             cmd.SetComputeFloatParam(shader, Ids.RaysBend, refracts ? 1f : 0f);
             for (int eye = 0; eye < camera.eyes; eye++)
             {
@@ -71,6 +72,8 @@ namespace Rill
                 cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayMirrors, view.Mirrors);
                 if (mesh.phases != null)
                     cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RayPhases, view.Phases);
+                if (mesh.caustics != null)
+                    cmd.SetComputeTextureParam(shader, trace, WaterView.Ids.RaySun, view.Sun);
                 SurfaceIds.Dispatch(cmd, shader, trace, view.CoarseWindow.Width, view.CoarseWindow.Height);
                 if (view.Chords == null)
                     continue;
@@ -93,12 +96,12 @@ namespace Rill
             cmd.EndSample(TilesMarker);
         }
 
-        public void Describe(StageDescription stage, int eyes, bool withMotion, bool withPhases)
+        public void Describe(StageDescription stage, int eyes, bool withMotion, bool withPhases, bool withSun)
         {
             clear.Describe(stage, sizeof(uint), 1);
             stage.Draw("WaterFaces", 2 * eyes);
             stage.Kernel(findFaces, eyes);
-            stage.Kernel(traceRays.For(withPhases), eyes);
+            stage.Kernel(traceRays.For(withPhases, withSun), eyes);
             if (withMotion)
                 stage.Kernel(storeChords, eyes);
             stage.Kernel(listTiles, 1);

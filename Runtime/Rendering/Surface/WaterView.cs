@@ -17,6 +17,9 @@ namespace Rill
         /// <summary>Ends of the rays through those faces, in texels of <see cref="CoarseWindow"/>, as are spray and bubbles.</summary>
         public RenderTexture Ends, Directions, Mirrors;
 
+        /// <summary>Sunlight where the rays end; null without caustics.</summary>
+        public RenderTexture Sun;
+
         /// <summary>Fractions of phases 1 to 3 along the rays; null where all phases look alike.</summary>
         public RenderTexture Phases;
 
@@ -43,7 +46,7 @@ namespace Rill
             PictureWindow window = PictureWindow.Of(camera, bounds, mesh.rayScale);
             return Faces != null && Faces.volumeDepth == camera.eyes && window.Width <= Faces.width && window.Height <= Faces.height
                 && camera.needsMotion == (Chords != null) && mesh.HasSpray == (Spray != null) && mesh.HasFoam == (Bubbles != null)
-                && (mesh.phases != null) == (Phases != null);
+                && (mesh.phases != null) == (Phases != null) && (mesh.caustics != null) == (Sun != null);
         }
 
         /// <summary>Makes the textures where they are missing, too small, or for long much too large.</summary>
@@ -62,6 +65,7 @@ namespace Rill
             Fit(ref Directions, true, "Rill.Water.RayDirections", across, up);
             Fit(ref Mirrors, true, "Rill.Water.RayMirrors", across, up);
             Fit(ref Chords, camera.needsMotion, "Rill.Water.Chords", Faces.width, Faces.height);
+            Fit(ref Sun, mesh.caustics != null, "Rill.Water.RaySun", across, up);
             Fit(ref Phases, mesh.phases != null, "Rill.Water.RayPhases", across, up);
             Fit(ref Spray, mesh.HasSpray, "Rill.Water.Spray", across, up);
             Fit(ref Bubbles, mesh.HasFoam, "Rill.Water.Bubbles", across, up);
@@ -71,7 +75,9 @@ namespace Rill
             Properties.SetTexture(Ids.RayEnds, Ends);
             Properties.SetTexture(Ids.RayDirections, Directions);
             Properties.SetTexture(Ids.RayMirrors, Mirrors);
-            Properties.SetTexture(Ids.RayPhases, Phases != null ? Phases : Ends);       // which is not read then
+            // What is not there is not read.
+            Properties.SetTexture(Ids.RaySun, Sun != null ? Sun : Ends);
+            Properties.SetTexture(Ids.RayPhases, Phases != null ? Phases : Ends);
             if (Spray != null)
                 Properties.SetTexture(Ids.Spray, Spray);
             if (Bubbles != null)
@@ -98,6 +104,7 @@ namespace Rill
             SurfaceView.Describe(stage, Directions);
             SurfaceView.Describe(stage, Mirrors);
             SurfaceView.Describe(stage, Chords);
+            SurfaceView.Describe(stage, Sun);
             SurfaceView.Describe(stage, Phases);
             SurfaceView.Describe(stage, Spray);
             SurfaceView.Describe(stage, Bubbles);
@@ -133,6 +140,7 @@ namespace Rill
             EngineObject.Release(ref Directions);
             EngineObject.Release(ref Mirrors);
             EngineObject.Release(ref Chords);
+            EngineObject.Release(ref Sun);
             EngineObject.Release(ref Phases);
             EngineObject.Release(ref Spray);
             EngineObject.Release(ref Bubbles);
@@ -147,6 +155,7 @@ namespace Rill
             public static readonly int RayDirections = Shader.PropertyToID("_RayDirections");
             public static readonly int RayMirrors = Shader.PropertyToID("_RayMirrors");
             public static readonly int RayChords = Shader.PropertyToID("_RayChords");
+            public static readonly int RaySun = Shader.PropertyToID("_RaySun");
             public static readonly int RayPhases = Shader.PropertyToID("_RayPhases");
             public static readonly int Spray = Shader.PropertyToID("_Spray");
             public static readonly int Bubbles = Shader.PropertyToID("_Bubbles");
