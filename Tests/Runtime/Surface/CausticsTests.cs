@@ -8,7 +8,8 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Sunlight on a floor under water of a known surface, seen by a camera in the water, against photons in double precision.</summary>
+    /// <summary>Sunlight on a floor under water of a known surface, seen by a camera in the water or above it, against photons in double
+    /// precision.</summary>
     public class CausticsTests
     {
         const int Square = 2, Across = 48, Few = 8;     // pixels whose mean is taken, along a side; so many of them across the picture
@@ -81,6 +82,19 @@ namespace Rill.Tests
         public IEnumerator Under_calm_water_the_floor_is_evenly_lit_by_what_comes_through([Values(0f, 40f)] float degrees)
         {
             Make(degrees, Calm, Few, 0.1f);
+            return IsEvenlyLit(degrees);
+        }
+
+        [UnityTest]
+        public IEnumerator The_floor_under_calm_water_is_evenly_lit_seen_from_above_too()
+        {
+            Make(40f, Calm, Few, 0.1f);
+            LookFromAbove();
+            return IsEvenlyLit(40f);
+        }
+
+        IEnumerator IsEvenlyLit(float degrees)
+        {
             yield return Frames();
             float3[] with = scene.Pixels(Square);
             scene.Surface.Caustics = false;
@@ -101,6 +115,33 @@ namespace Rill.Tests
                 Assert.That(low[channel], Is.EqualTo(expected[channel]).Within(0.02 * expected[channel]));
                 Assert.That(high[channel], Is.EqualTo(low[channel]).Within(0.01 * low[channel]), "no pattern");
             }
+        }
+
+        // The light is found for each ray, and lies between those on the picture.
+        [UnityTest]
+        public IEnumerator On_a_fine_picture_fewer_rays_show_nearly_the_same_light([Values(2, 4)] int across)
+        {
+            Make(0f, Waves, Across, 0.05f);
+            LookFromAbove();
+            yield return Frames();
+            float3[] whole = scene.Pixels();
+            MeshFrame frame = scene.Surface.Mesh.Value;
+            frame.fineLines = Across * Square / across;
+            scene.Surface.Mesh = frame;
+            yield return Frames();
+            float3[] coarse = scene.Pixels();
+            float mean = 0f, pattern = 0f, different = 0f;
+            foreach (float3 pixel in whole)
+                mean += pixel.y / whole.Length;
+            for (int i = 0; i < whole.Length; i++)
+            {
+                pattern += math.pow(whole[i].y - mean, 2f) / whole.Length;
+                different += math.pow(coarse[i].y - whole[i].y, 2f) / whole.Length;
+            }
+            (pattern, different) = (math.sqrt(pattern), math.sqrt(different));
+            TestContext.Out.WriteLine($"rms difference {different:F4}, of the pattern {pattern:F4}, mean {mean:F4}");
+            Assert.That(pattern, Is.GreaterThan(0.2f * mean), "it is to be seen");
+            Assert.That(different, Is.InRange(1e-4f, (across == 2 ? 0.12f : 0.2f) * pattern));
         }
 
         // Opaque water, as far as its shadow goes, in the shadow of a board on one side.
@@ -241,6 +282,12 @@ namespace Rill.Tests
             sun.intensity = 0.5f;
             sun.transform.rotation = Quaternion.LookRotation(-(Vector3)(float3)Toward(degrees), Vector3.right);
             scene.Put(p => (float)height(new double2(p.x, p.z)) - p.y);
+        }
+
+        void LookFromAbove()
+        {
+            scene.Surface.ReflectionStrength = 0f;
+            scene.Camera.transform.SetPositionAndRotation(new Vector3(0f, 1f, 0f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
         }
 
         static IEnumerator Frames()
