@@ -52,6 +52,7 @@ MainLight GetMainLight()
 #include "../Generated/ShadowValues.hlsl"
 
 Texture2D<float> _ShadowCopy;
+SamplerState rill_point_clamp_sampler;
 Texture2D<float4> _ShadowValues;
 
 float4 ShadowValue(uint i)
@@ -59,9 +60,9 @@ float4 ShadowValue(uint i)
     return _ShadowValues.Load(int3(i, 0, 0));
 }
 
-float IsLit(int2 texel, int2 last, float depth)
+// 1 for each that is not in the shadow.
+float4 AreLit(float4 nearest, float depth)
 {
-    float nearest = _ShadowCopy.Load(int3(clamp(texel, 0, last), 0));
 #if RILL_OPENGL
     return depth <= nearest ? 1.0 : 0.0;
 #else
@@ -98,14 +99,17 @@ float LightShadow(float3 world, float4 clip)
 
     uint width, height;
     _ShadowCopy.GetDimensions(width, height);
-    // The mean of a square of 4 texels: the pattern of holes in the water's own shadow repeats after so many.
-    float2 texels = at.xy * float2(width, height), part = frac(texels);
-    int2 texel = int2(floor(texels)) - 2, last = int2(width, height) - 1;
+    // The mean of a square of 4 texels: the pattern of holes in the water's own shadow repeats after so many. A gather reads 2 x 2 of them.
+    float2 size = float2(width, height), texels = at.xy * size, part = frac(texels), first = floor(texels) - 2.0;
     float lit = 0.0;
-    for (int y = 0; y < 5; y++)
-        for (int x = 0; x < 5; x++)
-            lit += IsLit(texel + int2(x, y), last, at.z) * (x == 0 ? 1.0 - part.x : x == 4 ? part.x : 1.0) * (y == 0 ? 1.0 - part.y : y == 4
-                ? part.y : 1.0);
+    for (uint y = 0; y < 3; y++)
+        for (uint x = 0; x < 3; x++)
+        {
+            float4 four = AreLit(_ShadowCopy.Gather(rill_point_clamp_sampler, (first + 2.0 * float2(x, y) + 1.0) / size), at.z);
+            float2 across = x == 0 ? float2(1.0 - part.x, 1.0) : x == 2 ? float2(part.x, 0.0) : 1.0;
+            float2 up = y == 0 ? float2(1.0 - part.y, 1.0) : y == 2 ? float2(part.y, 0.0) : 1.0;
+            lit += up.x * dot(four.wz, across) + up.y * dot(four.xy, across);
+        }
     lit /= 16.0;
     float4 data = ShadowValue(kShadowData), fade = ShadowValue(kShadowFade);
     float away = fade.w > 0.5 ? distance(world, fade.xyz) : z;
