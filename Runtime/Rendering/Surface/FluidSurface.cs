@@ -28,9 +28,9 @@ namespace Rill
             "the last. Empty: all phases look as above.")]
         [SerializeField] SurfaceLook[] phaseLooks = Array.Empty<SurfaceLook>();
 
-        [Tooltip("How the surface is found. Screen Space: for each camera, one layer of water. Mesh: once a frame for all cameras, a closed " +
-            "mesh that light passes through from side to side.")]
-        [SerializeField] SurfaceMethod method = SurfaceMethod.ScreenSpace;
+        [Tooltip("How the surface is found. Mesh: once a frame for all cameras, a closed mesh that light passes through from side to side. " +
+            "Screen Space: for each camera, one layer of water. A Material of your own is drawn in screen space.")]
+        [SerializeField] SurfaceMethod method = SurfaceMethod.Mesh;
 
         [Tooltip("Walls of the box at which the mesh has no face: those that stand in other water, or behind a solid.")]
         [SerializeField] BoxWalls hiddenWalls = BoxWalls.None;
@@ -68,7 +68,8 @@ namespace Rill
         [Tooltip("Light whose highlight is seen. None: the scene's main light; in HDRP, the brightest directional light that the camera sees.")]
         [SerializeField] Light sun;
 
-        [Tooltip("A material of your own, whose shader reads the surface's textures as Surface.hlsl does. None: the package's.")]
+        [Tooltip("A material of your own, whose shader reads the surface's textures as Surface.hlsl does. It is drawn in screen space. None: " +
+            "the package's.")]
         [SerializeField] Material material;
 
         static List<FluidSurface> active = new List<FluidSurface>();
@@ -108,7 +109,7 @@ namespace Rill
         /// </summary>
         public SurfaceLook[] PhaseLooks { get => phaseLooks; set { phaseLooks = value ?? Array.Empty<SurfaceLook>(); Changed(); } }
 
-        /// <summary>How the surface is found.</summary>
+        /// <summary>How the surface is found, where no <see cref="Material"/> of your own is drawn.</summary>
         public SurfaceMethod Method { get => method; set { method = value; Changed(); } }
 
         /// <summary>Walls of the box at which the mesh has no face. With Screen Space they have no effect.</summary>
@@ -144,9 +145,9 @@ namespace Rill
         /// camera sees).</summary>
         public Light Sun { get => sun; set => sun = value; }
 
-        /// <summary>A material of your own; null for the package's. It is not drawn itself but by a copy, which follows its properties and
-        /// has the keywords that the settings of this component ask for.</summary>
-        public Material Material { get => material; set => material = value; }
+        /// <summary>A material of your own, which is drawn in screen space whatever the <see cref="Method"/>; null for the package's. It is not
+        /// drawn itself but by a copy, which follows its properties and has the keywords that the settings of this component ask for.</summary>
+        public Material Material { get => material; set { material = value; Changed(); } }
 
         /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own may know nothing of
         /// foam.</summary>
@@ -175,6 +176,9 @@ namespace Rill
         /// <summary>Gets or sets a mesh that is drawn instead of the surface on the screen; null for that.</summary>
         internal MeshFrame? Mesh { get => nextMesh; set => nextMesh = value; }
 
+        /// <summary>Whether the surface is to be a mesh: by the method, unless a material of the user's own is drawn, which is in screen space.</summary>
+        internal bool WantsMesh => method == SurfaceMethod.Mesh && material == null;
+
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
 
@@ -183,7 +187,7 @@ namespace Rill
 
         private protected override StageSet Stage => StageSet.Surface;
         private protected override StageSet FurtherStages => StageSet.SurfaceParticles
-            | (method == SurfaceMethod.Mesh ? StageSet.SurfaceMesh | StageSet.Water : StageSet.None);
+            | (WantsMesh ? StageSet.SurfaceMesh | StageSet.Water : StageSet.None);
         private protected override string ShaderFile => "Surface";
 
         /// <summary>Before anything else of the surface for this camera and frame.</summary>
@@ -354,7 +358,7 @@ namespace Rill
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
-            if (method == SurfaceMethod.Mesh && CanDrawMesh())
+            if (WantsMesh && CanDrawMesh())
                 Simulation.NeedMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {
@@ -372,7 +376,7 @@ namespace Rill
         private protected override void Draw()
         {
             PbfSolver solver = Simulation.Solver;
-            mesh = HasFoundMesh ? MeshFrame.Of(Simulation, solver.Mesh, quality) : nextMesh;
+            mesh = nextMesh ?? (HasFoundMesh ? MeshFrame.Of(Simulation, solver.Mesh, quality) : default(MeshFrame?));
             if (mesh is MeshFrame found)
             {
                 found.lastDomainToWorld = LastDomainToWorld;

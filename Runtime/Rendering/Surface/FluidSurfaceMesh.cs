@@ -60,9 +60,9 @@ namespace Rill
 
         // The elements of a mesh are others than the ellipsoids that are drawn on the screen, and a fluid has one kind of them.
         string SurfaceProblem => TryGetComponent(out FluidSurface surface) && surface.isActiveAndEnabled
-            && surface.Method == SurfaceMethod.ScreenSpace
-            ? "it draws nothing, since the Fluid Surface on this object draws the water with the method Screen Space. Turn that off, or set its " +
-                "Method to Mesh: then both draw." : null;
+            && !surface.WantsMesh
+            ? "it draws nothing, since the Fluid Surface on this object draws the water in screen space. Turn that off, or set its Method to Mesh " +
+                "and remove its Material: then both draw." : null;
 
         string ScaleProblem => transform.localToWorldMatrix.determinant == 0f
             ? "it draws nothing, since the scale of its transform is 0 along an axis. Set it to another value." : null;

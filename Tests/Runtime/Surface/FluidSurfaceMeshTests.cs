@@ -169,7 +169,7 @@ namespace Rill.Tests
             scene.Surface.HiddenWalls = BoxWalls.Left | BoxWalls.Bottom;
             mesh.Quality = SurfaceQuality.High;
             mesh.HiddenWalls = BoxWalls.Bottom | BoxWalls.Top;
-            LogAssert.Expect(LogType.Warning, new Regex("FluidSurfaceMesh 'Fluid': .*Screen Space.*Turn that off, or set its Method to Mesh"));
+            LogAssert.Expect(LogType.Warning, new Regex("FluidSurfaceMesh 'Fluid': .*in screen space.*Turn that off, or set its Method to Mesh"));
             yield return scene.Settle(3);
             LogAssert.NoUnexpectedReceived();
             Assert.That(mesh.Mesh == null);

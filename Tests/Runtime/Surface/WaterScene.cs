@@ -6,8 +6,8 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>Still water in a box around the origin, drawn by a <see cref="FluidSurface"/> that mirrors nothing, under a camera that
-    /// looks straight down. It is off until a test turns it on.</summary>
+    /// <summary>Still water in a box around the origin, drawn in screen space by a <see cref="FluidSurface"/> that mirrors nothing, under a
+    /// camera that looks straight down. It is off until a test turns it on.</summary>
     sealed class WaterScene
     {
         public const float Spacing = 0.05f, Depth = 0.6f;       // m
@@ -41,6 +41,7 @@ namespace Rill.Tests
             volume.transform.localPosition = new Vector3(0f, 0.5f * (depth - box.y), 0f);
             volume.Size = new Vector3(box.x, depth, box.z);
             Surface = Root.AddComponent<FluidSurface>();
+            Surface.Method = SurfaceMethod.ScreenSpace;
             Surface.ReflectionStrength = 0f;
             Surface.Ripples = 0f;
             Surface.Look = Absorbing(Left, 0.5f);
