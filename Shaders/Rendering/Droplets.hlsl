@@ -20,7 +20,7 @@ float4 _FrameExposure;          // x: substeps while which the picture is expose
 static const float kSmallestDroplet = 0.45;     // radius of the last of a particle's droplets over the first
 static const float kFirstRadius = 0.3694;       // of the first, d: with those radii all together have a volume of d^3
 static const float kSpread = 1.1;               // of a particle's droplets around it, d
-static const float kSmall = 3.0;                // radius up to which a droplet is added up with others, texels
+static const float kSmall = 6.0;                // radius up to which a droplet is added up with others, texels
 static const float kOnSolid = 0.8;              // nearer to a collider or a wall a particle lies on it, d
 // A particle that lies there is a cap of a ball, with a contact angle of 40 degrees and a volume of d^3: radius of the ball and of the cap, d;
 // distance of the ball's center below the solid over its radius.

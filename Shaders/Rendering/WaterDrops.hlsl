@@ -4,7 +4,7 @@
 #include "Ellipsoid.hlsl"
 #include "Droplets.hlsl"
 
-static const float kShaped = 6.0;       // semi-axis from which on what a droplet shows upside down is seen, texels; of a small one it is not
+static const float kShaped = 10.0;      // semi-axis from which on what a droplet shows upside down is seen, texels; of a small one it is not
 
 struct DropVaryings
 {

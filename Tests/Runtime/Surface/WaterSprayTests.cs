@@ -18,7 +18,7 @@ namespace Rill.Tests
         const float Picture = 0.6f;     // m
         const int Droplets = 12;
         const float FirstRadius = 0.3694f, LastRadius = 0.45f * FirstRadius;     // d, of the droplets of a particle
-        const float Small = 3f, Shaped = 6f;        // texels: those up to here are added up, and those from here on are seen as they are
+        const float Small = 6f, Shaped = 10f;       // texels: those up to here are added up, and those from here on are seen as they are
         const float Forward = 0.8f;     // cosine of the angle by which light has to be turned to come to the camera
 
         WaterScene scene;
@@ -41,10 +41,10 @@ namespace Rill.Tests
             yield return scene.End();
         }
 
-        // The texel's width goes from half a spacing to a twelfth, where the larger droplets are drawn by themselves. What flies is drawn out along
+        // The texel's width goes from half a spacing to a 24th, where the larger droplets are drawn by themselves. What flies is drawn out along
         // its path, and no brighter.
         [UnityTest]
-        public IEnumerator Droplets_send_on_as_much_light_however_large_the_picture_is([Values(24, 48, 96, 144)] int pixels, [Values] bool fly)
+        public IEnumerator Droplets_send_on_as_much_light_however_large_the_picture_is([Values(24, 48, 96, 288)] int pixels, [Values] bool fly)
         {
             velocity = fly ? new float3(1.6f, 0f, 0.8f) : 0f;
             yield return PutDrops(pixels);
