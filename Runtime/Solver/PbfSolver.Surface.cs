@@ -6,6 +6,7 @@ namespace Rill
     // What is drawn of the water: made when first needed, from the state that the last step left.
     partial class PbfSolver
     {
+        readonly SurfaceWorkspace workspace = new SurfaceWorkspace();
         SurfaceParticles surface;
         SurfaceMesh mesh;
         float meshCell;
@@ -57,7 +58,7 @@ namespace Rill
             if (mesh != null && mesh.Cell != MeshCell)
                 ReleaseMesh();
             if (MeshCell > 0f)
-                mesh ??= new SurfaceMesh(Layout, MeshCell);
+                mesh ??= new SurfaceMesh(Layout, workspace, MeshCell);
             bool hasSteps = lastSubsteps > 0 && !isRestored && !HasMarked;       // the neighbor lists do not know which particles are gone
             StepInput last = input;
             last.settings.substeps = Math.Max(lastSubsteps, 1);
@@ -106,6 +107,7 @@ namespace Rill
         {
             mesh?.Dispose();
             mesh = null;
+            workspace.Dispose();
         }
     }
 }

@@ -4,6 +4,10 @@
 
 static const uint kBrick = 4;    // nodes of a brick along an axis
 static const uint kVertexBytes = 28;    // bytes of a vertex: float3 position, snorm16x4 normal, half4 displacement
+static const uint kSumBytes = 8;    // bytes in _Workspace: of the sums of a node, of a vertex while it is smoothed, of a link of its six
+static const uint kSmoothBytes = 16;    // bytes in _Workspace: of the sums of a node, of a vertex while it is smoothed, of a link of its six
+static const uint kLinkBytes = 4;    // bytes in _Workspace: of the sums of a node, of a vertex while it is smoothed, of a link of its six
+static const uint kLinksOfVertex = 6;    // bytes in _Workspace: of the sums of a node, of a vertex while it is smoothed, of a link of its six
 static const uint kDrawAt = 0;    // byte in _MeshArguments; draws first, then groups of kernels
 static const uint kMarkArgumentsAt = 20;    // byte in _MeshArguments; draws first, then groups of kernels
 static const uint kAddArgumentsAt = 32;    // byte in _MeshArguments; draws first, then groups of kernels

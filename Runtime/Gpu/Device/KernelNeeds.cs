@@ -139,6 +139,7 @@ namespace Rill
                 case "SHIFT":
                 case "SMALL":
                 case "SMOOTH":
+                case "SMOOTH_BACK":
                 case "SMOOTH_MESH":
                 case "SPAWN":
                 case "STORE_BRICKS":

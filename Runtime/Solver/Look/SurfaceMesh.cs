@@ -22,6 +22,9 @@ namespace Rill
         /// <summary>bytes of a vertex: float3 position, snorm16x4 normal, half4 displacement</summary>
         [GenerateHlsl("SurfaceMesh")] public const int VertexBytes = 28;
 
+        /// <summary>bytes in _Workspace: of the sums of a node, of a vertex while it is smoothed, of a link of its six</summary>
+        [GenerateHlsl("SurfaceMesh")] const int SumBytes = 8, SmoothBytes = 16, LinkBytes = 4, LinksOfVertex = 6;
+
         /// <summary>byte in _MeshArguments; draws first, then groups of kernels</summary>
         [GenerateHlsl("SurfaceMesh")]
         const uint DrawAt = 0, MarkArgumentsAt = 20, AddArgumentsAt = 32, BrickArgumentsAt = 44, VertexArgumentsAt = 56, DropDrawAt = 80;
@@ -50,7 +53,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceMesh");
         readonly Kernel begin, listDrops, storeDrops, markBricks, markContacts, storeBricks, clearSums, addElements, countCells,
-            storeCounts, makeVertices, makeQuads, smoothMesh, finishMesh;
+            storeCounts, makeVertices, makeQuads, smoothMesh, smoothMeshBack, finishMesh;
         readonly KernelVariants placeBricks, findField;     // with colliders
         bool withColliders;
         readonly int top;
@@ -59,14 +62,17 @@ namespace Rill
         readonly PrefixSum sumMarks;
         PrefixSum sumCounts;
         RenderTexture field;
-        GraphicsBuffer marks, marksBefore, meshTop, brickPlaces, nodeSums, cellMasks, brickCounts, countsBefore, vertices, smoothVertices,
-            links, meshVertices, meshIndices, arguments, counters, drops;
+        readonly SurfaceWorkspace workspace;
+        GraphicsBuffer marks, marksBefore, meshTop, brickPlaces, cellMasks, brickCounts, countsBefore, meshVertices, meshIndices, arguments,
+            counters, drops;
 
         /// <param name="layout">Of the solver.</param>
+        /// <param name="workspace">Of the same; it outlives the mesh.</param>
         /// <param name="cell">Distance of the field's nodes, d, 0.25 to 2.</param>
         /// <exception cref="ArgumentOutOfRangeException">The box has more bricks than a buffer of this device holds.</exception>
-        public SurfaceMesh(SolverLayout layout, float cell)
+        public SurfaceMesh(SolverLayout layout, SurfaceWorkspace workspace, float cell)
         {
+            this.workspace = workspace;
             Cell = cell;
             float3 nodes = math.ceil(layout.DomainSize / cell + 0.5f) + 1f;
             Bricks = (int3)math.ceil(nodes / Brick);
@@ -90,6 +96,7 @@ namespace Rill
             makeVertices = new Kernel(shader, "MakeVertices");
             makeQuads = new Kernel(shader, "MakeQuads");
             smoothMesh = new Kernel(shader, "SmoothMesh");
+            smoothMeshBack = new Kernel(shader, "SmoothMeshBack");
             finishMesh = new Kernel(shader, "FinishMesh");
             try
             {
@@ -152,14 +159,13 @@ namespace Rill
             {
                 sumCounts?.Dispose();
                 GpuBuffer.Release(ref brickPlaces);
-                GpuBuffer.Release(ref nodeSums);
                 EngineObject.Release(ref field);
                 GpuBuffer.Release(ref cellMasks);
                 GpuBuffer.Release(ref brickCounts);
                 GpuBuffer.Release(ref countsBefore);
+                workspace.Reserve((long)SumBytes * BrickNodes * bricks);
                 sumCounts = new PrefixSum(StageShader.LoadCompute("PrefixSum"), 2 * bricks + 1);
                 brickPlaces = GpuBuffer.Structured<uint>("Rill.Mesh.BrickPlaces", bricks);
-                nodeSums = GpuBuffer.Structured<int>("Rill.Mesh.NodeSums", 2L * BrickNodes * bricks);
                 field = MakeField(bricks);
                 cellMasks = GpuBuffer.Structured<uint>("Rill.Mesh.CellMasks", 2L * bricks);
                 brickCounts = GpuBuffer.Structured<uint>("Rill.Mesh.BrickCounts", 2L * bricks + 1);
@@ -169,14 +175,9 @@ namespace Rill
             }
             if (newVertices > VertexCapacity)
             {
-                GpuBuffer.Release(ref vertices);
-                GpuBuffer.Release(ref smoothVertices);
-                GpuBuffer.Release(ref links);
                 GpuBuffer.Release(ref meshVertices);
-                vertices = GpuBuffer.Structured<float4>("Rill.Mesh.Vertices", newVertices);
-                smoothVertices = GpuBuffer.Structured<float4>("Rill.Mesh.SmoothVertices", newVertices);
-                links = GpuBuffer.Structured<uint>("Rill.Mesh.Links", 6L * newVertices);
-                meshVertices = GpuBuffer.Raw("Rill.Mesh.DrawnVertices", (long)VertexBytes / sizeof(uint) * newVertices, 0);
+                workspace.Reserve((long)(SmoothBytes + LinkBytes * LinksOfVertex) * newVertices);
+                meshVertices = GpuBuffer.Raw("Rill.Mesh.Vertices", (long)VertexBytes / sizeof(uint) * newVertices, 0);
                 VertexCapacity = newVertices;
             }
             if (newQuads > QuadCapacity)
@@ -267,14 +268,10 @@ namespace Rill
             GpuBuffer.Release(ref marksBefore);
             GpuBuffer.Release(ref meshTop);
             GpuBuffer.Release(ref brickPlaces);
-            GpuBuffer.Release(ref nodeSums);
             EngineObject.Release(ref field);
             GpuBuffer.Release(ref cellMasks);
             GpuBuffer.Release(ref brickCounts);
             GpuBuffer.Release(ref countsBefore);
-            GpuBuffer.Release(ref vertices);
-            GpuBuffer.Release(ref smoothVertices);
-            GpuBuffer.Release(ref links);
             GpuBuffer.Release(ref meshVertices);
             GpuBuffer.Release(ref meshIndices);
             GpuBuffer.Release(ref arguments);
@@ -312,20 +309,18 @@ namespace Rill
             description.Kernel(stage.makeVertices, 0);
             description.Kernel(stage.makeQuads, 0);
             description.Kernel(stage.smoothMesh, 0);
+            description.Kernel(stage.smoothMeshBack, 0);
             description.Kernel(stage.finishMesh, 0);
+            description.Buffer("Rill.Surface.Workspace", stage.workspace.Memory);
             description.Buffer("Rill.Mesh.Marks", stage.marks);
             description.Buffer("Rill.Mesh.MarksBefore", stage.marksBefore);
             description.Buffer("Rill.Mesh.Top", stage.meshTop);
             description.Buffer("Rill.Mesh.BrickPlaces", stage.brickPlaces);
-            description.Buffer("Rill.Mesh.NodeSums", stage.nodeSums);
             description.Texture(stage.field.name, 2L * stage.field.width * stage.field.height * stage.field.volumeDepth);
             description.Buffer("Rill.Mesh.CellMasks", stage.cellMasks);
             description.Buffer("Rill.Mesh.BrickCounts", stage.brickCounts);
             description.Buffer("Rill.Mesh.CountsBefore", stage.countsBefore);
-            description.Buffer("Rill.Mesh.Vertices", stage.vertices);
-            description.Buffer("Rill.Mesh.SmoothVertices", stage.smoothVertices);
-            description.Buffer("Rill.Mesh.Links", stage.links);
-            description.Buffer("Rill.Mesh.DrawnVertices", stage.meshVertices);
+            description.Buffer("Rill.Mesh.Vertices", stage.meshVertices);
             description.Buffer("Rill.Mesh.Indices", stage.meshIndices);
             description.Buffer("Rill.Mesh.Arguments", stage.arguments);
             description.Buffer("Rill.Mesh.Counters", stage.counters);
@@ -375,12 +370,12 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             cmd.SetComputeBufferParam(shader, clearSums, Ids.MeshCounters, counters);
-            cmd.SetComputeBufferParam(shader, clearSums, Ids.NodeSums, nodeSums);
+            cmd.SetComputeBufferParam(shader, clearSums, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, clearSums, arguments, BrickArgumentsAt);
 
             BindElements(cmd, addElements, elements);
             cmd.SetComputeBufferParam(shader, addElements, Ids.MeshTop, meshTop);
-            cmd.SetComputeBufferParam(shader, addElements, Ids.NodeSums, nodeSums);
+            cmd.SetComputeBufferParam(shader, addElements, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, addElements, arguments, AddArgumentsAt);
 
             int find = findField.For(withColliders);
@@ -388,7 +383,7 @@ namespace Rill
             BindBricks(cmd, find);
             cmd.SetComputeTextureParam(shader, find, Ids.MeshFieldOut, field);
             cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, find, Ids.NodeSums, nodeSums);
+            cmd.SetComputeBufferParam(shader, find, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, find, arguments, BrickArgumentsAt);
         }
 
@@ -426,8 +421,7 @@ namespace Rill
             cmd.DispatchCompute(shader, storeCounts, 1, 1, 1);
 
             BindCells(cmd, makeVertices);
-            cmd.SetComputeBufferParam(shader, makeVertices, Ids.Vertices, vertices);
-            cmd.SetComputeBufferParam(shader, makeVertices, Ids.Links, links);
+            cmd.SetComputeBufferParam(shader, makeVertices, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, makeVertices, arguments, BrickArgumentsAt);
 
             BindCells(cmd, makeQuads);
@@ -438,23 +432,29 @@ namespace Rill
         void RecordVertices(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, smoothMesh, Ids.MeshCounters, counters);
-            cmd.SetComputeBufferParam(shader, smoothMesh, Ids.Links, links);
-            for (int pass = 0; pass < 2 * SmoothingPairs; pass++)
+            for (int pair = 0; pair < SmoothingPairs; pair++)
             {
-                cmd.SetComputeFloatParam(shader, Ids.SmoothStep, pass % 2 == 0 ? SmoothStep : SpreadStep);
-                cmd.SetComputeBufferParam(shader, smoothMesh, Ids.Vertices, vertices);
-                cmd.SetComputeBufferParam(shader, smoothMesh, Ids.SmoothVertices, smoothVertices);
-                cmd.DispatchCompute(shader, smoothMesh, arguments, VertexArgumentsAt);
-                (vertices, smoothVertices) = (smoothVertices, vertices);
+                RecordSmoothing(cmd, smoothMesh, SmoothStep);
+                RecordSmoothing(cmd, smoothMeshBack, SpreadStep);
             }
-            cmd.SetComputeBufferParam(shader, finishMesh, Ids.MeshCounters, counters);
-            cmd.SetComputeBufferParam(shader, finishMesh, Ids.Links, links);
-            cmd.SetComputeBufferParam(shader, finishMesh, Ids.Vertices, vertices);
+            BindVertices(cmd, finishMesh);
             cmd.SetComputeBufferParam(shader, finishMesh, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, finishMesh, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, finishMesh, Ids.MeshVertices, meshVertices);
             cmd.DispatchCompute(shader, finishMesh, arguments, VertexArgumentsAt);
+        }
+
+        void RecordSmoothing(CommandBuffer cmd, int kernel, float smoothStep)
+        {
+            cmd.SetComputeFloatParam(shader, Ids.SmoothStep, smoothStep);
+            BindVertices(cmd, kernel);
+            cmd.DispatchCompute(shader, kernel, arguments, VertexArgumentsAt);
+        }
+
+        void BindVertices(CommandBuffer cmd, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, kernel, SurfaceWorkspace.Id, workspace.Memory);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshVertices, meshVertices);
         }
 
         void BindElements(CommandBuffer cmd, int kernel, SurfaceParticles elements)
@@ -501,15 +501,11 @@ namespace Rill
             public static readonly int Contacts = Shader.PropertyToID("_Contacts");
             public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
             public static readonly int BrickPlaces = Shader.PropertyToID("_BrickPlaces");
-            public static readonly int NodeSums = Shader.PropertyToID("_NodeSums");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");
             public static readonly int MeshFieldOut = Shader.PropertyToID("_MeshFieldOut");
             public static readonly int CellMasks = Shader.PropertyToID("_CellMasks");
             public static readonly int BrickCounts = Shader.PropertyToID("_BrickCounts");
             public static readonly int CountsBefore = Shader.PropertyToID("_CountsBefore");
-            public static readonly int Vertices = Shader.PropertyToID("_Vertices");
-            public static readonly int SmoothVertices = Shader.PropertyToID("_SmoothVertices");
-            public static readonly int Links = Shader.PropertyToID("_Links");
             public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
             public static readonly int MeshIndices = Shader.PropertyToID("_MeshIndices");
             public static readonly int MeshArguments = Shader.PropertyToID("_MeshArguments");

@@ -238,7 +238,7 @@ namespace Rill.Tests
             uint[] counters = Counters();
             counters[(int)SurfaceMesh.Counter.VerticesNeeded] = 200000000;      // 3.2 GB
             scene.Fluid.Solver.Mesh.Counters.SetData(counters);
-            LogAssert.Expect(LogType.Error, new Regex("FluidSimulation 'Fluid' goes on without the water's surface: Rill.Mesh.Vertices"));
+            LogAssert.Expect(LogType.Error, new Regex("FluidSimulation 'Fluid' goes on without the water's surface: Rill.Surface.Workspace"));
             yield return Frames(8);
             Assert.That(scene.Fluid.Solver.Mesh, Is.Null);
             Assert.That(scene.Mean(), Is.EqualTo(Color.white));

@@ -557,8 +557,11 @@ namespace Rill.Tests
         public void A_box_with_too_many_bricks_is_refused_by_its_message()
         {
             var layout = new SolverLayout(new float3(8000f, 8000f, 4f), 1f, 100, 60, 1.1f, GpuBuffer.MaxBytes);
-            var problem = Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceMesh(layout, 0.25f));
-            Assert.That(problem.Message, Does.Contain("bricks of the water's mesh").And.Contain("Lower the quality of the surface"));
+            using (var workspace = new SurfaceWorkspace())
+            {
+                var problem = Assert.Throws<ArgumentOutOfRangeException>(() => new SurfaceMesh(layout, workspace, 0.25f));
+                Assert.That(problem.Message, Does.Contain("bricks of the water's mesh").And.Contain("Lower the quality of the surface"));
+            }
         }
 
         static TestFluid Still(float3 box, int capacity)
