@@ -54,7 +54,7 @@ namespace Rill
         /// <exception cref="ArgumentOutOfRangeException">Its buffers are more than the device can bind.</exception>
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {
-            surface ??= new SurfaceParticles(Layout);
+            surface ??= new SurfaceParticles(Layout, workspace);
             if (mesh != null && mesh.Cell != MeshCell)
                 ReleaseMesh();
             if (MeshCell > 0f)

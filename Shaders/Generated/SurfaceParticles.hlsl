@@ -2,6 +2,7 @@
 #ifndef RILL_GENERATED_SURFACE_PARTICLES_INCLUDED
 #define RILL_GENERATED_SURFACE_PARTICLES_INCLUDED
 
+static const uint kPlaneBytes = 8;    // bytes of a plane in _Workspace, and of a contact
 static const uint kSmoothArgumentsAt = 48;    // byte of the groups of Smooth in _SurfaceArguments
 
 // Entries of _SurfaceCounters.

@@ -251,7 +251,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.QuadCapacity, QuadCapacity);
             cmd.SetComputeIntParam(shader, Ids.ShownWalls, shownWalls);
             cmd.SetComputeIntParam(shader, Ids.HasCells, hasSteps ? 1 : 0);
-            withColliders = elements.Contacts != null;
+            withColliders = elements.HasContacts;
             RecordBricks(step, elements);
             RecordField(step, elements);
             RecordCells(cmd);
@@ -311,7 +311,6 @@ namespace Rill
             description.Kernel(stage.smoothMesh, 0);
             description.Kernel(stage.smoothMeshBack, 0);
             description.Kernel(stage.finishMesh, 0);
-            description.Buffer("Rill.Surface.Workspace", stage.workspace.Memory);
             description.Buffer("Rill.Mesh.Marks", stage.marks);
             description.Buffer("Rill.Mesh.MarksBefore", stage.marksBefore);
             description.Buffer("Rill.Mesh.Top", stage.meshTop);
@@ -349,7 +348,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, markBricks, Ids.Marks, marks);
             cmd.DispatchCompute(shader, markBricks, arguments, MarkArgumentsAt);
             if (withColliders)
-                RecordContacts(step, elements);
+                RecordContacts(step);
             sumMarks.Record(cmd, marks, marksBefore, top + 1);
 
             int place = placeBricks.For(withColliders);
@@ -388,12 +387,12 @@ namespace Rill
         }
 
         // Bricks where particles lie on colliders, and there may be no surface.
-        void RecordContacts(in StepContext step, SurfaceParticles elements)
+        void RecordContacts(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
             cmd.SetComputeBufferParam(shader, markContacts, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, markContacts, Ids.Counters, step.Particles.Counters);
-            cmd.SetComputeBufferParam(shader, markContacts, Ids.Contacts, elements.Contacts);
+            cmd.SetComputeBufferParam(shader, markContacts, SurfaceWorkspace.Id, workspace.Memory);
             cmd.SetComputeBufferParam(shader, markContacts, Ids.Marks, marks);
             cmd.DispatchCompute(shader, markContacts, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
@@ -498,7 +497,6 @@ namespace Rill
             public static readonly int Marks = Shader.PropertyToID("_Marks");
             public static readonly int MarksBefore = Shader.PropertyToID("_MarksBefore");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Contacts = Shader.PropertyToID("_Contacts");
             public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
             public static readonly int BrickPlaces = Shader.PropertyToID("_BrickPlaces");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");

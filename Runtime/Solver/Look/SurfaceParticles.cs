@@ -26,6 +26,9 @@ namespace Rill
         /// <summary>Passes that average the planes among neighbors before the ellipsoids are made, which average them once more.</summary>
         public const int SmoothingPasses = 3;
 
+        /// <summary>bytes of a plane in _Workspace, and of a contact</summary>
+        [GenerateHlsl("SurfaceParticles")] const uint PlaneBytes = 8;
+
         /// <summary>byte of the groups of Smooth in _SurfaceArguments</summary>
         [GenerateHlsl("SurfaceParticles")] const uint SmoothArgumentsAt = 48;
 
@@ -38,11 +41,15 @@ namespace Rill
         readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
         readonly bool mirrorsColliders = DeviceLimits.Current.Holds("SurfaceParticles", "EstimateDeepWithColliders" + KernelNeed.Wide);
         readonly LocalKeyword twoLists, sleep;
-        GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore, contacts;
+        readonly SurfaceWorkspace workspace;
+        GraphicsBuffer surface, counters, arguments, planesBefore;
 
+        /// <param name="layout">Of the solver.</param>
+        /// <param name="workspace">Of the same; it outlives this.</param>
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this capacity is more than the device can bind.</exception>
-        public SurfaceParticles(SolverLayout layout)
+        public SurfaceParticles(SolverLayout layout, SurfaceWorkspace workspace)
         {
+            this.workspace = workspace;
             addNew = new Kernel(shader, "AddNew");
             estimate = new KernelVariants(shader, "Estimate", "Estimate" + KernelNeed.Wide, "EstimateWithColliders" + KernelNeed.Wide,
                 "EstimateDeepWithColliders" + KernelNeed.Wide);
@@ -58,8 +65,6 @@ namespace Rill
             try
             {
                 surface = GpuBuffer.Structured<Element>("Rill.Surface", CapacityFor(layout));
-                planes = GpuBuffer.Structured<uint2>("Rill.Surface.Planes", layout.Capacity);
-                smoothPlanes = GpuBuffer.Structured<uint2>("Rill.Surface.SmoothPlanes", layout.Capacity);
                 planesBefore = GpuBuffer.Structured<uint4>("Rill.Surface.PlanesBefore", layout.Capacity);
                 counters = GpuBuffer.Structured<uint>("Rill.Surface.Counters", Enum.GetValues(typeof(Counter)).Length);
                 arguments = GpuBuffer.Arguments("Rill.Surface.Arguments", 16);
@@ -91,8 +96,9 @@ namespace Rill
         /// <summary>uint, by <see cref="Counter"/>.</summary>
         public GraphicsBuffer Counters => counters;
 
-        /// <summary>uint2 for each particle, see Contact.hlsl; null where no collider mirrors the surface recorded last.</summary>
-        public GraphicsBuffer Contacts => contacts;
+        /// <summary>Whether colliders mirror the surface recorded last: the workspace has the contact of each particle then, see
+        /// Contact.hlsl.</summary>
+        public bool HasContacts { get; private set; }
 
         /// <summary>Records the surface of the current state, after the last step that is recorded before it.</summary>
         /// <param name="hasSteps">Whether there was one since the fluid was cleared or restored: if not, all particles are drawn as what is
@@ -106,17 +112,19 @@ namespace Rill
             bool asElements = false)
         {
             CommandBuffer cmd = step.Commands;
+            // Only the mesh of a fluid with colliders has contacts.
+            HasContacts = hasSteps && asElements && mirrorsColliders && step.Colliders != null;
+            workspace.Reserve((long)PlaneBytes * (HasContacts ? 3 : 2) * step.Layout.Capacity);
             cmd.BeginSample(Marker);
             step.Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
             cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
             if (hasNew || !hasSteps)
                 RecordNew(step, !hasSteps);
-            FollowContacts(step, hasSteps && asElements && mirrorsColliders && step.Colliders != null);
             if (hasSteps)
             {
                 step.BindConstants(shader);
-                if (contacts != null)
+                if (HasContacts)
                     RecordContacts(step);
                 RecordEstimate(step);
             }
@@ -124,7 +132,7 @@ namespace Rill
             if (hasSteps)
             {
                 RecordSmoothing(step);
-                RecordShape(step, version, substepsSince, asElements ? shapeElements.For(contacts != null) : shape);
+                RecordShape(step, version, substepsSince, asElements ? shapeElements.For(HasContacts) : shape);
             }
             else if (asElements)
             {
@@ -138,10 +146,7 @@ namespace Rill
         public void Dispose()
         {
             GpuBuffer.Release(ref surface);
-            GpuBuffer.Release(ref planes);
-            GpuBuffer.Release(ref smoothPlanes);
             GpuBuffer.Release(ref planesBefore);
-            GpuBuffer.Release(ref contacts);
             GpuBuffer.Release(ref counters);
             GpuBuffer.Release(ref arguments);
         }
@@ -158,7 +163,7 @@ namespace Rill
             if (stage == null)
                 return description;
             string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
-            bool withColliders = stage.contacts != null;
+            bool withColliders = stage.HasContacts;
             description.Kernel(stage.addNew, 0);
             if (withColliders)
                 description.Kernel(stage.findContacts, 0, variant);
@@ -167,11 +172,8 @@ namespace Rill
             description.Kernel(stage.smooth, 0, variant);
             description.Kernel(asElements ? stage.shapeElements.For(withColliders) : stage.shape, 0, variant);
             description.Buffer("Rill.Surface", stage.surface);
-            description.Buffer("Rill.Surface.Planes", stage.planes);
-            description.Buffer("Rill.Surface.SmoothPlanes", stage.smoothPlanes);
+            description.Buffer("Rill.Surface.Workspace", stage.workspace.Memory);
             description.Buffer("Rill.Surface.PlanesBefore", stage.planesBefore);
-            if (withColliders)
-                description.Buffer("Rill.Surface.Contacts", stage.contacts);
             description.Buffer("Rill.Surface.Counters", stage.counters);
             description.Buffer("Rill.Surface.Arguments", stage.arguments);
             return description;
@@ -179,22 +181,13 @@ namespace Rill
 
         bool LeavesOutDeep(in StepContext step) => isWide && step.Coarse != null;
 
-        // Only the mesh of a fluid with colliders has a buffer for them.
-        void FollowContacts(in StepContext step, bool areNeeded)
-        {
-            if (!areNeeded)
-                GpuBuffer.Release(ref contacts);
-            else
-                contacts ??= GpuBuffer.Structured<uint2>("Rill.Surface.Contacts", step.Layout.Capacity);
-        }
-
         void RecordContacts(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
             step.Colliders.BindShapes(cmd, shader, findContacts);
             cmd.SetComputeBufferParam(shader, findContacts, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, findContacts, Ids.Counters, step.Particles.Counters);
-            cmd.SetComputeBufferParam(shader, findContacts, Ids.Contacts, contacts);
+            cmd.SetComputeBufferParam(shader, findContacts, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, findContacts, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -215,7 +208,7 @@ namespace Rill
         void RecordEstimate(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            int kernel = estimate.For(LeavesOutDeep(step), contacts != null);
+            int kernel = estimate.For(LeavesOutDeep(step), HasContacts);
             if (LeavesOutDeep(step))
             {
                 step.BindCoarseConstants(shader);
@@ -223,8 +216,6 @@ namespace Rill
             }
             BindNeighbors(step, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Planes, planes);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.SmoothPlanes, smoothPlanes);
             cmd.DispatchCompute(shader, kernel, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -241,10 +232,8 @@ namespace Rill
             BindNeighbors(step, smooth);
             for (int pass = 0; pass < SmoothingPasses; pass++)
             {
-                cmd.SetComputeBufferParam(shader, smooth, Ids.Planes, planes);
-                cmd.SetComputeBufferParam(shader, smooth, Ids.SmoothPlanes, smoothPlanes);
+                cmd.SetComputeIntParam(shader, Ids.PlaneList, pass % 2);
                 cmd.DispatchCompute(shader, smooth, arguments, SmoothArgumentsAt);
-                (planes, smoothPlanes) = (smoothPlanes, planes);
             }
         }
 
@@ -252,7 +241,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             BindNeighbors(step, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Planes, planes);
+            cmd.SetComputeIntParam(shader, Ids.PlaneList, SmoothingPasses % 2);
             cmd.SetComputeIntParam(shader, Ids.SurfaceVersion, version);
             cmd.SetComputeFloatParam(shader, Ids.SinceSurface, substepsSince);
             cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, step.Particles.Ids);
@@ -287,8 +276,7 @@ namespace Rill
                 step.Resting.Bind(cmd, shader, kernel);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             }
-            if (contacts != null && kernel != smooth)
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Contacts, contacts);
+            cmd.SetComputeBufferParam(shader, kernel, SurfaceWorkspace.Id, workspace.Memory);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, counters);
@@ -300,15 +288,13 @@ namespace Rill
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Planes = Shader.PropertyToID("_Planes");
-            public static readonly int SmoothPlanes = Shader.PropertyToID("_SmoothPlanes");
+            public static readonly int PlaneList = Shader.PropertyToID("_PlaneList");
             public static readonly int CoarseSurface = Shader.PropertyToID("_CoarseSurface");
             public static readonly int Surface = Shader.PropertyToID("_Surface");
             public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
             public static readonly int SurfaceArguments = Shader.PropertyToID("_SurfaceArguments");
             public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
             public static readonly int PlanesBefore = Shader.PropertyToID("_PlanesBefore");
-            public static readonly int Contacts = Shader.PropertyToID("_Contacts");
             public static readonly int SurfaceVersion = Shader.PropertyToID("_SurfaceVersion");
             public static readonly int SinceSurface = Shader.PropertyToID("_SinceSurface");
             public static readonly int SurfaceCapacity = Shader.PropertyToID("_SurfaceCapacity");

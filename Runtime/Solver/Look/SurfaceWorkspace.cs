@@ -5,8 +5,9 @@ namespace Rill
 {
     /// <summary>Memory that one thing after the other uses while the surface of a frame is found.</summary>
     /// <remarks>
-    /// In the order of a frame: the sums of <see cref="SurfaceMesh"/> at the nodes of its field; once the field is found, its vertices while they
-    /// are smoothed, and their links. Each user writes what it reads, and asks for its room before anything of a frame is recorded.
+    /// In the order of a frame: the planes and contacts of <see cref="SurfaceParticles"/>; once the elements are made, the sums of
+    /// <see cref="SurfaceMesh"/> at the nodes of its field; once that is found, the mesh's vertices while they are smoothed, and their links.
+    /// Each user writes what it reads, and asks for its room before anything of a frame is recorded.
     /// </remarks>
     sealed class SurfaceWorkspace : IDisposable
     {

@@ -1,20 +1,21 @@
-// Where the nearest collider is, for each particle, as the surface reads it. Include SurfaceParticle.hlsl first.
-//
-//   _Contacts   [kMoved]  uint2: x the collider's normal at the particle, see PackNormal; y float bits of its distance, at most kContactReach
+// Where the nearest collider is, for each particle, as the surface reads it. Include Solver.hlsl and SurfaceParticle.hlsl first, and declare
+// _Workspace. Behind the two lists of planes there, each as long as the capacity, each particle has
+//   uint2: x the collider's normal at the particle, see PackNormal; y float bits of its distance, at most kContactReach
 #ifndef RILL_CONTACT_INCLUDED
 #define RILL_CONTACT_INCLUDED
 
 static const float kContactReach = 1.6;     // d: what is further away mirrors no neighbor
 
-#ifdef FIND_CONTACTS
-RWStructuredBuffer<uint2> _Contacts;
-#else
-StructuredBuffer<uint2> _Contacts;
-#endif
+// byte in _Workspace
+uint ContactAt(uint i)
+{
+    return kPlaneBytes * (2 * _Capacity + i);
+}
 
 // xyz normal, w distance
-float4 UnpackContact(uint2 contact)
+float4 ContactOf(uint i)
 {
+    uint2 contact = _Workspace.Load2(ContactAt(i));
     return float4(UnpackNormal(contact.x), asfloat(contact.y));
 }
 

@@ -3,7 +3,7 @@
 //   Sums, Neighbor                                           what is added up, and what of
 //   void AddNeighbor(inout Sums, Plane own, Neighbor)
 //   uint2 PlaneOf(uint j)                                    read along with a neighbor
-// and kLanes, the threads that share the neighbors of a particle: each visits its part of them; WITH_COLLIDERS _Contacts, see Contact.hlsl.
+// and kLanes, the threads that share the neighbors of a particle: each visits its part of them; WITH_COLLIDERS Contact.hlsl.
 #ifndef RILL_MIRRORED_NEIGHBORS_INCLUDED
 #define RILL_MIRRORED_NEIGHBORS_INCLUDED
 
@@ -30,7 +30,7 @@ Particle ParticleOf(uint index, float3 position, Plane own, uint lane)
     particle.own = own;
     particle.lane = lane;
 #ifdef WITH_COLLIDERS
-    particle.contact = UnpackContact(_Contacts[index]);
+    particle.contact = ContactOf(index);
 #endif
     return particle;
 }

@@ -201,19 +201,19 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Only_a_mesh_beside_colliders_has_a_buffer_for_them()
+        public void Only_a_mesh_beside_colliders_is_mirrored_by_them()
         {
             ColliderMotion motion = Make(Solid.Ball, out _);
             using (TestFluid fluid = Pool(motion, motion).Step())
             {
                 DrawnMesh.Of(fluid, Medium);
-                Assert.That(fluid.Solver.Surface.Contacts, Is.Not.Null);
+                Assert.That(fluid.Solver.Surface.HasContacts, Is.True);
                 fluid.Solver.MeshCell = 0f;
                 GpuTest.Run(cmd => fluid.Solver.RecordSurface(cmd, fluid.Input));
-                Assert.That(fluid.Solver.Surface.Contacts, Is.Null, "ellipsoids");
+                Assert.That(fluid.Solver.Surface.HasContacts, Is.False, "ellipsoids");
                 fluid.Input.colliders = null;
                 DrawnMesh.Of(fluid.Step(), Medium);
-                Assert.That(fluid.Solver.Surface.Contacts, Is.Null, "no collider");
+                Assert.That(fluid.Solver.Surface.HasContacts, Is.False, "no collider");
             }
         }
 

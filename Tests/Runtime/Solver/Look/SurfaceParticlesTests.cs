@@ -287,6 +287,7 @@ namespace Rill.Tests
         {
             public readonly SolverStages Stages;
             public readonly double3[] Points;
+            readonly SurfaceWorkspace workspace = new SurfaceWorkspace();
             readonly SurfaceParticles stage;
 
             public Found(ParticleState state, long maxBinding = 0, float squeeze = 1f)
@@ -296,7 +297,7 @@ namespace Rill.Tests
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 Stages.Particles.Advance();
                 Points = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Positions, Stages.Sorted));
-                stage = new SurfaceParticles(Stages.Layout);
+                stage = new SurfaceParticles(Stages.Layout, workspace);
                 GpuTest.FillWithGarbage(stage.Particles);
                 Record();
             }
@@ -327,6 +328,7 @@ namespace Rill.Tests
             public void Dispose()
             {
                 stage.Dispose();
+                workspace.Dispose();
                 Stages.Dispose();
             }
         }
