@@ -14,7 +14,7 @@
 #include "../Generated/SurfaceMesh.hlsl"
 
 StructuredBuffer<SurfaceParticle> _SurfaceElements;
-StructuredBuffer<uint> _MeshDrops;
+ByteAddressBuffer _MeshDrops;
 float4 _FrameExposure;          // x: substeps while which the picture is exposed
 
 static const float kSmallestDroplet = 0.45;     // radius of the last of a particle's droplets over the first
@@ -54,7 +54,7 @@ Droplet DropletOf(uint index)
 {
     Droplet droplet = (Droplet)0;
     uint k = index % kDroplets;
-    SurfaceParticle drop = _SurfaceElements[_MeshDrops[index / kDroplets]];
+    SurfaceParticle drop = _SurfaceElements[_MeshDrops.Load(4 * (index / kDroplets))];
     uint id = drop.a.w;
     float3 chord = float3(UnpackHalves(drop.b.y), UnpackHalves(drop.b.z).x);
     float toSolid = UnpackHalves(drop.b.z).y;

@@ -64,7 +64,7 @@ namespace Rill
         RenderTexture field;
         readonly SurfaceWorkspace workspace;
         GraphicsBuffer marks, marksBefore, meshTop, brickPlaces, cellMasks, brickCounts, countsBefore, meshVertices, meshIndices, arguments,
-            counters, drops;
+            counters;
 
         /// <param name="layout">Of the solver.</param>
         /// <param name="workspace">Of the same; it outlives the mesh.</param>
@@ -107,7 +107,7 @@ namespace Rill
                 counters = GpuBuffer.Structured<uint>("Rill.Mesh.Counters", Enum.GetValues(typeof(Counter)).Length);
                 readback = new Readback(counters);
                 arguments = GpuBuffer.Arguments("Rill.Mesh.Arguments", ArgumentWords);
-                drops = GpuBuffer.Structured<uint>("Rill.Mesh.Drops", layout.Capacity);
+                workspace.Reserve(sizeof(uint) * (long)layout.Capacity);        // for the list of drops
                 BufferClear.Now(marks, counters);
                 int bricks = (int)Math.Min(top, 1024 + FirstBricks * layout.Capacity), room = (int)(4096 + FirstVertices * layout.Capacity);
                 Reserve(bricks, room, room);
@@ -138,8 +138,9 @@ namespace Rill
         /// <summary>Begins with a GraphicsBuffer.IndirectDrawIndexedArgs.</summary>
         public GraphicsBuffer Arguments => arguments;
 
-        /// <summary>uint, indices of the elements that are drops; as many as the counters say, in any order.</summary>
-        public GraphicsBuffer Drops => drops;
+        /// <summary>Raw: uint, indices of the elements that are drops; as many as the counters say, in any order. Until the next frame's surface
+        /// is recorded.</summary>
+        public GraphicsBuffer Drops => workspace.Memory;
 
         /// <summary>uint for each brick of the box: 0 air, 1 water, n + 2 for the brick with number n.</summary>
         public GraphicsBuffer Top => meshTop;
@@ -256,6 +257,7 @@ namespace Rill
             RecordField(step, elements);
             RecordCells(cmd);
             RecordVertices(step);
+            RecordDrops(cmd, elements);
             cmd.EndSample(Marker);
         }
 
@@ -275,7 +277,6 @@ namespace Rill
             GpuBuffer.Release(ref meshVertices);
             GpuBuffer.Release(ref meshIndices);
             GpuBuffer.Release(ref arguments);
-            GpuBuffer.Release(ref drops);
             if (readback == null)
                 GpuBuffer.Release(ref counters);
             readback?.Dispose();        // and the counters, once none is pending
@@ -292,8 +293,6 @@ namespace Rill
             if (stage == null)
                 return description;
             description.Kernel(stage.begin, 0);
-            description.Kernel(stage.listDrops, 0);
-            description.Kernel(stage.storeDrops, 0);
             description.Kernel(stage.markBricks, 0);
             if (stage.withColliders)
                 description.Kernel(stage.markContacts, 0);
@@ -311,6 +310,8 @@ namespace Rill
             description.Kernel(stage.smoothMesh, 0);
             description.Kernel(stage.smoothMeshBack, 0);
             description.Kernel(stage.finishMesh, 0);
+            description.Kernel(stage.listDrops, 0);
+            description.Kernel(stage.storeDrops, 0);
             description.Buffer("Rill.Mesh.Marks", stage.marks);
             description.Buffer("Rill.Mesh.MarksBefore", stage.marksBefore);
             description.Buffer("Rill.Mesh.Top", stage.meshTop);
@@ -323,7 +324,6 @@ namespace Rill
             description.Buffer("Rill.Mesh.Indices", stage.meshIndices);
             description.Buffer("Rill.Mesh.Arguments", stage.arguments);
             description.Buffer("Rill.Mesh.Counters", stage.counters);
-            description.Buffer("Rill.Mesh.Drops", stage.drops);
             return description;
         }
 
@@ -334,15 +334,6 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, begin, Ids.MeshArguments, arguments);
             cmd.SetComputeBufferParam(shader, begin, Ids.MeshCounters, counters);
             cmd.DispatchCompute(shader, begin, 1, 1, 1);
-
-            cmd.SetComputeIntParam(shader, Ids.DropCapacity, drops.count);
-            BindElements(cmd, listDrops, elements);
-            cmd.SetComputeBufferParam(shader, listDrops, Ids.MeshCounters, counters);
-            cmd.SetComputeBufferParam(shader, listDrops, Ids.MeshDrops, drops);
-            cmd.DispatchCompute(shader, listDrops, arguments, MarkArgumentsAt);
-            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshCounters, counters);
-            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshArguments, arguments);
-            cmd.DispatchCompute(shader, storeDrops, 1, 1, 1);
 
             BindElements(cmd, markBricks, elements);
             cmd.SetComputeBufferParam(shader, markBricks, Ids.Marks, marks);
@@ -442,6 +433,19 @@ namespace Rill
             cmd.DispatchCompute(shader, finishMesh, arguments, VertexArgumentsAt);
         }
 
+        // Last, as the list stays in the workspace while it is drawn.
+        void RecordDrops(CommandBuffer cmd, SurfaceParticles elements)
+        {
+            cmd.SetComputeIntParam(shader, Ids.DropCapacity, Drops.count);
+            BindElements(cmd, listDrops, elements);
+            cmd.SetComputeBufferParam(shader, listDrops, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, listDrops, SurfaceWorkspace.Id, workspace.Memory);
+            cmd.DispatchCompute(shader, listDrops, arguments, MarkArgumentsAt);
+            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshArguments, arguments);
+            cmd.DispatchCompute(shader, storeDrops, 1, 1, 1);
+        }
+
         void RecordSmoothing(CommandBuffer cmd, int kernel, float smoothStep)
         {
             cmd.SetComputeFloatParam(shader, Ids.SmoothStep, smoothStep);
@@ -486,7 +490,6 @@ namespace Rill
             public static readonly int VertexCapacity = Shader.PropertyToID("_VertexCapacity");
             public static readonly int QuadCapacity = Shader.PropertyToID("_QuadCapacity");
             public static readonly int ShownWalls = Shader.PropertyToID("_ShownWalls");
-            public static readonly int MeshDrops = Shader.PropertyToID("_MeshDrops");
             public static readonly int DropCapacity = Shader.PropertyToID("_DropCapacity");
             public static readonly int HasCells = Shader.PropertyToID("_HasCells");
             public static readonly int SmoothStep = Shader.PropertyToID("_SmoothStep");

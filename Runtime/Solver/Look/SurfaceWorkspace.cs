@@ -7,7 +7,8 @@ namespace Rill
     /// <remarks>
     /// In the order of a frame: the planes and contacts of <see cref="SurfaceParticles"/>; once the elements are made, the sums of
     /// <see cref="SurfaceMesh"/> at the nodes of its field; once that is found, the mesh's vertices while they are smoothed, and their links.
-    /// Each user writes what it reads, and asks for its room before anything of a frame is recorded.
+    /// Last, the list of its drops, which stays until the surface of the next frame is recorded. Each user writes what it reads, and asks for
+    /// its room before anything of a frame is recorded.
     /// </remarks>
     sealed class SurfaceWorkspace : IDisposable
     {
