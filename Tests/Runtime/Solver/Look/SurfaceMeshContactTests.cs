@@ -200,6 +200,30 @@ namespace Rill.Tests
             Assert.That(Words(), Is.EqualTo(first));
         }
 
+        // Beside a collider all users of the workspace are there, and in a splash drops are too.
+        [Test]
+        public void Nothing_that_the_last_surface_left_in_the_workspace_is_read()
+        {
+            uint[] Words(bool isOverwritten)
+            {
+                ColliderMotion motion = Make(Solid.Ball, out _);
+                using (TestFluid fluid = Pool(motion, motion))
+                {
+                    fluid.Add(new[] { new float3(2f, 11f, 2f), new float3(12f, 11f, 3f) }.Select(p => p * Spacing).ToArray());
+                    DrawnMesh.Of(fluid.Step(3), Medium);
+                    if (isOverwritten)
+                        GpuTest.FillWithGarbage(fluid.Solver.Mesh.Drops);
+                    DrawnMesh mesh = DrawnMesh.Of(fluid, Medium);
+                    Assert.That(mesh[SurfaceMesh.Counter.Drops], Is.EqualTo(2));
+                    return GpuTest.Read<uint>(fluid.Solver.Mesh.Vertices, mesh.positions.Length * SurfaceMesh.VertexBytes / sizeof(uint))
+                        .Concat(mesh.indices).ToArray();
+                }
+            }
+            uint[] whole = Words(false);
+            Assert.That(whole.Length, Is.GreaterThan(5000));
+            Assert.That(Words(true), Is.EqualTo(whole));
+        }
+
         [Test]
         public void Only_a_mesh_beside_colliders_is_mirrored_by_them()
         {
