@@ -2,11 +2,15 @@
 
 static const uint kParticlesPerGroup = kGroup * kParticlesPerThread;
 static const float kMaxSpeed = 8191.0;      // d/s: what is faster counts as that, so that a group's sum fits 32 bits
+static const float kBeyondAll = 3e38;       // d
 static const uint kCopies = 8;              // of a group's sums, so that threads add to different ones
 static const uint kGroupSums = kDetectorWords / 2;
 
-groupshared uint g_Low[3];
-groupshared uint g_High[3];
+static const uint kBounds = 6;              // of a box: its low corner, and what its high one is below 0
+static const uint kBoundStride = kGroup + 1;    // so that threads read from different banks
+static const uint kBoundParts = 16;
+
+groupshared float g_Bounds[kBounds * kBoundStride];
 groupshared uint g_Hits;            // a bit for each detector that the group may have particles in
 groupshared int g_Totals[kMaxDetectors * kGroupSums * kCopies];
 
@@ -54,23 +58,42 @@ void AddResult(uint at, int value)
         InterlockedAdd(_Results[at + 1], high);
 }
 
+// Lowest of each bound over the group's threads, which then is the first. All threads come here.
+void FoldBounds(uint thread)
+{
+    GroupMemoryBarrierWithGroupSync();
+    if (thread < kBounds * kBoundParts)
+    {
+        uint at = thread / kBoundParts * kBoundStride + thread % kBoundParts;
+        float lowest = g_Bounds[at];
+        for (uint i = kBoundParts; i < kGroup; i += kBoundParts)
+            lowest = min(lowest, g_Bounds[at + i]);
+        g_Bounds[at] = lowest;
+    }
+    GroupMemoryBarrierWithGroupSync();
+    if (thread < kBounds)
+    {
+        float lowest = g_Bounds[thread * kBoundStride];
+        for (uint part = 1; part < kBoundParts; part++)
+            lowest = min(lowest, g_Bounds[thread * kBoundStride + part]);
+        g_Bounds[thread * kBoundStride] = lowest;
+    }
+    GroupMemoryBarrierWithGroupSync();
+}
+
+float3 BoundsFrom(uint first)
+{
+    return float3(g_Bounds[first * kBoundStride], g_Bounds[(first + 1) * kBoundStride], g_Bounds[(first + 2) * kBoundStride]);
+}
+
 [numthreads(kGroup, 1, 1)]
 void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint first = group.x * kParticlesPerGroup + thread;
     uint end = min(_Counters[kAlive], (group.x + 1) * kParticlesPerGroup);
-    if (thread < 3)
-    {
-        g_Low[thread] = 0xFFFFFFFFu;
-        g_High[thread] = 0;
-    }
-    if (thread == 0)
-        g_Hits = 0;
-    GroupMemoryBarrierWithGroupSync();
-
     float3 positions[kParticlesPerThread];
     float3 velocities[kParticlesPerThread];
-    float3 low = 3e38, high = -1.0;
+    float3 low = kBeyondAll, high = -kBeyondAll;
     [unroll]
     for (uint j = 0; j < kParticlesPerThread; j++)
     {
@@ -80,24 +103,23 @@ void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         bool isFinite = IsFinite(p) && IsFinite(v) && i < end;
         positions[j] = isFinite ? p : kNowhere;
         velocities[j] = clamp(v, -kMaxSpeed, kMaxSpeed);
-        low = isFinite ? min(low, max(p, 0.0)) : low;
-        high = isFinite ? max(high, max(p, 0.0)) : high;
+        low = isFinite ? min(low, p) : low;
+        high = isFinite ? max(high, p) : high;
     }
-    if (high.x >= 0.0)
+    [unroll]
+    for (uint axis = 0; axis < 3; axis++)
     {
-        for (uint axis = 0; axis < 3; axis++)       // bits of floats that are not negative are in their order
-        {
-            InterlockedMin(g_Low[axis], asuint(low[axis]));
-            InterlockedMax(g_High[axis], asuint(high[axis]));
-        }
+        g_Bounds[axis * kBoundStride + thread] = low[axis];
+        g_Bounds[(3 + axis) * kBoundStride + thread] = -high[axis];
     }
-    GroupMemoryBarrierWithGroupSync();
+    if (thread == 0)
+        g_Hits = 0;
+    FoldBounds(thread);
 
     if (thread < _DetectorCount)
     {
-        float3 groupLow = asfloat(uint3(g_Low[0], g_Low[1], g_Low[2])), groupHigh = asfloat(uint3(g_High[0], g_High[1], g_High[2]));
         DetectorRegion asked = _Detectors[_FirstDetector + thread];
-        if (g_Low[0] <= g_High[0] && all(groupLow <= asked.high) && all(groupHigh >= asked.low))
+        if (all(BoundsFrom(0) <= asked.high) && all(-BoundsFrom(3) >= asked.low))
             InterlockedOr(g_Hits, 1u << thread);
     }
     GroupMemoryBarrierWithGroupSync();
