@@ -26,16 +26,20 @@ namespace Rill
             queries.Record(PrepareAnswers(cmd), tags, input, slot);
         }
 
-        /// <summary>Records the answers to batches that have asked.</summary>
+        /// <summary>Records the answers to batches that have asked: one kind of dispatch of all after the other, since those of a kind need not
+        /// wait for each other.</summary>
         public void RecordBatches(CommandBuffer cmd, List<QueryBatch> batches)
         {
             StepContext step = PrepareAnswers(cmd);
             cmd.BeginSample(QueryBatch.Marker);
             foreach (QueryBatch batch in batches)
                 batch.RecordUpload(cmd);
-            for (int phase = 0; phase < QueryShader.Phases; phase++)
-                foreach (QueryBatch batch in batches)
-                    batch.Record(step, QueryShader, tags, phase);
+            foreach (QueryBatch batch in batches)
+                batch.RecordSearch(step, QueryShader, tags);
+            foreach (QueryBatch batch in batches)
+                batch.RecordPoints(step, QueryShader, tags);
+            foreach (QueryBatch batch in batches)
+                batch.RecordRays(step, QueryShader, tags);
             cmd.EndSample(QueryBatch.Marker);
         }
 

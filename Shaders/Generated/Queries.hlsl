@@ -49,9 +49,7 @@ static const float kVelocityScale = 256.0;    // steps of a particle's velocity 
 
 static const uint kParticlesPerThread = 4;    // particles that a thread of the detectors visits
 static const uint kProbeGroup = 256;    // threads of a probe's groups
-static const uint kSamples = 32;    // densities along a line that a group finds
-static const uint kColumns = 16;    // columns around a point of the surface in which it is found too
-static const uint kGroupColumns = 4;    // columns of a group
+static const uint kSamples = 32;    // densities of a line that a group finds at once
 
 // What a ray's result has.
 static const uint kRayHit = 1;

@@ -20,6 +20,16 @@ float SlabDistance(float x, uint cell, float size)
     return max(max(low - x, x - low - size), 0.0);
 }
 
+// Sorted particles [x, y) of the row (y, z) from x 'low' to 'high', by whole cells.
+uint2 RowPart(float low, float high, uint y, uint z)
+{
+    uint last = _CellCounts.x - 1;
+    uint first = min(uint(max(low * _InverseCellSize.x, 0.0)), last);
+    uint end = min(uint(max(high * _InverseCellSize.x, 0.0)), last);
+    uint row = (z * _CellCounts.y + y) * _CellCounts.x;
+    return uint2(_CellStarts[row + first], _CellStarts[row + end + 1]);
+}
+
 // Sorted particles [x, y) of the row (y, z) within reach of p; an empty range if the row is out of reach.
 uint2 RowRange(float3 p, float reachSquared, uint y, uint z)
 {
@@ -30,11 +40,7 @@ uint2 RowRange(float3 p, float reachSquared, uint y, uint z)
         return 0;
 
     float reach = sqrt(left);
-    uint last = _CellCounts.x - 1;
-    uint low = min(uint(max((p.x - reach) * _InverseCellSize.x, 0.0)), last);
-    uint high = min(uint(max((p.x + reach) * _InverseCellSize.x, 0.0)), last);
-    uint row = (z * _CellCounts.y + y) * _CellCounts.x;
-    return uint2(_CellStarts[row + low], _CellStarts[row + high + 1]);
+    return RowPart(p.x - reach, p.x + reach, y, z);
 }
 
 #endif

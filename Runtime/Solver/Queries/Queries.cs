@@ -125,8 +125,8 @@ namespace Rill
 
         readonly QueryShader shader;
         readonly ReadbackRing ring;
-        readonly uint[] zeros = new uint[Words];
-        GraphicsBuffer points, detectors, ringHeights;
+        readonly uint[] zeros = new uint[MaxDetectors * DetectorWords];
+        GraphicsBuffer points, found, detectors;
 
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
         public Queries(QueryShader shader, ReadbackErrors errors = null)
@@ -134,7 +134,8 @@ namespace Rill
             this.shader = shader;
             points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
             detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
-            ringHeights = GpuBuffer.Structured<float>("Rill.Queries.RingHeights", MaxProbes * QueryShader.Columns);
+            found = GpuBuffer.Structured<uint>("Rill.Queries.Found", MaxProbes);
+            BufferClear.Now(found);
             ring = new ReadbackRing("Rill.Queries.Results", RingSize, Words, slot => Arrived?.Invoke(slot));
             ring.Report(errors, ReadbackKinds.Queries);
         }
@@ -152,19 +153,24 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             GraphicsBuffer results = ring.Buffer(slot);
             cmd.BeginSample(Marker);
+            var asked = new PointBuffers { points = points, found = found, count = input.pointCount, up = input.up };
             if (input.pointCount > 0)
-            {
                 cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
-                cmd.SetBufferData(results, zeros, 0, 0, input.pointCount * ProbeWords);
-                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount);
-            }
             if (input.detectorCount > 0)
             {
                 cmd.SetBufferData(detectors, input.detectors, 0, 0, input.detectorCount);
                 cmd.SetBufferData(results, zeros, 0, FirstDetectorWord, input.detectorCount * DetectorWords);
+            }
+            // All uploads first, and the detectors beside the search, which writes elsewhere: the GPU waits once before and once after both.
+            if (input.pointCount > 0)
+                shader.SearchPoints(step, tags, asked);
+            if (input.detectorCount > 0)
+            {
                 int simple = input.detectorCount - input.meshCount;
                 shader.RecordDetectors(step, tags, detectors, results, FirstDetectorWord, simple, input.fields, input.meshCount);
             }
+            if (input.pointCount > 0)
+                shader.AnswerPoints(step, tags, asked, results);
             cmd.EndSample(Marker);
         }
 
@@ -194,8 +200,8 @@ namespace Rill
             Arrived = null;
             ring?.Dispose();
             GpuBuffer.Release(ref points);
+            GpuBuffer.Release(ref found);
             GpuBuffer.Release(ref detectors);
-            GpuBuffer.Release(ref ringHeights);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -212,8 +218,8 @@ namespace Rill
             if (regions > 0)
                 stage.shader.DescribeDetectors(description, tags, regions - input.meshCount, input.meshCount);
             description.Buffer("Rill.Queries.Points", stage.points);
+            description.Buffer("Rill.Queries.Found", stage.found);
             description.Buffer("Rill.Queries.Detectors", stage.detectors);
-            description.Buffer("Rill.Queries.RingHeights", stage.ringHeights);
             stage.ring.Describe(description);
             return description;
         }

@@ -20,7 +20,7 @@ namespace Rill
         readonly BufferClear clear = new BufferClear();
         readonly ReadbackRing ring;
         readonly int firstRayWord;
-        GraphicsBuffer points, rays, lines, ringHeights;
+        GraphicsBuffer points, foundPoints, rays, lines, foundRays;
         NativeArray<uint> lineUpload;
         BatchInput input;
         GraphicsBuffer results;
@@ -34,11 +34,15 @@ namespace Rill
         {
             firstRayWord = pointCapacity * Queries.ProbeWords;
             if (pointCapacity > 0)
+            {
                 points = GpuBuffer.Structured<float4>("Rill.QueryBatch.Points", pointCapacity);
+                foundPoints = MakeFound("Rill.QueryBatch.FoundPoints", pointCapacity);
+            }
             if (rayCapacity > 0)
+            {
                 rays = GpuBuffer.Structured<RayQuery>("Rill.QueryBatch.Rays", rayCapacity);
-            ringHeights = GpuBuffer.Structured<float>("Rill.QueryBatch.RingHeights",
-                (long)math.max(pointCapacity, rayCapacity) * QueryShader.Columns);
+                foundRays = MakeFound("Rill.QueryBatch.FoundRays", rayCapacity);
+            }
             int words = firstRayWord + rayCapacity * RayQuery.RayWords;
             ring = new ReadbackRing("Rill.QueryBatch.Results", RingSize, words, arrived, lost);
         }
@@ -68,16 +72,47 @@ namespace Rill
             }
         }
 
-        /// <summary>Records one of the <see cref="QueryShader.Phases"/> of the answers.</summary>
-        public void Record(in StepContext step, QueryShader shader, ParticleTags tags, int phase)
+        /// <summary>Records the search for the surface.</summary>
+        public void RecordSearch(in StepContext step, QueryShader shader, ParticleTags tags)
         {
             if (input.pointCount > 0)
-                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount, phase);
+                shader.SearchPoints(step, tags, Points);
             if (input.rayCount > 0)
-            {
-                var buffers = new RayBuffers { rays = rays, rayCount = input.rayCount, lines = lines, lineCount = lineCount };
-                shader.RecordRays(step, tags, input.up, buffers, input.rayLength, ringHeights, results, firstRayWord, phase);
-            }
+                shader.SearchRays(step, tags, Rays);
+        }
+
+        /// <summary>Records the answers to points.</summary>
+        public void RecordPoints(in StepContext step, QueryShader shader, ParticleTags tags)
+        {
+            if (input.pointCount > 0)
+                shader.AnswerPoints(step, tags, Points, results);
+        }
+
+        /// <summary>Records the answers to rays.</summary>
+        public void RecordRays(in StepContext step, QueryShader shader, ParticleTags tags)
+        {
+            if (input.rayCount > 0)
+                shader.AnswerRays(step, tags, Rays, results, firstRayWord);
+        }
+
+        PointBuffers Points => new PointBuffers { points = points, found = foundPoints, count = input.pointCount, up = input.up };
+
+        RayBuffers Rays => new RayBuffers
+        {
+            rays = rays,
+            lines = lines,
+            found = foundRays,
+            rayCount = input.rayCount,
+            lineCount = lineCount,
+            length = input.rayLength,
+            up = input.up,
+        };
+
+        static GraphicsBuffer MakeFound(string name, int count)
+        {
+            GraphicsBuffer found = GpuBuffer.Structured<uint>(name, count);
+            BufferClear.Now(found);
+            return found;
         }
 
         /// <summary>Asks for what was recorded for a slot.</summary>
@@ -122,9 +157,10 @@ namespace Rill
             if (rays != null)
                 shader.DescribeRays(description, tags);
             description.Buffer("Rill.QueryBatch.Points", points);
+            description.Buffer("Rill.QueryBatch.FoundPoints", foundPoints);
             description.Buffer("Rill.QueryBatch.Rays", rays);
             description.Buffer("Rill.QueryBatch.Lines", lines);
-            description.Buffer("Rill.QueryBatch.RingHeights", ringHeights);
+            description.Buffer("Rill.QueryBatch.FoundRays", foundRays);
             ring.Describe(description);
         }
 
@@ -134,9 +170,10 @@ namespace Rill
             if (lineUpload.IsCreated)
                 lineUpload.Dispose();
             GpuBuffer.Release(ref points);
+            GpuBuffer.Release(ref foundPoints);
             GpuBuffer.Release(ref rays);
             GpuBuffer.Release(ref lines);
-            GpuBuffer.Release(ref ringHeights);
+            GpuBuffer.Release(ref foundRays);
         }
 
         // How many there are depends on the radii: the buffer grows with the most that were needed.

@@ -14,122 +14,67 @@ namespace Rill
         /// <summary>threads of a probe's groups</summary>
         [GenerateHlsl("Queries")] const int ProbeGroup = 256;
 
-        /// <summary>densities along a line that a group finds</summary>
+        /// <summary>densities of a line that a group finds at once</summary>
         [GenerateHlsl("Queries")] const int Samples = 32;
-
-        /// <summary>columns around a point of the surface in which it is found too</summary>
-        [GenerateHlsl("Queries")] public const int Columns = 16;
-
-        /// <summary>columns of a group</summary>
-        [GenerateHlsl("Queries")] const int GroupColumns = 4;
-
-        /// <summary>Phases of what points and rays ask. What several ask is recorded phase by phase: dispatches of one phase wait for none of its
-        /// others.</summary>
-        public const int Phases = 4;
 
         const string Name = "Queries";
         const float ChunkLength = 0.5f * (Samples - 1);        // as in SurfaceLines.hlsl, d
+        const int SearchGroups = 1024;      // that search lines at once, if there are not more lines: about what a large GPU holds
 
         readonly ComputeShader shader = StageShader.LoadCompute(Name);
-        readonly Kernel findSurface, findSurroundings, fitNormal, detect, detectMesh, searchLines, findHits, findRayColumns, fitRayNormal;
+        readonly Kernel findSurface, answerPoints, searchLines, answerRays, detect, detectMesh;
         readonly LocalKeyword withTags;
 
         public QueryShader()
         {
             findSurface = new Kernel(shader, "FindSurface");
-            findSurroundings = new Kernel(shader, "FindSurroundings");
-            fitNormal = new Kernel(shader, "FitNormal");
+            answerPoints = new Kernel(shader, "AnswerPoints");
+            searchLines = new Kernel(shader, "SearchLines");
+            answerRays = new Kernel(shader, "AnswerRays");
             detect = new Kernel(shader, "Detect");
             detectMesh = new Kernel(shader, "DetectMesh");
-            searchLines = new Kernel(shader, "SearchLines");
-            findHits = new Kernel(shader, "FindHits");
-            findRayColumns = new Kernel(shader, "FindRayColumns");
-            fitRayNormal = new Kernel(shader, "FitRayNormal");
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
         }
 
         /// <summary>Whether particles were removed since the last step: positions that are not finite are looked for only then.</summary>
         public bool HasRemoved { get; set; }
 
+        /// <summary>Records the search for the surface along gravity at points. <see cref="AnswerPoints"/> needs it.</summary>
+        public void SearchPoints(in StepContext step, ParticleTags tags, in PointBuffers buffers)
+        {
+            if (math.all(buffers.up == 0f))
+                return;
+            BeginPoints(step, findSurface, tags, buffers);
+            Search(step.Commands, findSurface, buffers.count, Chunks(math.dot(math.abs(buffers.up), step.Layout.DomainSize)));
+        }
+
         /// <summary>Records what is at points: density, velocity, phase, and the surface along gravity.</summary>
-        /// <param name="up">Against gravity, length 1; 0 without gravity.</param>
-        /// <param name="points">float4, xyz within the domain, d.</param>
-        /// <param name="ringHeights">float, <see cref="Columns"/> for each point.</param>
-        /// <param name="results">uint, <see cref="Queries.ProbeWords"/> for each point, 0 at entry.</param>
-        /// <param name="count">1 to <see cref="ThreadGroups.MaxGroups"/>.</param>
-        public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
-            GraphicsBuffer results, int count)
+        /// <param name="results">uint, <see cref="Queries.ProbeWords"/> for each point.</param>
+        public void AnswerPoints(in StepContext step, ParticleTags tags, in PointBuffers buffers, GraphicsBuffer results)
         {
-            Begin(step, tags);
-            for (int phase = 0; phase < Phases; phase++)
-                DispatchPoints(step, tags, up, points, ringHeights, results, count, phase);
+            BeginPoints(step, answerPoints, tags, buffers);
+            BindAnswers(step, answerPoints, tags, results);
+            step.Commands.DispatchCompute(shader, answerPoints, buffers.count, 1, 1);
         }
 
-        /// <summary>Records one of the <see cref="Phases"/> of it.</summary>
-        public void RecordPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
-            GraphicsBuffer results, int count, int phase)
+        /// <summary>Records the search for where rays and balls cross the surface. <see cref="AnswerRays"/> needs it.</summary>
+        public void SearchRays(in StepContext step, ParticleTags tags, in RayBuffers buffers)
         {
-            Begin(step, tags);
-            DispatchPoints(step, tags, up, points, ringHeights, results, count, phase);
+            BeginRays(step, searchLines, tags, buffers);
+            step.Commands.SetComputeIntParam(shader, Ids.LineCount, buffers.lineCount);
+            step.Commands.SetComputeBufferParam(shader, searchLines, Ids.Lines, buffers.lines);
+            // One sample more than the length: it tells where the water ends at a wall.
+            Search(step.Commands, searchLines, buffers.lineCount, Chunks(buffers.length + 1f));
         }
 
-        void DispatchPoints(in StepContext step, ParticleTags tags, float3 up, GraphicsBuffer points, GraphicsBuffer ringHeights,
-            GraphicsBuffer results, int count, int phase)
-        {
-            CommandBuffer cmd = step.Commands;
-            cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
-            switch (phase)
-            {
-                case 0 when math.any(up != 0f):
-                    BindPoints(step, findSurface, tags, points, ringHeights, results);
-                    cmd.DispatchCompute(shader, findSurface, count, Chunks(math.dot(math.abs(up), step.Layout.DomainSize)), 1);
-                    break;
-                case 1:
-                    BindPoints(step, findSurroundings, tags, points, ringHeights, results);
-                    cmd.DispatchCompute(shader, findSurroundings, count, Columns / GroupColumns + 2, 1);
-                    break;
-                case 2:
-                    BindPoints(step, fitNormal, tags, points, ringHeights, results);
-                    cmd.DispatchCompute(shader, fitNormal, count, 1, 1);
-                    break;
-            }
-        }
-
-        /// <summary>Records one of the <see cref="Phases"/> of where rays and balls cross the surface, and density, velocity and phase at that
-        /// point.</summary>
-        /// <param name="up">Against gravity, length 1; 0 without gravity.</param>
-        /// <param name="length">At least that of each ray in the box, d.</param>
+        /// <summary>Records where rays and balls cross the surface, and density, velocity and phase at that point.</summary>
         /// <param name="firstWord">Of the results, from which on there are <see cref="RayQuery.RayWords"/> for each ray.</param>
-        public void RecordRays(in StepContext step, ParticleTags tags, float3 up, in RayBuffers buffers, float length, GraphicsBuffer ringHeights,
-            GraphicsBuffer results, int firstWord, int phase)
+        public void AnswerRays(in StepContext step, ParticleTags tags, in RayBuffers buffers, GraphicsBuffer results, int firstWord)
         {
-            CommandBuffer cmd = step.Commands;
-            Begin(step, tags);
-            cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)up);
-            cmd.SetComputeIntParam(shader, Ids.FirstRayWord, firstWord);
-            cmd.SetComputeIntParam(shader, Ids.LineCount, buffers.lineCount);
-            switch (phase)
-            {
-                case 0:
-                    int perRow = math.min(buffers.lineCount, ThreadGroups.MaxGroups);
-                    BindRays(step, searchLines, tags, buffers, null, results);
-                    cmd.SetComputeBufferParam(shader, searchLines, Ids.Lines, buffers.lines);
-                    // One sample more than the length: it tells where the water ends at a wall.
-                    cmd.DispatchCompute(shader, searchLines, perRow, Chunks(length + 1f), (buffers.lineCount + perRow - 1) / perRow);
-                    break;
-                case 1:
-                    BindRays(step, findHits, tags, buffers, null, results);
-                    cmd.DispatchCompute(shader, findHits, buffers.rayCount, 1, 1);
-                    break;
-                case 2:
-                    BindRays(step, findRayColumns, tags, buffers, ringHeights, results);
-                    cmd.DispatchCompute(shader, findRayColumns, buffers.rayCount, Columns / GroupColumns, 1);
-                    break;
-                case 3:
-                    BindRays(step, fitRayNormal, tags, buffers, ringHeights, results);
-                    cmd.DispatchCompute(shader, fitRayNormal, buffers.rayCount, 1, 1);
-                    break;
-            }
+            BeginRays(step, answerRays, tags, buffers);
+            step.Commands.SetComputeIntParam(shader, Ids.FirstRayWord, firstWord);
+            BindAnswers(step, answerRays, tags, results);
+            step.Commands.DispatchCompute(shader, answerRays, buffers.rayCount, 1, 1);
         }
 
         /// <summary>Records what is in shapes: all that need no field at once, then each mesh, since a kernel cannot choose among
@@ -153,16 +98,13 @@ namespace Rill
         public void DescribePoints(StageDescription description, ParticleTags tags)
         {
             description.Kernel(findSurface, 0, Variant(tags));
-            description.Kernel(findSurroundings, 0, Variant(tags));
-            description.Kernel(fitNormal, 0, Variant(tags));
+            description.Kernel(answerPoints, 0, Variant(tags));
         }
 
         public void DescribeRays(StageDescription description, ParticleTags tags)
         {
             description.Kernel(searchLines, 0, Variant(tags));
-            description.Kernel(findHits, 0, Variant(tags));
-            description.Kernel(findRayColumns, 0, Variant(tags));
-            description.Kernel(fitRayNormal, 0, Variant(tags));
+            description.Kernel(answerRays, 0, Variant(tags));
         }
 
         public void DescribeDetectors(StageDescription description, ParticleTags tags, int simpleCount, int meshCount)
@@ -175,7 +117,7 @@ namespace Rill
 
         static string Variant(ParticleTags tags) => tags != null ? ParticleTags.Keyword : null;
 
-        // Groups along a line of this length, d. A line through the box is never longer than its sides together.
+        // Chunks of a line of this length, d. A line through the box is never longer than its sides together.
         static int Chunks(float length) => math.max((int)math.ceil(length / ChunkLength), 1);
 
         void Begin(in StepContext step, ParticleTags tags)
@@ -195,37 +137,55 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.FirstDetectorWord, firstWord + first * Queries.DetectorWords);
             cmd.SetComputeIntParam(shader, Ids.DetectorCount, count);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Detectors, detectors);
-            Bind(step, kernel, tags, results);
+            BindParticles(step, kernel);
+            BindAnswers(step, kernel, tags, results);
             cmd.DispatchCompute(shader, kernel, (step.Layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
         }
 
-        void BindPoints(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer points, GraphicsBuffer ringHeights,
-            GraphicsBuffer results)
+        // A group for each chunk of few lines; of many a group takes several chunks of a line in turn, and leaves out what is beyond the surface.
+        void Search(CommandBuffer cmd, int kernel, int lines, int chunks)
         {
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Points, points);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
-            Bind(step, kernel, tags, results);
+            int perLine = math.clamp(SearchGroups / lines, 1, chunks), perRow = math.min(lines, ThreadGroups.MaxGroups);
+            cmd.SetComputeIntParam(shader, Ids.GroupsPerLine, perLine);
+            cmd.SetComputeIntParam(shader, Ids.ChunksPerGroup, (chunks + perLine - 1) / perLine);
+            cmd.DispatchCompute(shader, kernel, perRow, perLine, (lines + perRow - 1) / perRow);
         }
 
-        void BindRays(in StepContext step, int kernel, ParticleTags tags, in RayBuffers buffers, GraphicsBuffer ringHeights, GraphicsBuffer results)
+        void BeginPoints(in StepContext step, int kernel, ParticleTags tags, in PointBuffers buffers)
         {
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            Begin(step, tags);
+            step.Commands.SetComputeVectorParam(shader, Ids.Up, (Vector3)buffers.up);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Points, buffers.points);
+            BindCells(step, kernel, buffers.found);
+        }
+
+        void BeginRays(in StepContext step, int kernel, ParticleTags tags, in RayBuffers buffers)
+        {
+            Begin(step, tags);
+            step.Commands.SetComputeVectorParam(shader, Ids.Up, (Vector3)buffers.up);
             step.Commands.SetComputeBufferParam(shader, kernel, Ids.Rays, buffers.rays);
-            if (ringHeights != null)
-                step.Commands.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
-            Bind(step, kernel, tags, results);
+            BindCells(step, kernel, buffers.found);
         }
 
-        void Bind(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
+        void BindCells(in StepContext step, int kernel, GraphicsBuffer found)
         {
-            CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Results, results);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Found, found);
+            BindParticles(step, kernel);
+        }
+
+        void BindParticles(in StepContext step, int kernel)
+        {
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+        }
+
+        void BindAnswers(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
+        {
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Results, results);
             if (tags != null)
-                cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
+                step.Commands.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
         }
 
         static class Ids
@@ -239,7 +199,9 @@ namespace Rill
             public static readonly int Results = Shader.PropertyToID("_Results");
             public static readonly int IsSorted = Shader.PropertyToID("_IsSorted");
             public static readonly int Up = Shader.PropertyToID("_Up");
-            public static readonly int RingHeights = Shader.PropertyToID("_RingHeights");
+            public static readonly int Found = Shader.PropertyToID("_Found");
+            public static readonly int GroupsPerLine = Shader.PropertyToID("_GroupsPerLine");
+            public static readonly int ChunksPerGroup = Shader.PropertyToID("_ChunksPerGroup");
             public static readonly int HasRemoved = Shader.PropertyToID("_HasRemoved");
             public static readonly int FirstDetectorWord = Shader.PropertyToID("_FirstDetectorWord");
             public static readonly int Rays = Shader.PropertyToID("_Rays");
@@ -252,13 +214,32 @@ namespace Rill
         }
     }
 
-    /// <summary>Rays of a batch, and the lines that stand for them.</summary>
+    /// <summary>Points that are asked, and what is found for them.</summary>
+    struct PointBuffers
+    {
+        /// <summary>float4, xyz within the domain, d</summary>
+        public GraphicsBuffer points;
+        /// <summary>uint for each point; 0 before the search and after the answer</summary>
+        public GraphicsBuffer found;
+        /// <summary>1 to <see cref="ThreadGroups.MaxGroups"/></summary>
+        public int count;
+        /// <summary>against gravity, length 1; 0 without gravity</summary>
+        public float3 up;
+    }
+
+    /// <summary>Rays of a batch, the lines that stand for them, and what is found for them.</summary>
     struct RayBuffers
     {
         /// <summary><see cref="RayQuery"/></summary>
         public GraphicsBuffer rays;
         /// <summary>uint, the ray and the number of each line</summary>
         public GraphicsBuffer lines;
+        /// <summary>uint for each ray; 0 before the search and after the answer</summary>
+        public GraphicsBuffer found;
         public int rayCount, lineCount;
+        /// <summary>at least that of each ray in the box, d</summary>
+        public float length;
+        /// <summary>against gravity, length 1; 0 without gravity</summary>
+        public float3 up;
     }
 }

@@ -3,9 +3,8 @@
 //   _Rays    [rays]          in   see Generated/Queries.hlsl
 //   _Lines   [_LineCount]    in   uint, ray << kLineShift | number of the line
 //
-// SearchLines finds where a line enters or leaves the water, in chunks that are all searched at once; the nearest counts. A ball is as many
-// lines from the half of it that is ahead: it touches the water where the first of them enters. FindHits finds what is there, FindRayColumns
-// and FitRayNormal the slope of the surface, as for probes.
+// SearchLines finds where a line enters or leaves the water; the nearest counts. A ball is as many lines from the half of it that is ahead: it
+// touches the water where the first of them enters. AnswerRays finds what is there.
 
 StructuredBuffer<RayQuery> _Rays;
 StructuredBuffer<uint> _Lines;
@@ -126,62 +125,64 @@ uint Nearness(float distance)
     return ~asuint(distance);
 }
 
+// Of each line _GroupsPerLine groups.
 [numthreads(kProbeGroup, 1, 1)]
 void SearchLines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint number = group.z * kMaxGroups + group.x;
     bool isLine = number < _LineCount;
     uint packed = _Lines[min(number, _LineCount - 1)];
-    RayQuery ray = _Rays[packed >> kLineShift];
-    uint at = _FirstRayWord + (packed >> kLineShift) * kRayWords + kRayDistance;
+    uint rayIndex = packed >> kLineShift;
+    RayQuery ray = _Rays[rayIndex];
     float3 origin = ray.origin + LineOffset(ray, packed & ((1u << kLineShift) - 1));
     float2 range = RangeInBox(origin, ray.direction);
     float begin = max(range.x, 0.0);
-    float first = begin + group.y * kChunkLength;
-    if (thread == 0)
-    {
-        g_ListCount = 0;
-        g_First = kNone;
-        g_Touching = _Results[at];      // what other chunks have found so far: none that is further is of use
-    }
-    if (thread < kSamples)
-        g_Column[thread] = 0;
-    GroupMemoryBarrierWithGroupSync();
-    bool isNeeded = isLine && first <= min(range.y, ray.maxDistance) && g_Touching <= Nearness(first);
-    if (isNeeded)
-        AddChunk(thread, origin + first * ray.direction, ray.direction);
-    AddListed(thread, false);
+    TubeKind kind = TubesAlong(ray.direction, kSamples);
     uint k = min(thread, kSamples - 1);
-    float along = first + k * kSampleStep;
-    float density = along <= range.y ? DensityOf(k, origin + along * ray.direction) : kBeyondWall;
-    if (thread < kSamples)
-        g_Densities[thread] = density;
-    GroupMemoryBarrierWithGroupSync();
+    if (thread == 0)
+        g_First = kNone;
+    [loop]
+    for (uint i = 0; i < _ChunksPerGroup; i++)
+    {
+        uint chunk = i * _GroupsPerLine + group.y;
+        float first = begin + chunk * kChunkLength;
+        BeginChunk(thread, rayIndex, origin + first * ray.direction);
+        GroupMemoryBarrierWithGroupSync();
+        bool isNeeded = isLine && g_First == kNone && first <= min(range.y, ray.maxDistance) && g_Found <= Nearness(first);
+        if (isNeeded)
+            ListPieces(kind, 0, thread, kProbeGroup);
+        AddListed(thread, kind);
+        float along = first + k * kSampleStep;
+        float density = along <= range.y ? DensityOf(k, origin + along * ray.direction) : kBeyondWall;
+        if (thread < kSamples)
+            g_Densities[thread] = density;
+        GroupMemoryBarrierWithGroupSync();
 
-    // The first sample of a chunk is the last of the one before, which finds what is there; that of the line is at its start or at a wall.
-    float before = g_Densities[max(k, 1) - 1];
-    bool isWet = density >= kHalfDensity;
-    bool wasWet = k > 0 ? before >= kHalfDensity : !(group.y == 0 && range.x > 0.0) && isWet;
-    float change = density - before;
-    change = abs(change) > 1e-6 ? change : 1e-6;
-    float crossing = along - kSampleStep * (1.0 - saturate((kHalfDensity - before) / change));
-    crossing = k == 0 ? begin : density == kBeyondWall ? range.y : crossing;
-    bool isWanted = (ray.crossings & (isWet ? kCrossingEnter : kCrossingLeave)) != 0;
-    bool isFound = isNeeded && thread < kSamples && isWet != wasWet && isWanted && crossing <= ray.maxDistance;
-    if (isFound)
-        InterlockedMin(g_First, k);
-    GroupMemoryBarrierWithGroupSync();
-    if (isFound && k == g_First)
-        InterlockedMax(_Results[at], Nearness(crossing));
+        // The first sample of a chunk is the last of the one before, which finds what is there; that of the line is at its start or at a wall.
+        float before = g_Densities[max(k, 1) - 1];
+        bool isWet = density >= kHalfDensity;
+        bool wasWet = k > 0 ? before >= kHalfDensity : !(chunk == 0 && range.x > 0.0) && isWet;
+        float change = density - before;
+        change = abs(change) > 1e-6 ? change : 1e-6;
+        float crossing = along - kSampleStep * (1.0 - saturate((kHalfDensity - before) / change));
+        crossing = k == 0 ? begin : density == kBeyondWall ? range.y : crossing;
+        bool isWanted = (ray.crossings & (isWet ? kCrossingEnter : kCrossingLeave)) != 0;
+        bool isFound = isNeeded && thread < kSamples && isWet != wasWet && isWanted && crossing <= ray.maxDistance;
+        if (isFound)
+            InterlockedMin(g_First, k);
+        GroupMemoryBarrierWithGroupSync();
+        if (isFound && k == g_First)
+            InterlockedMax(_Found[rayIndex], Nearness(crossing));
+    }
 }
 
-// A group for each ray.
+// Of each ray a group: what is where it hits the water, and the slope of the surface there.
 [numthreads(kProbeGroup, 1, 1)]
-void FindHits(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+void AnswerRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     RayQuery ray = _Rays[group.x];
     uint at = _FirstRayWord + group.x * kRayWords;
-    uint found = _Results[at + kRayDistance];
+    uint found = _Found[group.x];
     float distance = found != 0 ? asfloat(~found) : 0.0;
     bool isBall = ray.radius > 0.0;
     if (thread == 0)
@@ -198,8 +199,7 @@ void FindHits(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float4 near = 0.0;
     if (!isBall && IsInBox(ray.origin))
         near = SumNear(thread, ray.origin, false);
-    SetValue(thread, 3, near.w);
-    SumValues(thread, 4);
+    near = SumThreads(thread, near);
     float density = 0.0;
     if (isBall)
     {
@@ -211,7 +211,7 @@ void FindHits(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             density = DensityAt(touch);
         InterlockedMax(g_Densest, asuint(density));
     }
-    else if (thread == 0 && _DensityScale * g_Sums[3] / OpenPart(ray.origin) >= kHalfDensity)
+    else if (thread == 0 && _DensityScale * near.w / OpenPart(ray.origin) >= kHalfDensity)
         g_StartsInWater = 1;
     GroupMemoryBarrierWithGroupSync();
     if (thread < ray.lines && asuint(density) == g_Densest)
@@ -222,66 +222,32 @@ void FindHits(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     bool isHit = found != 0 && !(isBall && g_StartsInWater != 0);
     float3 p = clamp(ray.origin + distance * ray.direction + LineOffset(ray, g_Touching), 0.0, _DomainSize);
     near = 0.0;
-    if (isHit)
-        near = SumNear(thread, p, true);
-    SetValues(thread, 0, near.xyz);
-    SetValue(thread, 3, near.w);
-    SumValues(thread, 4);
-    float3 velocity = Sum3(0) / max(g_Sums[3], 1e-9);
-    float sum = g_Sums[3];
     float3 slope = 0.0;
     if (isHit)
+    {
+        near = SumNear(thread, p, true);
         slope = SumSlope(thread, p);
-    SetValues(thread, 0, slope);
-    SumValues(thread, 3);
-    if (thread != 0)
-        return;
+    }
+    near = SumThreads(thread, near);
+    slope = SumThreads(thread, slope);
     float open = OpenPart(p);
-    float3 outward = sum * SlopeOfOpenPart(p) - open * Sum3(0);
+    float3 outward = near.w * SlopeOfOpenPart(p) - open * slope;
     float length2 = dot(outward, outward);
     float3 normal = length2 > 0.0 ? outward * rsqrt(max(length2, 1e-30)) : -ray.direction;
     float3 wall = NormalOfWall(p);
-    bool isAtWall = any(wall != 0.0) && _DensityScale * sum / open > kWallDensity;
+    bool isAtWall = any(wall != 0.0) && _DensityScale * near.w / open > kWallDensity;
+    bool isAtSurface = isHit && !isAtWall;
+    float3 axis = ColumnAxis(normal);
+    FindColumns(thread, isAtSurface, p, axis);
+    if (thread != 0)
+        return;
+    if (isAtSurface)
+        normal = NormalOfColumns(axis, normal);
     StoreFloat(at + kRayDistance, distance);
     StoreVector(at + kRayPoint, p);
     StoreVector(at + kRayNormal, isAtWall ? wall : normal);
-    StoreVector(at + kRayVelocity, velocity);
+    StoreVector(at + kRayVelocity, near.xyz / max(near.w, 1e-9));
     _Results[at + kRayPhase] = DominantPhase();
-    _Results[at + kRayFlags] = (isHit ? kRayHit : 0) | (g_StartsInWater != 0 ? kRayStartsInWater : 0) | (isHit && !isAtWall ? kRayAtSurface : 0);
-}
-
-float3 RayVector(uint at)
-{
-    return asfloat(uint3(_Results[at], _Results[at + 1], _Results[at + 2]));
-}
-
-// Of each ray kColumnGroups groups of columns around what it hits.
-[numthreads(kProbeGroup, 1, 1)]
-void FindRayColumns(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
-{
-    uint at = _FirstRayWord + group.x * kRayWords;
-    bool isAsked = (_Results[at + kRayFlags] & kRayAtSurface) != 0;
-    float3 center = RayVector(at + kRayPoint), axis = ColumnAxis(RayVector(at + kRayNormal));
-    if (thread < kGroupColumns * kRingSamples)
-        g_Ring[thread] = 0;
-    if (thread == 0)
-        g_ListCount = 0;
-    GroupMemoryBarrierWithGroupSync();
-    if (isAsked)
-        AddRings(thread, group.y * kGroupColumns, center, axis);
-    AddListed(thread, true);
-    float height = FindRingHeight(thread, isAsked, group.y * kGroupColumns, center, axis);
-    if (thread < kGroupColumns)
-        _RingHeights[group.x * kColumns + group.y * kGroupColumns + thread] = height;
-}
-
-[numthreads(kColumns, 1, 1)]
-void FitRayNormal(uint3 group : SV_GroupID, uint column : SV_GroupIndex)
-{
-    uint at = _FirstRayWord + group.x * kRayWords;
-    float3 normal = RayVector(at + kRayNormal), axis = ColumnAxis(normal);
-    g_Columns[column] = float3(RingOffset(column, RayVector(at + kRayPoint), axis), _RingHeights[group.x * kColumns + column]);
-    GroupMemoryBarrierWithGroupSync();
-    if (column == 0 && (_Results[at + kRayFlags] & kRayAtSurface) != 0)
-        StoreVector(at + kRayNormal, NormalOfRing(axis, normal));
+    _Results[at + kRayFlags] = (isHit ? kRayHit : 0) | (g_StartsInWater != 0 ? kRayStartsInWater : 0) | (isAtSurface ? kRayAtSurface : 0);
+    _Found[group.x] = 0;
 }

@@ -10,7 +10,8 @@ static const float kMinOpen = 0.1;              // of the kernel's ball, within 
 
 static const uint kMaxSums = 4;
 static const uint kParts = 8;
-groupshared float g_Values[kMaxSums * kProbeGroup];
+static const uint kPart = kProbeGroup / kParts;     // values of a part
+groupshared float g_Values[kMaxSums * kParts * (kPart + 1)];        // a word after each part, so that threads read from different banks
 groupshared float g_Parts[kMaxSums * kParts];
 groupshared float g_Sums[kMaxSums];
 groupshared uint g_Phases[kPhases];
@@ -26,7 +27,7 @@ uint PhaseOf(uint i)
 
 void SetValue(uint thread, uint quantity, float value)
 {
-    g_Values[quantity * kProbeGroup + thread] = value;
+    g_Values[quantity * kParts * (kPart + 1) + thread + thread / kPart] = value;
 }
 
 void SetValues(uint thread, uint quantity, float3 value)
@@ -43,8 +44,8 @@ void SumValues(uint thread, uint count)
     for (uint part = thread; part < count * kParts; part += kProbeGroup)
     {
         float sum = 0.0;
-        for (uint k = 0; k < kProbeGroup / kParts; k++)
-            sum += g_Values[part * (kProbeGroup / kParts) + k];
+        for (uint k = 0; k < kPart; k++)
+            sum += g_Values[part * (kPart + 1) + k];
         g_Parts[part] = sum;
     }
     GroupMemoryBarrierWithGroupSync();
@@ -58,9 +59,20 @@ void SumValues(uint thread, uint count)
     GroupMemoryBarrierWithGroupSync();
 }
 
-float3 Sum3(uint quantity)
+// Sum of the threads' values. All threads come here.
+float3 SumThreads(uint thread, float3 value)
 {
-    return float3(g_Sums[quantity], g_Sums[quantity + 1], g_Sums[quantity + 2]);
+    SetValues(thread, 0, value);
+    SumValues(thread, 3);
+    return float3(g_Sums[0], g_Sums[1], g_Sums[2]);
+}
+
+float4 SumThreads(uint thread, float4 value)
+{
+    SetValues(thread, 0, value.xyz);
+    SetValue(thread, 3, value.w);
+    SumValues(thread, 4);
+    return float4(g_Sums[0], g_Sums[1], g_Sums[2], g_Sums[3]);
 }
 
 // Fraction of the kernel's ball that the walls leave to water.
