@@ -49,7 +49,7 @@ static const float kVelocityScale = 256.0;    // steps of a particle's velocity 
 
 static const uint kParticlesPerThread = 4;    // particles that a thread of the detectors visits
 static const uint kProbeGroup = 256;    // threads of a probe's groups
-static const uint kSamples = 32;    // densities of a line that a group finds at once
+static const uint kSamples = 64;    // densities of a line that a group finds at once
 
 // What a ray's result has.
 static const uint kRayHit = 1;

@@ -15,7 +15,7 @@ namespace Rill
         [GenerateHlsl("Queries")] const int ProbeGroup = 256;
 
         /// <summary>densities of a line that a group finds at once</summary>
-        [GenerateHlsl("Queries")] const int Samples = 32;
+        [GenerateHlsl("Queries")] const int Samples = 64;
 
         const string Name = "Queries";
         const float ChunkLength = 0.5f * (Samples - 1);        // as in SurfaceLines.hlsl, d

@@ -9,7 +9,6 @@ void FindSurface(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float2 range = RangeInBox(p, up);
     float lowest = range.x;
     TubeKind kind = TubesAlong(-up, kSamples);
-    uint k = min(thread, kSamples - 1);
     if (thread == 0)
         g_First = kNone;
     [loop]
@@ -23,12 +22,15 @@ void FindSurface(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (isNeeded)
             ListPieces(kind, 0, thread, kProbeGroup);
         AddListed(thread, kind);
-        float height = top - k * kSampleStep;
-        float density = DensityOf(k, p + height * up);
-        if (thread < kSamples)
+        float height = top - thread * kSampleStep;
+        float density = 0.0;
+        if (isNeeded && thread < kSamples)
+        {
+            density = DensityOf(thread, p + height * up);
             g_Densities[thread] = density;
-        if (isNeeded && height >= lowest && density >= kHalfDensity)
-            InterlockedMin(g_First, k);
+            if (height >= lowest && density >= kHalfDensity)
+                InterlockedMin(g_First, thread);
+        }
         GroupMemoryBarrierWithGroupSync();
         // The first sample of a chunk is the last of the chunk above, which finds the surface there.
         if (isNeeded && thread == g_First && (thread > 0 || chunk == 0))

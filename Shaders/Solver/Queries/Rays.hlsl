@@ -153,7 +153,9 @@ void SearchLines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             ListPieces(kind, 0, thread, kProbeGroup);
         AddListed(thread, kind);
         float along = first + k * kSampleStep;
-        float density = along <= range.y ? DensityOf(k, origin + along * ray.direction) : kBeyondWall;
+        float density = kBeyondWall;
+        if (isNeeded && along <= range.y)
+            density = DensityOf(k, origin + along * ray.direction);
         if (thread < kSamples)
             g_Densities[thread] = density;
         GroupMemoryBarrierWithGroupSync();

@@ -19,7 +19,7 @@ void BeginChunk(uint thread, uint asked, float3 start)
     if (thread == 0)
     {
         uint found;
-        InterlockedMax(_Found[asked], 0, found);     // a load might give what this multiprocessor has read before
+        InterlockedMax(_Found[asked], 0u, found);     // a load might give what this multiprocessor has read before
         g_Found = found;
         g_TubeStarts[0] = start;
         ClearLists();

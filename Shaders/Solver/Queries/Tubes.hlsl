@@ -16,7 +16,7 @@ static const uint kPiece = 4;                   // particles, in flight at once
 static const uint kPieceCapacity = 1024;        // more are searched where they are met
 static const uint kListCapacity = 1024;         // particles in tubes; what more of them add is summed where they are met
 static const uint kTubeBits = 4;
-static const uint kCountBits = 2;
+static const uint kCountBits = 2;               // which leaves 26 for a particle: SolverLayout.MaxCapacity takes 24
 
 groupshared float3 g_TubeStarts[kMaxTubes];     // where the first sample of each is, d
 groupshared uint g_PieceCount;
