@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -38,6 +39,27 @@ namespace Rill.Tests
                 Assert.That(sample.volume, Is.EqualTo(detector.ShapeVolume).Within(0.01f * detector.ShapeVolume));
                 Assert.That(sample.fill, Is.EqualTo(1f).Within(0.01f));
                 Assert.That(sample.mass, Is.EqualTo(sample.volume * 1000f).Within(1e-3f));
+            }
+        }
+
+        // Groups of threads look at the box around their particles first: one that reaches a detector alone is in it all the same.
+        [Test]
+        public void A_lone_particle_is_found_wherever_it_is_in_memory([Values(0, 60, 122, 509, 700)] int others)
+        {
+            using (var scene = new SourceScene(new Vector3(1.6f, 1.6f, 1.6f), Spacing, 1000))
+            {
+                Vector3[] directions = { Vector3.left, Vector3.down, Vector3.back, Vector3.right, Vector3.up, Vector3.forward };
+                FluidDetector[] detectors = directions.Select(direction => scene.Add<FluidDetector>(0.6f * direction, Vector3.forward,
+                    d => d.Size = 4f * Spacing * Vector3.one)).ToArray();
+                scene.Run(1);
+                var places = Enumerable.Range(0, others).Select(i => Spacing * new float3(i % 9 - 4, i / 9 % 9 - 4, i / 81 - 4));
+                float3[] all = places.Concat(directions.Select(direction => (float3)(0.6f * direction))).ToArray();
+                using (var positions = new NativeArray<float3>(all, Allocator.Persistent))
+                using (var velocities = new NativeArray<float3>(all.Length, Allocator.Persistent))
+                    scene.Fluid.AddParticles(positions, velocities);
+                Assert.That(detectors[0].MeasureNow().volume, Is.EqualTo(scene.ParticleVolume).Within(0.01).Percent);
+                foreach (FluidDetector detector in detectors)
+                    Assert.That(detector.Latest.volume, Is.EqualTo(scene.ParticleVolume).Within(0.01).Percent, $"at {detector.transform.position}");
             }
         }
 

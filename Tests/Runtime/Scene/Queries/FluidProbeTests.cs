@@ -4,6 +4,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -102,6 +103,46 @@ namespace Rill.Tests
             TestContext.Out.WriteLine($"height within {worst:0.000} d, normal within {steepest:0.00} degrees");
             Assert.That(worst, Is.LessThan(0.25));
             Assert.That(steepest, Is.LessThan(2.0));
+        }
+
+        // More particles around a line than a group of threads lists, before the step that sorts them and after it.
+        [Test]
+        public void Height_and_density_of_crowded_water_are_those_of_all_its_particles()
+        {
+            using (var scene = new SourceScene(new Vector3(0.7f, 0.8f, 0.7f), Spacing, 30000))
+            {
+                scene.Run(1);
+                float3[] places = Lattice(new float3(-0.32f, -0.37f, -0.32f), new int3(39, 12, 39), Spacing / 3f);
+                using (var water = new NativeArray<float3>(places, Allocator.Persistent))
+                using (var still = new NativeArray<float3>(water.Length, Allocator.Persistent))
+                    scene.Fluid.AddParticles(water, still);
+                var asked = new[] { new Vector3(0.01f, -0.3f, 0.02f), new Vector3(-0.21f, 0.1f, 0.13f), new Vector3(0.31f, -0.33f, -0.31f) };
+                FluidProbe[] probes = asked.Select(scene.Probe).ToArray();
+                for (int step = 0; step < 2; step++)
+                {
+                    ParticleState state = scene.Read();
+                    foreach (FluidProbe probe in probes)
+                    {
+                        FluidProbeSample sample = probe.MeasureNow();
+                        double3 at = (double3)((float3)sample.position + (float3)scene.Fluid.DomainSize * 0.5f) / Spacing;
+                        Assert.That(sample.density, Is.EqualTo(QueryScene.Density(state, at)).Within(0.01).Percent, $"step {step}");
+                        Assert.That(sample.height / Spacing + 0.5 * state.box.y, Is.EqualTo(QueryScene.Surface(state, at)).Within(0.01),
+                            $"step {step}");
+                    }
+                    scene.Step();
+                }
+                Assert.That(scene.Read().Count, Is.EqualTo(places.Length));
+            }
+        }
+
+        static float3[] Lattice(float3 corner, int3 counts, float spacing)
+        {
+            var places = new List<float3>();
+            for (int z = 0; z < counts.z; z++)
+                for (int y = 0; y < counts.y; y++)
+                    for (int x = 0; x < counts.x; x++)
+                        places.Add(corner + spacing * new float3(x, y, z));
+            return places.ToArray();
         }
 
         // Water in motion: what the sort of the step says of neighbors still holds after its corrections.

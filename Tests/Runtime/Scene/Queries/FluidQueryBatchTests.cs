@@ -59,6 +59,48 @@ namespace Rill.Tests
             }
         }
 
+        // Of few lines each part has a group of threads of its own; of many a group searches part after part, down to what it finds.
+        [Test]
+        public void Many_points_and_rays_get_the_answers_of_few([Values(300, 1100)] int count)
+        {
+            const int Few = 24;
+            using (var scene = new SourceScene(new Vector3(0.6f, 5f, 0.6f), Spacing, 4000))
+            using (var few = new FluidQueryBatch(scene.Fluid, Few, Few))
+            using (var many = new FluidQueryBatch(scene.Fluid, count, count))
+            {
+                scene.AddWhere(place => place.y < -2.3f || place.x < 0f && Math.Abs(place.y) < 0.2f
+                    || place.z < 0f && place.y > 1.2f && place.y < 1.5f);
+                var random = new Unity.Mathematics.Random(3u);
+                float3 half = (float3)scene.Fluid.DomainSize * 0.499f;
+                Vector3[] points = Enumerable.Range(0, count).Select(_ => (Vector3)random.NextFloat3(-half, half)).ToArray();
+                FluidRay[] rays = Enumerable.Range(0, count).Select(i => new FluidRay(random.NextFloat3(-half, half),
+                    random.NextFloat3(-half, half) * new float3(0.2f, 1f, 0.2f), i % 3 == 0 ? 2f : 20f,
+                    i % 2 == 0 ? FluidCrossing.Enter : FluidCrossing.Any)).ToArray();
+                few.SetPoints(points, 0, Few);
+                few.SetRays(rays.Take(Few).ToList());
+                many.SetPoints(points, 0, count);
+                many.SetRays(rays.ToList());
+                scene.Run(2);
+                few.Flush();
+                many.Flush();
+                int hits = 0;
+                var heights = new HashSet<int>();
+                for (int i = 0; i < Few; i++)
+                {
+                    Assert.That(few.TryGetSample(i, out FluidProbeSample point));
+                    Assert.That(many.TryGetSample(i, out FluidProbeSample samePoint));
+                    Assert.That(samePoint, Is.EqualTo(point), $"point {i}");
+                    Assert.That(few.TryGetHit(i, out FluidRayHit hit));
+                    Assert.That(many.TryGetHit(i, out FluidRayHit sameHit));
+                    Assert.That(sameHit, Is.EqualTo(hit), $"ray {i}");
+                    heights.Add(Mathf.RoundToInt(point.height));
+                    hits += hit.hit ? 1 : 0;
+                }
+                Assert.That(heights.Count, Is.EqualTo(3), "surfaces in three parts of the lines");
+                Assert.That(hits, Is.GreaterThan(Few / 4));
+            }
+        }
+
         [Test]
         public void Points_of_an_array_a_part_a_list_and_one_alone_are_those_that_are_asked()
         {
