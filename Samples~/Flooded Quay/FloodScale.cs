@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Rill.Samples
 {
     /// <summary>
-    /// Pours in the same volume of water as however many particles are asked for: sets the particle spacing and the capacity of the
+    /// Makes the same volume of water of however many particles are asked for: sets the particle spacing and the capacity of the
     /// fluid on this object before it begins.
     /// </summary>
     [DefaultExecutionOrder(-100)]
@@ -14,7 +14,8 @@ namespace Rill.Samples
         [Range(1000, 4000000)]
         [SerializeField] int particles = 200000;
 
-        [Tooltip("Volume that the sluices let in, m³, above 0: the sum of their rates times their durations.")]
+        [Tooltip("Volume of all the water, m³, above 0: what the harbor holds at the start, and the sum of the sluices' rates times " +
+            "their durations.")]
         [Min(1f)]
         [SerializeField] float volume = 540f;
 
