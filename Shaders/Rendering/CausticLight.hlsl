@@ -1,5 +1,5 @@
-// What stands in the water in the light of the sun that has come through its surface, by the map of CausticMap.hlsl. The kernel of the rays finds how
-// much light that is; an eye in the water does so itself. Include after WaterRays.hlsl and Medium.hlsl.
+// Finds the sunlight that has come through the water's surface onto the scene in it, by the map of CausticMap.hlsl. The kernel of the rays does so,
+// and an eye in the water itself. Include after WaterRays.hlsl and Medium.hlsl.
 //
 //   _CausticMap     in  Texture2D, see CausticMap.hlsl
 #ifndef RILL_CAUSTIC_LIGHT_INCLUDED

@@ -21,7 +21,8 @@ namespace Host.Tests
             surface.Method = method;
             Play(3);
             Footprint on = Footprint.Of(() => Play(1));
-            string[] work = method == SurfaceMethod.Mesh ? new[] { "Water.shader", "SurfaceParticles.compute ShapeElements", "SurfaceMesh.compute FindField" }
+            string[] work = method == SurfaceMethod.Mesh
+                ? new[] { "Water.shader", "SurfaceParticles.compute ShapeElements", "SurfaceMesh.compute FindField" }
                 : new[] { "Surface.shader", "SurfaceParticles.compute Shape", "SurfaceFilter.compute FindNormals" };
             Assert.That(work, Is.SubsetOf(on.Work));
             Assert.That(Textures(), Is.Not.Empty);

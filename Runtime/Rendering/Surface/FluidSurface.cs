@@ -173,10 +173,10 @@ namespace Rill
             }
         }
 
-        /// <summary>Gets or sets a mesh that is drawn instead of the surface on the screen; null for that.</summary>
+        /// <summary>Gets or sets a mesh that is drawn instead of the fluid's own surface; null for that.</summary>
         internal MeshFrame? Mesh { get => nextMesh; set => nextMesh = value; }
 
-        /// <summary>Whether the surface is to be a mesh: by the method, unless a material of the user's own is drawn, which is in screen space.</summary>
+        /// <summary>Whether the surface is to be a mesh: by the method, unless a material of the user's own is drawn, in screen space.</summary>
         internal bool WantsMesh => method == SurfaceMethod.Mesh && material == null;
 
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>

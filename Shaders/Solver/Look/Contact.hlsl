@@ -1,5 +1,5 @@
-// Where the nearest collider is, for each particle, as the surface reads it. Include Solver.hlsl and SurfaceParticle.hlsl first, and declare
-// _Workspace. Behind the two lists of planes there, each as long as the capacity, each particle has
+// The nearest collider of each particle, as the surface reads it. Include Solver.hlsl and SurfaceParticle.hlsl first, and declare
+// _Workspace. After the two lists of planes there, each as long as the capacity, each particle has
 //   uint2: x the collider's normal at the particle, see PackNormal; y float bits of its distance, at most kContactReach
 #ifndef RILL_CONTACT_INCLUDED
 #define RILL_CONTACT_INCLUDED

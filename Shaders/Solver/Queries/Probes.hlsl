@@ -1,6 +1,6 @@
 // The kernels of probes and of the points of a batch, see Queries.compute.
 
-// Of each point _GroupsPerLine groups, which search the line along gravity from where it leaves the box above.
+// Each point has _GroupsPerLine groups, which search the line along gravity from where it leaves the box above.
 [numthreads(kProbeGroup, 1, 1)]
 void FindSurface(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -42,7 +42,7 @@ void FindSurface(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
 }
 
-// Of each point a group: the water around it and around its surface, and the slope of that.
+// A group finds for each point the water around it and around its surface, and the slope of that.
 [numthreads(kProbeGroup, 1, 1)]
 void AnswerPoints(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {

@@ -4,7 +4,7 @@
 //   _Lines   [_LineCount]    in   uint, ray << kLineShift | number of the line
 //
 // SearchLines finds where a line enters or leaves the water; the nearest counts. A ball is as many lines from the half of it that is ahead: it
-// touches the water where the first of them enters. AnswerRays finds what is there.
+// touches the water where the first of them enters. AnswerRays finds the water there.
 
 StructuredBuffer<RayQuery> _Rays;
 StructuredBuffer<uint> _Lines;
@@ -125,7 +125,7 @@ uint Nearness(float distance)
     return ~asuint(distance);
 }
 
-// Of each line _GroupsPerLine groups.
+// Each line has _GroupsPerLine groups.
 [numthreads(kProbeGroup, 1, 1)]
 void SearchLines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -160,7 +160,7 @@ void SearchLines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             g_Densities[thread] = density;
         GroupMemoryBarrierWithGroupSync();
 
-        // The first sample of a chunk is the last of the one before, which finds what is there; that of the line is at its start or at a wall.
+        // The first sample of a chunk is the last of the one before, which finds a hit there; that of the line is at its start or at a wall.
         float before = g_Densities[max(k, 1) - 1];
         bool isWet = density >= kHalfDensity;
         bool wasWet = k > 0 ? before >= kHalfDensity : !(chunk == 0 && range.x > 0.0) && isWet;
@@ -178,7 +178,7 @@ void SearchLines(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
 }
 
-// Of each ray a group: what is where it hits the water, and the slope of the surface there.
+// A group finds for each ray the water where it hits it, and the slope of the surface there.
 [numthreads(kProbeGroup, 1, 1)]
 void AnswerRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {

@@ -25,7 +25,7 @@ groupshared uint g_ListCount;
 groupshared uint g_List[kListCapacity];         // particle, tube
 groupshared uint g_Samples[kMaxSamples];        // density without its scale, of each tube's samples in turn
 
-// What tubes of one kind have in common.
+// Values that tubes of one kind have in common.
 struct TubeKind
 {
     float3 direction;   // length 1

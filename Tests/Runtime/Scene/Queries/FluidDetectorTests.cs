@@ -52,8 +52,8 @@ namespace Rill.Tests
                 FluidDetector[] detectors = directions.Select(direction => scene.Add<FluidDetector>(0.6f * direction, Vector3.forward,
                     d => d.Size = 4f * Spacing * Vector3.one)).ToArray();
                 scene.Run(1);
-                var places = Enumerable.Range(0, others).Select(i => Spacing * new float3(i % 9 - 4, i / 9 % 9 - 4, i / 81 - 4));
-                float3[] all = places.Concat(directions.Select(direction => (float3)(0.6f * direction))).ToArray();
+                var lattice = Enumerable.Range(0, others).Select(i => Spacing * new float3(i % 9 - 4, i / 9 % 9 - 4, i / 81 - 4));
+                float3[] all = lattice.Concat(directions.Select(direction => (float3)(0.6f * direction))).ToArray();
                 using (var positions = new NativeArray<float3>(all, Allocator.Persistent))
                 using (var velocities = new NativeArray<float3>(all.Length, Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);

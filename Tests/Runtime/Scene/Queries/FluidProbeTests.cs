@@ -112,8 +112,8 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(0.7f, 0.8f, 0.7f), Spacing, 30000))
             {
                 scene.Run(1);
-                float3[] places = Lattice(new float3(-0.32f, -0.37f, -0.32f), new int3(39, 12, 39), Spacing / 3f);
-                using (var water = new NativeArray<float3>(places, Allocator.Persistent))
+                float3[] positions = Lattice(new float3(-0.32f, -0.37f, -0.32f), new int3(39, 12, 39), Spacing / 3f);
+                using (var water = new NativeArray<float3>(positions, Allocator.Persistent))
                 using (var still = new NativeArray<float3>(water.Length, Allocator.Persistent))
                     scene.Fluid.AddParticles(water, still);
                 var asked = new[] { new Vector3(0.01f, -0.3f, 0.02f), new Vector3(-0.21f, 0.1f, 0.13f), new Vector3(0.31f, -0.33f, -0.31f) };
@@ -131,18 +131,18 @@ namespace Rill.Tests
                     }
                     scene.Step();
                 }
-                Assert.That(scene.Read().Count, Is.EqualTo(places.Length));
+                Assert.That(scene.Read().Count, Is.EqualTo(positions.Length));
             }
         }
 
         static float3[] Lattice(float3 corner, int3 counts, float spacing)
         {
-            var places = new List<float3>();
+            var positions = new List<float3>();
             for (int z = 0; z < counts.z; z++)
                 for (int y = 0; y < counts.y; y++)
                     for (int x = 0; x < counts.x; x++)
-                        places.Add(corner + spacing * new float3(x, y, z));
-            return places.ToArray();
+                        positions.Add(corner + spacing * new float3(x, y, z));
+            return positions.ToArray();
         }
 
         // Water in motion: what the sort of the step says of neighbors still holds after its corrections.

@@ -59,7 +59,7 @@ namespace Rill.Tests
             }
         }
 
-        // Of few lines each part has a group of threads of its own; of many a group searches part after part, down to what it finds.
+        // Each part of few lines has a group of threads of its own; of many lines a group searches part after part, down to what it finds.
         [Test]
         public void Many_points_and_rays_get_the_answers_of_few([Values(300, 1100)] int count)
         {

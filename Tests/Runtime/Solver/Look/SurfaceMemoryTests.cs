@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>What the surface's mesh and its planes take of the GPU's memory, by their descriptions.</summary>
+    /// <summary>The GPU memory of the surface's mesh and its planes, by their descriptions.</summary>
     public class SurfaceMemoryTests
     {
         const float Spacing = 0.05f;
