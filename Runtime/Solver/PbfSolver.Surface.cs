@@ -6,7 +6,7 @@ namespace Rill
     // What is drawn of the water: made when first needed, from the state that the last step left.
     partial class PbfSolver
     {
-        readonly SurfaceWorkspace workspace = new SurfaceWorkspace();
+        readonly SurfaceWorkspace surfaceWorkspace = new SurfaceWorkspace();
         SurfaceParticles surface;
         SurfaceMesh mesh;
         float meshCell;
@@ -54,11 +54,11 @@ namespace Rill
         /// <exception cref="ArgumentOutOfRangeException">Its buffers are more than the device can bind.</exception>
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {
-            surface ??= new SurfaceParticles(Layout, workspace);
+            surface ??= new SurfaceParticles(Layout, surfaceWorkspace);
             if (mesh != null && mesh.Cell != MeshCell)
                 ReleaseMesh();
             if (MeshCell > 0f)
-                mesh ??= new SurfaceMesh(Layout, workspace, MeshCell);
+                mesh ??= new SurfaceMesh(Layout, surfaceWorkspace, MeshCell);
             bool hasSteps = lastSubsteps > 0 && !isRestored && !HasMarked;       // the neighbor lists do not know which particles are gone
             StepInput last = input;
             last.settings.substeps = Math.Max(lastSubsteps, 1);
@@ -107,7 +107,7 @@ namespace Rill
         {
             mesh?.Dispose();
             mesh = null;
-            workspace.Dispose();
+            surfaceWorkspace.Dispose();
         }
     }
 }
