@@ -57,7 +57,7 @@ namespace Host.Tests
         }
 
         [TestCase("float3(InColorPyramid(uv), eyeIndex)", "float3(InColorPyramid(uv), 0)", TestName = "In_HDRP_the_scene_of_the_other_eye_is_seen")]
-        [TestCase("SceneDepth(picture, eyeIndex)", "SceneDepth(picture, 0)", TestName = "In_HDRP_the_depth_of_the_other_eye_is_seen")]
+        [TestCase("SceneDepthAt(picture, eyeIndex)", "SceneDepthAt(picture, 0)", TestName = "In_HDRP_the_depth_of_the_other_eye_is_seen")]
         [TestCase("_ThicknessWindow.zw - 1.0, eyeIndex)", "_ThicknessWindow.zw - 1.0, 0)",
             TestName = "In_HDRP_the_thickness_of_the_other_eye_is_seen")]
         public void A_wrong_slice_is_seen(string line, string instead)

@@ -304,10 +304,12 @@ namespace Host.Tests
                     PlayerLoop.Frame(FrameTime);
                 Footprint frame = Footprint.Of(() => PlayerLoop.Frame(FrameTime));       // the third: none of the samples measures before the fourth
                 List<StageDescription> stages = simulation.Describe();
-                // The sky and the copy of the opaque scene are the camera's, however many fluids it sees; the surface's particles are found
-                // once a frame.
-                string[] others = { "BlitCopy.shader", "SkyboxProcedural.shader", "SurfaceParticles.compute" };
-                Assert.That(frame.Work.Where(entry => !others.Any(entry.StartsWith)).ToArray(), Is.EqualTo(Footprint.Explained(stages)));
+                // The sky and the copy of the opaque scene are the camera's, however many fluids it sees; the surface's particles and its mesh,
+                // with two sums, are found once a frame.
+                string[] others = { "BlitCopy.shader", "SkyboxProcedural.shader", "SurfaceParticles.compute", "SurfaceMesh.compute" };
+                string[] sums = { "PrefixSum.compute SumTiles", "PrefixSum.compute ScanFewTiles" };
+                Assert.That(frame.Work.Where(entry => !others.Any(entry.StartsWith)),
+                    Is.EquivalentTo(Footprint.Explained(stages).Concat(sums).Concat(sums)));
                 StageDescription coarse = stages.Single(stage => stage.Name == "Coarse correction");
                 Assert.That(coarse.IsUsed, Is.EqualTo(deep), coarse.Reason);
                 Assert.That(coarse.Reason, Does.Match(@"^water \d+ layers deep, (more than|at most) \d+"));

@@ -110,7 +110,7 @@ namespace Host.Tests
 
         [TestCase("_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)",
             "_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, 0), 0)", TestName = "The_scene_of_the_other_eye_is_seen")]
-        [TestCase("SceneDepth(picture, eyeIndex)", "SceneDepth(picture, 0)", TestName = "The_depth_of_the_other_eye_is_seen")]
+        [TestCase("SceneDepthAt(picture, eyeIndex)", "SceneDepthAt(picture, 0)", TestName = "The_depth_of_the_other_eye_is_seen")]
         [TestCase("_ThicknessWindow.zw - 1.0, eyeIndex)", "_ThicknessWindow.zw - 1.0, 0)",
             TestName = "The_thickness_of_the_other_eye_is_seen")]
         [TestCase("float depth = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));", "float depth = _SurfaceDepth.Load(int4(texel, 0, 0));",

@@ -500,7 +500,7 @@ namespace Rill
 
         private protected override void DescribeDraws(StageDescription description)
         {
-            description.Draw(ShaderFile, 1);
+            description.Draw(ShaderFile, mesh.HasValue ? 0 : 1);
             description.Draw("SurfaceShadow", 0);       // in shadow maps alone
             recorder?.Describe(description, frame.filterPasses);
             meshDraw?.Describe(description);
