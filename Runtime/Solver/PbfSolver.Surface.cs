@@ -107,7 +107,7 @@ namespace Rill
         {
             mesh?.Dispose();
             mesh = null;
-            surfaceWorkspace.Dispose();
+            surfaceWorkspace.Dispose();      // which had room for the mesh
         }
     }
 }

@@ -143,8 +143,7 @@ namespace Rill
             for (int i = 0; i < views.Count; i++)
                 if (views[i].Faces != null)
                 {
-                    rays.Describe(stage, views[i].Faces.volumeDepth, views[i].Chords != null, views[i].Phases != null,
-                        views[i].Sun != null);
+                    rays.Describe(stage, views[i]);
                     if (views[i].Chords != null)
                         stage.Draw("SurfaceMotion", 1);
                     if (views[i].Spray != null)

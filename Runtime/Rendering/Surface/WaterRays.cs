@@ -96,13 +96,14 @@ namespace Rill
             cmd.EndSample(TilesMarker);
         }
 
-        public void Describe(StageDescription stage, int eyes, bool withMotion, bool withPhases, bool withSun)
+        public void Describe(StageDescription stage, WaterView view)
         {
+            int eyes = view.Faces.volumeDepth;
             clear.Describe(stage, sizeof(uint), 1);
             stage.Draw("WaterFaces", 2 * eyes);
             stage.Kernel(findFaces, eyes);
-            stage.Kernel(traceRays.For(withPhases, withSun), eyes);
-            if (withMotion)
+            stage.Kernel(traceRays.For(view.Phases != null, view.Sun != null), eyes);
+            if (view.Chords != null)
                 stage.Kernel(storeChords, eyes);
             stage.Kernel(listTiles, 1);
         }

@@ -75,7 +75,7 @@ namespace Rill
             Properties.SetTexture(Ids.RayEnds, Ends);
             Properties.SetTexture(Ids.RayDirections, Directions);
             Properties.SetTexture(Ids.RayMirrors, Mirrors);
-            // What is not there is not read.
+            // The shaders do not read what stands in for a missing texture.
             Properties.SetTexture(Ids.RaySun, Sun != null ? Sun : Ends);
             Properties.SetTexture(Ids.RayPhases, Phases != null ? Phases : Ends);
             if (Spray != null)

@@ -93,7 +93,7 @@ namespace Rill.Tests
             { "foam.prefixSum.", "a prefix sum begins from nothing" },
             { "statistics.", "measured, not read by a step" },
             { "surface.", "drawn, not read by a step" },
-            { "surfaceWorkspace.", "written anew for each surface" },
+            { "surfaceWorkspace.", "each surface writes it before it is read" },
             { "particleUpload.", "free between uploads" },
             { "packing.", "a frame that was uploaded" },
         };

@@ -68,8 +68,7 @@ namespace Rill.Tests
             using (var few = new FluidQueryBatch(scene.Fluid, Few, Few))
             using (var many = new FluidQueryBatch(scene.Fluid, count, count))
             {
-                scene.AddWhere(place => place.y < -2.3f || place.x < 0f && Math.Abs(place.y) < 0.2f
-                    || place.z < 0f && place.y > 1.2f && place.y < 1.5f);
+                scene.AddWhere(p => p.y < -2.3f || p.x < 0f && Math.Abs(p.y) < 0.2f || p.z < 0f && p.y > 1.2f && p.y < 1.5f);
                 var random = new Unity.Mathematics.Random(3u);
                 float3 half = (float3)scene.Fluid.DomainSize * 0.499f;
                 Vector3[] points = Enumerable.Range(0, count).Select(_ => (Vector3)random.NextFloat3(-half, half)).ToArray();
