@@ -14,6 +14,9 @@ namespace Rill
         /// <summary>byte of the dispatch arguments in a buffer of <see cref="Arguments"/></summary>
         [GenerateHlsl("Arguments")] public const uint DispatchArgumentsAt = 16;
 
+        /// <summary>two triangles of a quad</summary>
+        [GenerateHlsl("Arguments")] public const int VerticesPerParticle = 6;
+
         /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>, draw arguments for two eyes at byte
         /// 32; see Arguments.hlsl.</summary>
         /// <param name="words">At least 12; further arguments from byte 48 on.</param>
@@ -52,10 +55,10 @@ namespace Rill
         /// <summary>Largest buffer that a kernel can be given here, bytes.</summary>
         public static long MaxBinding => Math.Min(MaxBytes, SystemInfo.maxGraphicsBufferSize);
 
-        /// <summary>At once, or when a snapshot that is pending has it.</summary>
+        /// <summary>At once, or when the last request that reads it has ended.</summary>
         public static void Release(ref GraphicsBuffer buffer)
         {
-            if (buffer != null && !SnapshotCapture.Keeps(buffer))
+            if (buffer != null && !HeldBuffers.Keep(buffer))
                 buffer.Release();
             buffer = null;
         }

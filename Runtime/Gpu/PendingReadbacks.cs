@@ -3,25 +3,32 @@ using UnityEngine;
 
 namespace Rill
 {
+    /// <summary>Something that comes back from the GPU.</summary>
+    interface IPendingReadback
+    {
+        /// <summary>Waits until it has come.</summary>
+        void Complete();
+    }
+
     /// <summary>Readbacks whose owners are gone while a request was pending. They go when it comes back, or all at once where none will: as
-    /// play ends and before scripts are loaded again. And those whose words a snapshot brought.</summary>
+    /// play ends and before scripts are loaded again. Snapshots that are pending, and readbacks whose words a snapshot brought.</summary>
     static class PendingReadbacks
     {
-        static List<Readback> items = new List<Readback>();
+        static List<IPendingReadback> items = new List<IPendingReadback>();
         static List<Readback> resumed = new List<Readback>();       // in the order of their requests
         static bool ending;
 
         /// <summary>How many there are.</summary>
         public static int Count => items.Count;
 
-        public static void Add(Readback readback)
+        public static void Add(IPendingReadback readback)
         {
             items.Add(readback);
             if (ending)
                 readback.Complete();
         }
 
-        public static void Remove(Readback readback) => items.Remove(readback);
+        public static void Remove(IPendingReadback readback) => items.Remove(readback);
 
         /// <summary>Takes one whose words a snapshot brought, with the frame in which they come.</summary>
         public static void AddResumed(Readback readback) => resumed.Add(readback);
@@ -42,15 +49,15 @@ namespace Rill
             ending = true;
             for (int i = items.Count - 1; i >= 0; i--)
                 items[i].Complete();
-            SnapshotCapture.End();
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void Begin()
         {
             End();
-            items = new List<Readback>();
+            items = new List<IPendingReadback>();
             resumed = new List<Readback>();
+            HeldBuffers.Begin();
             ending = false;
             Application.quitting -= End;
             Application.quitting += End;

@@ -11,7 +11,7 @@ namespace Rill
     /// before, Unity does not say. Nor whether a buffer that is released first still comes back: it is released after. A request that
     /// ends with an error leaves the result of before; who owns this decides whether that still counts.
     /// </remarks>
-    sealed class Readback : IDisposable
+    sealed class Readback : IDisposable, IPendingReadback
     {
         readonly Action<AsyncGPUReadbackRequest> onRead;
         AsyncGPUReadbackRequest request;

@@ -60,7 +60,7 @@ namespace Rill
                 return new StillWater { isPending = !water.IsAnswered && fluid.DropsTime && weight > 0f };
             samples.Clear();
             foreach (BodyPart part in parts)
-                SurfaceSample.Append(samples, part.shape, part.field, fluid.ParticleSpacing);
+                SurfaceSamples.Append(samples, part.shape, part.field, fluid.ParticleSpacing);
             return Sum(center, up, fluid.Material.density * g, isNear, weight);
         }
 

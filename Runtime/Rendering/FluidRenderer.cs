@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Draws something of the <see cref="FluidSimulation"/> on the same object with a shader of the package.</summary>
     [RequireComponent(typeof(FluidSimulation))]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public abstract class FluidRenderer : MonoBehaviour, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public abstract class FluidRenderer : MonoBehaviour, IDrawsFluid, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
@@ -53,6 +53,8 @@ namespace Rill
 
         /// <summary>Draws one frame; the simulation is running.</summary>
         private protected abstract void Draw();
+
+        StageDescription IDrawsFluid.Describe() => Describe();
 
         /// <summary>What this renderer costs the scene.</summary>
         internal StageDescription Describe()

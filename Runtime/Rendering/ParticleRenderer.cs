@@ -23,9 +23,6 @@ namespace Rill
             Phase,
         }
 
-        /// <summary>two triangles of a quad</summary>
-        [GenerateHlsl("Arguments")] internal const int VerticesPerParticle = 6;
-
         [Tooltip("Radius of a sphere, particle spacings. Above 0.5 neighbors overlap and the surface closes.")]
         [Range(0.1f, 2f)]
         [SerializeField] float radius = 0.6f;

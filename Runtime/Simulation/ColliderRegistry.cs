@@ -44,7 +44,7 @@ namespace Rill
         public void Collect(in CollectedSteps steps, List<IFluidCollider> own)
         {
             bool hasOwn = own != null && own.Count > 0;
-            if (FluidCollider.Enabled.Count == 0 && !hasOwn && Set.Count == 0)
+            if (SceneColliders.Enabled.Count == 0 && !hasOwn && Set.Count == 0)
                 return;
             MakeEntries();
             for (int i = 0; i < Set.Count; i++)
@@ -57,7 +57,7 @@ namespace Rill
             LeftOutCount = 0;
             changed = reordered = false;
             DropOtherLayers(steps.fluid);
-            foreach (FluidCollider collider in FluidCollider.Enabled)
+            foreach (ISceneCollider collider in SceneColliders.Enabled)
                 if (steps.fluid.Takes(collider))
                     TryCollect(steps, collider);
             for (int i = 0; hasOwn && i < own.Count; i++)
@@ -125,7 +125,7 @@ namespace Rill
             entry.track = goesOn ? last[before].track : ColliderTrack.At(pose);
             if (!goesOn)
                 collider.AwaitForce(steps.fluid);
-            entry.track.Teleport(steps.fluid);
+            entry.track.GoTo(steps.fluid.Teleported(entry.track.Pose));
             if (skips)
                 entry.track.SkipTo(steps.frame.World(motion.start));
             entry.track.Follow(pose, steps.duration, steps.substepTime);
@@ -137,7 +137,7 @@ namespace Rill
             if (fluid.TakesAllLayers)
                 return;
             for (int i = 0; i < lastCount; i++)
-                if (last[i].owner is FluidCollider collider && last[i].owner.IsThere && !fluid.Takes(collider) && last[i].owner.Leave(fluid))
+                if (last[i].owner is ISceneCollider collider && last[i].owner.IsThere && !fluid.Takes(collider) && last[i].owner.Leave(fluid))
                     leavers.Add(collider);
         }
 

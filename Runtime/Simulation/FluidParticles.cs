@@ -21,7 +21,7 @@ namespace Rill
         public const int ThreadsPerGroup = ParticleAccess.Threads;
 
         /// <summary>Vertices of a particle in <see cref="DrawArguments"/>.</summary>
-        public const int VerticesPerParticle = ParticleRenderer.VerticesPerParticle;
+        public const int VerticesPerParticle = GpuBuffer.VerticesPerParticle;
 
         readonly FluidSimulation fluid;
         readonly PbfSolver solver;

@@ -23,10 +23,10 @@ namespace Rill
         internal bool TakesAllLayers => fluidColliderLayers == Everything;
 
         /// <summary>Whether a Fluid Collider acts on this fluid where it reaches into the box.</summary>
-        internal bool Takes(FluidCollider collider) => TakesAllLayers || (fluidColliderLayers & 1 << collider.gameObject.layer) != 0;
+        internal bool Takes(ISceneCollider collider) => TakesAllLayers || (fluidColliderLayers & 1 << collider.Layer) != 0;
 
         /// <summary>Whether a collider acts on this fluid where it is now.</summary>
-        internal bool IsNear(IFluidCollider collider) => pbf != null && (!(collider is FluidCollider own) || Takes(own))
+        internal bool IsNear(IFluidCollider collider) => pbf != null && (!(collider is ISceneCollider own) || Takes(own))
             && ColliderRegistry.IsNear(collider, Frame, pbf.Layout.DomainSize);
 
         /// <summary>Colliders of the last steps.</summary>

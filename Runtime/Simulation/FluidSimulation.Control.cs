@@ -193,11 +193,11 @@ namespace Rill
 
         static void CheckTag(int phase, float lifetime)
         {
-            if (phase < 0 || phase > FluidEmitter.MaxPhase)
-                throw Limit.OutOfRange(nameof(phase), phase, Invariant($"A phase is 0 to {FluidEmitter.MaxPhase}."));
-            if (!(lifetime >= 0f) || lifetime > FluidEmitter.MaxLifetime)
+            if (phase < 0 || phase > ParticleTags.MaxPhase)
+                throw Limit.OutOfRange(nameof(phase), phase, Invariant($"A phase is 0 to {ParticleTags.MaxPhase}."));
+            if (!(lifetime >= 0f) || lifetime > ParticleTags.MaxLifetime)
                 throw Limit.OutOfRange(nameof(lifetime), lifetime, "A lifetime is 0, for ever, to " +
-                    Invariant($"{FluidEmitter.MaxLifetime} s."));
+                    Invariant($"{ParticleTags.MaxLifetime} s."));
         }
 
         uint TagFor(int phase, float lifetime)

@@ -76,14 +76,14 @@ namespace Rill
         }
 
         /// <summary>Emitters that gave particles up for want of room, as they count it now. Waits for the GPU.</summary>
-        internal List<FluidEmitter> FindBlockedEmitters()
+        internal List<FluidPart> FindBlockedEmitters()
         {
             pbf.CompleteSourceCounts();     // one that is pending is of an older state
             pbf.RequestSourceCounts();
             pbf.CompleteSourceCounts();
-            var blocked = new List<FluidEmitter>();
-            foreach (FluidEmitter emitter in emitters)
-                if (emitter != null && emitter.Blocked > 0)
+            var blocked = new List<FluidPart>();
+            foreach (FluidPart emitter in emitters)
+                if (emitter != null && ((IEmitter)emitter).Blocked > 0)
                     blocked.Add(emitter);
             return blocked;
         }

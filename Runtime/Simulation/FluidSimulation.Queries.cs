@@ -11,17 +11,17 @@ namespace Rill
         /// <summary>A frame's questions that are pending: who asked, where and when.</summary>
         sealed class AskedQueries
         {
-            public readonly FluidProbe[] probes = new FluidProbe[Queries.MaxProbes];
+            public readonly FluidQuery[] probes = new FluidQuery[Queries.MaxProbes];
             public readonly Vector3[] positions = new Vector3[Queries.MaxProbes];
             public readonly bool[] isOutside = new bool[Queries.MaxProbes];
-            public readonly FluidDetector[] detectors = new FluidDetector[Queries.MaxDetectors];
+            public readonly FluidQuery[] detectors = new FluidQuery[Queries.MaxDetectors];
             public readonly DetectorPose[] poses = new DetectorPose[Queries.MaxDetectors];
             public int probeCount, detectorCount;
             public QueryFrame frame;
         }
 
-        readonly FluidProbe[] probes = new FluidProbe[Queries.MaxProbes];
-        readonly FluidDetector[] detectors = new FluidDetector[Queries.MaxDetectors];
+        readonly FluidQuery[] probes = new FluidQuery[Queries.MaxProbes];
+        readonly FluidQuery[] detectors = new FluidQuery[Queries.MaxDetectors];
         AskedQueries[] asked;
         QueryInput queryInput;
         [NonSerialized] int queryPartCount;
@@ -107,7 +107,7 @@ namespace Rill
             to.frame = BeginQueries(out DomainFrame frame, out queryInput.up);
             to.probeCount = to.detectorCount = 0;
             float3 size = pbf.Layout.DomainSize;
-            foreach (FluidProbe probe in probes)
+            foreach (FluidQuery probe in probes)
             {
                 if (probe == null || !probe.TryGetPose(frame, out PoseInDomain pose))
                     continue;
@@ -127,16 +127,16 @@ namespace Rill
 
         void AskDetectors(AskedQueries to, in DomainFrame frame, bool areMeshes)
         {
-            foreach (FluidDetector detector in detectors)
+            foreach (FluidQuery part in detectors)
             {
-                if (detector == null || detector.Shape == DetectorShape.Mesh != areMeshes
+                if (part == null || !(part is IDetector detector) || detector.MeshField != null != areMeshes
                     || !detector.TryGetRegion(frame, particleSpacing, out DetectorRegion region, out DetectorPose pose))
                     continue;
                 int i = to.detectorCount++;
-                to.detectors[i] = detector;
+                to.detectors[i] = part;
                 to.poses[i] = pose;
                 queryInput.detectors[i] = region;
-                queryInput.fields[i] = areMeshes ? detector.Field.Texture : null;
+                queryInput.fields[i] = areMeshes ? detector.MeshField.Texture : null;
             }
         }
 
@@ -173,15 +173,15 @@ namespace Rill
             AskedQueries of = asked[slot];
             for (int i = 0; i < of.probeCount; i++)
             {
-                FluidProbe probe = of.probes[i];
+                FluidQuery probe = of.probes[i];
                 if (probe != null && ReferenceEquals(probe.Simulation, this) && probe.Number >= 0)
-                    probe.SetResult(of.frame, of.positions[i], of.isOutside[i], queries.Latest(slot), i * Queries.ProbeWords);
+                    ((IProbe)probe).SetResult(of.frame, of.positions[i], of.isOutside[i], queries.Latest(slot), i * Queries.ProbeWords);
             }
             for (int i = 0; i < of.detectorCount; i++)
             {
-                FluidDetector detector = of.detectors[i];
+                FluidQuery detector = of.detectors[i];
                 if (detector != null && ReferenceEquals(detector.Simulation, this) && detector.Number >= 0)
-                    detector.SetResult(of.frame, of.poses[i], queries, slot, i);
+                    ((IDetector)detector).SetResult(of.frame, of.poses[i], queries, slot, i);
             }
             // After all are set; a listener may restart or disable the fluid.
             for (int i = 0; i < of.probeCount; i++)
@@ -199,10 +199,10 @@ namespace Rill
                 batch.OnRestart();
             if (queryPartCount == 0)
                 return;
-            foreach (FluidProbe probe in probes)
+            foreach (FluidQuery probe in probes)
                 if (probe != null)
                     probe.OnRestart();
-            foreach (FluidDetector detector in detectors)
+            foreach (FluidQuery detector in detectors)
                 if (detector != null)
                     detector.OnRestart();
         }

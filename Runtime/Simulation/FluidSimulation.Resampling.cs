@@ -122,9 +122,9 @@ namespace Rill
             particleSpacing = to.spacing;
             capacity = to.capacity;
             Upload(positions, velocities, tags);
-            foreach (FluidEmitter emitter in emitters)
+            foreach (FluidPart emitter in emitters)
                 if (emitter != null)
-                    emitter.OnResampled();
+                    ((IEmitter)emitter).OnResampled();
             StandStill();
             ClearMotions();
         }

@@ -8,9 +8,9 @@ namespace Rill
     {
         const int ReadbackInterval = 10;        // steps between readbacks of the emitters' and drains' numbers
 
-        readonly FluidEmitter[] emitters = new FluidEmitter[StepSources.MaxEmitters];
-        readonly FluidDrain[] drains = new FluidDrain[StepSources.MaxDrains];
-        readonly FluidForceField[] fields = new FluidForceField[StepSources.MaxFields];
+        readonly FluidPart[] emitters = new FluidPart[StepSources.MaxEmitters];
+        readonly FluidPart[] drains = new FluidPart[StepSources.MaxDrains];
+        readonly FluidPart[] fields = new FluidPart[StepSources.MaxFields];
         [NonSerialized] int partCount;
         [NonSerialized] uint goneEmitters, goneDrains;      // since the last step, a bit for each number
         StepSources sources;
@@ -43,9 +43,9 @@ namespace Rill
                 return;
             kind[part.Number] = null;
             CountPart(part, -1);
-            if (part is FluidEmitter)
+            if (part.PartKind == PartKind.Emitter)
                 goneEmitters |= 1u << part.Number;
-            else if (part is FluidDrain)
+            else if (part.PartKind == PartKind.Drain)
                 goneDrains |= 1u << part.Number;
         }
 
@@ -57,13 +57,14 @@ namespace Rill
 
         FluidPart[] PartsLike(FluidPart part)
         {
-            if (part is FluidEmitter)
-                return emitters;
-            if (part is FluidProbe)
-                return probes;
-            if (part is FluidDetector)
-                return detectors;
-            return part is FluidDrain ? (FluidPart[])drains : fields;
+            switch (part.PartKind)
+            {
+                case PartKind.Emitter: return emitters;
+                case PartKind.Drain: return drains;
+                case PartKind.ForceField: return fields;
+                case PartKind.Probe: return probes;
+                default: return detectors;
+            }
         }
 
         // What only asks is no part of a step.
@@ -91,27 +92,30 @@ namespace Rill
             GetPose(out Vector3 place, out Quaternion rotation);
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             uint targets = 0;
-            foreach (FluidDrain drain in drains)
+            foreach (FluidPart part in drains)
             {
-                sources.keepsDrains |= drain != null;
-                if (drain == null || !HasStages(StageSet.Drains)
-                    || !drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
+                if (part == null)
+                    continue;
+                sources.keepsDrains = true;
+                if (!HasStages(StageSet.Drains) || !((IDrain)part).TryGetStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo,
+                    out DrainRegion region))
                     continue;
                 sources.Add(region);
                 if (region.emitter != DrainRegion.NoEmitter)
                     targets |= 1u << (int)region.emitter;
             }
-            foreach (FluidEmitter emitter in emitters)
+            foreach (FluidPart part in emitters)
             {
-                sources.keepsEmitters |= emitter != null;
-                if (emitter != null && HasStages(StageSet.Emitters)
-                    && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.FrameInterval,
-                    (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                if (part == null)
+                    continue;
+                sources.keepsEmitters = true;
+                if (HasStages(StageSet.Emitters) && ((IEmitter)part).TryGetStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo,
+                    (float)clock.FrameInterval, (targets >> part.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             }
-            foreach (FluidForceField field in fields)
-                if (field != null && !field.IsUniform && HasStages(StageSet.ForceFields)
-                    && field.TakeStep(frame, particleSpacing, out FieldRegion region))
+            foreach (FluidPart part in fields)
+                if (part != null && part is IForceField field && !field.IsUniform && HasStages(StageSet.ForceFields)
+                    && field.TryGetStep(frame, particleSpacing, out FieldRegion region))
                     sources.Add(region);
             sources.needsLifetimes = sources.needsLifetimes && HasStages(StageSet.Drains);
             return sources;
@@ -123,8 +127,8 @@ namespace Rill
         {
             Vector3 sum = Vector3.zero;
             if (partCount > 0)
-                foreach (FluidForceField field in fields)
-                    if (field != null && field.IsUniform && field.TakeStep(frame, particleSpacing, out FieldRegion region))
+                foreach (FluidPart part in fields)
+                    if (part != null && part is IForceField { IsUniform: true } field && field.TryGetStep(frame, particleSpacing, out FieldRegion region))
                         sum += (Vector3)(region.flow * region.strength * particleSpacing);
             return Vector3.ClampMagnitude(sum, ForceFields.MaxAcceleration);
         }
@@ -136,9 +140,9 @@ namespace Rill
             {
                 float strongest = 0f;
                 if (partCount > 0)
-                    foreach (FluidForceField field in fields)
+                    foreach (FluidPart field in fields)
                         if (field != null)
-                            strongest = Mathf.Max(strongest, field.MaxAcceleration);
+                            strongest = Mathf.Max(strongest, ((IForceField)field).MaxAcceleration);
                 return strongest;
             }
         }
@@ -153,9 +157,9 @@ namespace Rill
             if (stepsSinceReadback < ReadbackInterval)
                 return;
             stepsSinceReadback = 0;
-            foreach (FluidEmitter emitter in emitters)
+            foreach (FluidPart emitter in emitters)
                 if (emitter != null)
-                    emitter.ReportRefused();
+                    ((IEmitter)emitter).ReportRefused();
             pbf.RequestSourceCounts();
         }
 
@@ -163,10 +167,10 @@ namespace Rill
         {
             if (partCount == 0)
                 return;
-            foreach (FluidEmitter emitter in emitters)
+            foreach (FluidPart emitter in emitters)
                 if (emitter != null)
                     emitter.Teleport();
-            foreach (FluidDrain drain in drains)
+            foreach (FluidPart drain in drains)
                 if (drain != null)
                     drain.Teleport();
         }
@@ -175,10 +179,10 @@ namespace Rill
         {
             goneEmitters = goneDrains = 0;
             stepsSinceReadback = 0;
-            foreach (FluidEmitter emitter in emitters)
+            foreach (FluidPart emitter in emitters)
                 if (emitter != null)
                     emitter.OnRestart();
-            foreach (FluidDrain drain in drains)
+            foreach (FluidPart drain in drains)
                 if (drain != null)
                     drain.OnRestart();
         }

@@ -214,13 +214,10 @@ namespace Rill
             stages.AddRange(pbf.Describe(input, statisticsInterval));
             stages.Add(DescribeBatches());
             stages.Add(DescribeBudget());
-            FluidRenderer[] renderers = GetComponents<FluidRenderer>();
-            foreach (FluidRenderer renderer in renderers)
+            IDrawsFluid[] renderers = GetComponents<IDrawsFluid>();
+            foreach (IDrawsFluid renderer in renderers)
                 stages.Add(renderer.Describe());
-            bool hasMesh = TryGetComponent(out FluidSurfaceMesh surfaceMesh);
-            if (hasMesh)
-                stages.Add(surfaceMesh.Describe());
-            if (renderers.Length == 0 && !hasMesh)
+            if (renderers.Length == 0)
                 stages.Add(new StageDescription("Rendering", false, $"'{name}' has no renderer component"));
             return stages;
         }

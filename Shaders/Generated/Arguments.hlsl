@@ -3,7 +3,6 @@
 #define RILL_GENERATED_ARGUMENTS_INCLUDED
 
 static const uint kDispatchArgumentsAt = 16;    // byte of the dispatch arguments in a buffer of Arguments
-
 static const uint kVerticesPerParticle = 6;    // two triangles of a quad
 
 static const uint kMonoCommand = 0;    // first command of a draw of one instance, in a buffer of Arguments

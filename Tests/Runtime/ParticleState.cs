@@ -95,7 +95,7 @@ namespace Rill.Tests
         /// <summary>What Arguments.hlsl writes for a number of particles: a draw of one instance, a dispatch, a draw of two.</summary>
         public static uint[] ArgumentsFor(int count)
         {
-            uint vertices = (uint)(count * ParticleRenderer.VerticesPerParticle);
+            uint vertices = (uint)(count * GpuBuffer.VerticesPerParticle);
             uint groups = (uint)Math.Max((count + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1);
             return new[] { vertices, 1u, 0u, 0u, groups, 1u, 1u, (uint)count, vertices, 2u, 0u, 0u };
         }

@@ -27,6 +27,7 @@ namespace Host.Check
             new ResourcesRule(),
             new SceneReferencesRule(),
             new StrippingRule(),
+            new RoomsRule(),
             new FrameCallsRule(),
             new StaticsRule(),
             new ReloadFieldsRule(),

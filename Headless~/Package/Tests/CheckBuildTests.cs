@@ -127,7 +127,7 @@ namespace Host.Tests
     /// <summary>Prefabs of a project with the package, as they are when a build begins, and after the menu's command.</summary>
     public class PrefabBuildTests : AssetFixture
     {
-        const string Prefab = "Assets/Tap.prefab", Emitter = "Runtime/Scene/FluidEmitter.cs";
+        const string Prefab = "Assets/Tap.prefab", Emitter = "Runtime/Components/FluidEmitter.cs";
         static readonly string Package = PackageFolder.Path;
 
         [TearDown]

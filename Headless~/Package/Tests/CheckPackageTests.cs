@@ -132,13 +132,13 @@ namespace Host.Tests
 
         [Test]
         public void A_component_in_a_file_of_another_name_is_named() =>
-            copy.Catches(new ScriptNamesRule(), () => copy.Move("Runtime/Scene/FluidVolume.cs", "Runtime/Scene/Volume.cs"),
+            copy.Catches(new ScriptNamesRule(), () => copy.Move("Runtime/Simulation/Filling/FluidVolume.cs", "Runtime/Simulation/Filling/Volume.cs"),
             "Rill.FluidVolume", "FluidVolume.cs");
 
         [Test]
         public void A_reference_to_a_guid_that_nothing_has_is_named_with_its_line() => copy.Catches(new ReferencesRule(), () =>
         {
-            string script = copy["Runtime/Scene/FluidVolume.cs.meta"].Split('\n').First(line => line.StartsWith("guid: ")).Substring(6).Trim();
+            string script = copy["Runtime/Simulation/Filling/FluidVolume.cs.meta"].Split('\n').First(line => line.StartsWith("guid: ")).Substring(6).Trim();
             copy.Replace(Scene, script, "0123456789abcdef0123456789abcdef");
         }, "DamBreak.unity(", "0123456789abcdef0123456789abcdef");
 

@@ -90,11 +90,11 @@ namespace Host.Tests
                     { $"-1 Emitters.compute {kernel}", $"+1 Emitters.compute {kernel}WithColliders" })).ToArray()),
             ("a collider whose force is measured", null, s => AddCollider(s, true),
                 WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
-            ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(),
+            ("motion of a collider", s => AddCollider(s, false), s => ((FluidCollider)SceneColliders.Enabled[0]).gameObject.AddComponent<Mover>(),
                 new[] { "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureColliderVolume" }),
             ("motion of a collider in deep water",
                 s => { AddCollider(s, false); Settings((ref SolverSettings v) => v.deepWater = DeepWater.On)(s); }, s
-                => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[]
+                => ((FluidCollider)SceneColliders.Enabled[0]).gameObject.AddComponent<Mover>(), new[]
             {
                 "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureColliderVolume", "+1 CoarseColliders.compute OpenCells",
                     "+1 CoarseColliders.compute LinkCells",
@@ -213,7 +213,7 @@ namespace Host.Tests
             feature.Before?.Invoke(simulation);
             SolverSettings settings = simulation.Settings;
             FluidMaterial material = simulation.Material;
-            FluidCollider[] collidersBefore = FluidCollider.Enabled.ToArray();
+            ISceneCollider[] collidersBefore = SceneColliders.Enabled.ToArray();
             FluidPart[] partsBefore = simulation.GetComponentsInChildren<FluidPart>();
             Footprint before = FullestFrame();
 
@@ -236,7 +236,7 @@ namespace Host.Tests
                 UnityEngine.Object.DestroyImmediate(mover);
             foreach (BatchOwner owner in UnityEngine.Object.FindObjectsOfType<BatchOwner>())
                 UnityEngine.Object.DestroyImmediate(owner);
-            foreach (FluidCollider collider in FluidCollider.Enabled.Except(collidersBefore).ToArray())
+            foreach (FluidCollider collider in SceneColliders.Enabled.Except(collidersBefore).ToArray())
                 UnityEngine.Object.DestroyImmediate(collider.gameObject);
             UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidFoam>());
             UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidRecorder>());

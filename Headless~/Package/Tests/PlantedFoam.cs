@@ -35,7 +35,7 @@ namespace Host.Tests
             }).ToArray();
             stage.Particles.SetData(particles, 0, 0, particles.Length);
             stage.Counters.SetData(new[] { (uint)particles.Length, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
-            uint vertices = (uint)(particles.Length * ParticleRenderer.VerticesPerParticle);
+            uint vertices = (uint)(particles.Length * GpuBuffer.VerticesPerParticle);
             stage.Arguments.SetData(new[] { vertices, 1u, 0u, 0u, 1u, 1u, 1u, (uint)particles.Length, vertices, 2u, 0u, 0u });
         }
     }

@@ -61,7 +61,7 @@ namespace Host.Tests
                 Update();
             Assert.That(scene.Fluid.IsRunning, Is.False);
             Assert.That(BufferStorage.Live, Is.Empty);
-            Assert.That(FluidCollider.Enabled, Is.Empty);
+            Assert.That(SceneColliders.Enabled, Is.Empty);
         }
 
         [Test]
@@ -74,7 +74,7 @@ namespace Host.Tests
                 scene.Simulate();
                 EditModeScene.Step(3);
                 Assert.That(BufferStorage.Live, Is.Not.Empty);
-                Assert.That(FluidCollider.Enabled.Count, Is.EqualTo(1));
+                Assert.That(SceneColliders.Enabled.Count, Is.EqualTo(1));
                 SceneSimulation.Stop();
                 AssertGone(scene, before);
             }
@@ -433,7 +433,7 @@ namespace Host.Tests
             Assert.That(SceneSimulation.Current, Is.Null);
             Assert.That(scene.Fluid.IsRunning || scene.Fluid.HasKeptState, Is.False);
             Assert.That(Resources.FindObjectsOfTypeAll<MonoBehaviour>().Where(script => script.runInEditMode), Is.Empty);
-            Assert.That(FluidCollider.Enabled, Is.Empty);
+            Assert.That(SceneColliders.Enabled, Is.Empty);
             Assert.That(FluidSurface.Active, Is.Empty);
             AssertNoBuffers();
             Assert.That(LiveObjects.Report(), Is.EqualTo(before));

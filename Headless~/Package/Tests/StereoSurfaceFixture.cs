@@ -88,7 +88,7 @@ namespace Host.Tests
                     math.asuint(20f)), b = new uint4(0u, 0u, 0u, 1u | 6400u << 2 | 255u << 16),
             }).ToArray(), 0, 0, count);
             stage.Counters.SetData(new[] { (uint)count, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
-            const uint vertices = count * ParticleRenderer.VerticesPerParticle;
+            const uint vertices = count * GpuBuffer.VerticesPerParticle;
             // as Arguments.hlsl writes them
             stage.Arguments.SetData(new[] { vertices, 1u, 0u, 0u, 1u, 1u, 1u, (uint)count, vertices, 2u, 0u, 0u });
         }

@@ -146,7 +146,7 @@ namespace Host.Tests
             PlayerLoop.Frame(FrameTime);
             var arguments = new uint[12];
             fluid.Solver.DrawArguments.GetData(arguments);
-            uint vertices = 512 * ParticleRenderer.VerticesPerParticle;
+            uint vertices = 512 * GpuBuffer.VerticesPerParticle;
             Assert.That(arguments.Skip(4 * StereoInstancing.MonoCommand).Take(4), Is.EqualTo(new[] { vertices, 1u, 0u, 0u }));
             Assert.That(arguments.Skip(4 * StereoInstancing.StereoCommand).Take(4), Is.EqualTo(new[] { vertices, 2u, 0u, 0u }));
         }

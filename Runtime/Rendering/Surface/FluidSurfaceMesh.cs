@@ -16,7 +16,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Surface Mesh"), Icon(PackagePaths.Icon), ManualPage("surface.md")]
     [RequireComponent(typeof(FluidSimulation), typeof(MeshFilter), typeof(MeshRenderer)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public sealed class FluidSurfaceMesh : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public sealed class FluidSurfaceMesh : MonoBehaviour, IDrawsFluid, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
     {
         const StageSet Stages = StageSet.SurfaceParticles | StageSet.SurfaceMesh | StageSet.RenderedMesh;
 
@@ -69,6 +69,8 @@ namespace Rill
 
         string MaterialProblem => TryGetComponent(out MeshRenderer own) && own.enabled && own.sharedMaterial == null
             ? "the Mesh Renderer on this object has no material. Give it one." : null;
+
+        StageDescription IDrawsFluid.Describe() => Describe();
 
         /// <summary>Returns the kernels and buffers that it costs the scene.</summary>
         internal StageDescription Describe()

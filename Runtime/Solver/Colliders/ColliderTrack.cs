@@ -20,13 +20,15 @@ namespace Rill
         /// <summary>At a place from which nothing is known of its motion.</summary>
         public static ColliderTrack At(in RigidPose pose) => new ColliderTrack { pose = pose };
 
-        /// <summary>Goes along with the box of a fluid that was teleported, if it was.</summary>
-        public void Teleport(FluidSimulation fluid) => GoTo(fluid.Teleported(pose));
+        /// <summary>At the end of the last steps, world space, m.</summary>
+        public RigidPose Pose => pose;
 
         /// <summary>Goes along with a box that was put elsewhere, m.</summary>
         public void Shift(float3 by) => GoTo(new RigidPose(pose.position + by, pose.rotation));
 
-        void GoTo(in RigidPose now)
+        /// <summary>Goes along with the box of a fluid that was teleported.</summary>
+        /// <param name="now">Where it is since, world space, m.</param>
+        public void GoTo(in RigidPose now)
         {
             positions += (now.position - pose.position) * time;
             pose = now;
@@ -42,7 +44,7 @@ namespace Rill
         {
             memory = MemorySteps * substep;
             slips += slip.Follow((next.position - pose.position) / duration, duration, memory) * duration;
-            angularSlips += angularSlip.Follow(RotationVector(pose.rotation, next.rotation) / duration, duration, memory) * duration;
+            angularSlips += angularSlip.Follow(RigidPose.RotationVector(pose.rotation, next.rotation) / duration, duration, memory) * duration;
             RigidPose middle = RigidPose.Between(pose, next, 0.5f);
             float4 rotation = middle.rotation.value;
             positions += middle.position * duration;
@@ -64,13 +66,5 @@ namespace Rill
             return motion;
         }
 
-        /// <summary>The way from one orientation to another by the shorter side: its axis times its angle, rad.</summary>
-        public static float3 RotationVector(quaternion from, quaternion to)
-        {
-            float4 turn = math.mul(to, math.conjugate(from)).value;
-            turn = turn.w < 0f ? -turn : turn;
-            float sine = math.length(turn.xyz);
-            return sine > 1e-7f ? turn.xyz * (2f * math.atan2(sine, turn.w) / sine) : 2f * turn.xyz;
-        }
     }
 }

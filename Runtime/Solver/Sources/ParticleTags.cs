@@ -8,6 +8,12 @@ namespace Rill
     /// <summary>Phase and lifetime of each particle, which travel with it through every sort. Made when an emitter first gives one.</summary>
     sealed class ParticleTags : IDisposable
     {
+        /// <summary>Largest phase of a particle.</summary>
+        public const int MaxPhase = 7;
+
+        /// <summary>Longest lifetime of a particle, s: its steps fit into a tag.</summary>
+        public const float MaxLifetime = 86400f;
+
         /// <summary>bits of a tag that hold a step</summary>
         [GenerateHlsl("ParticleTags", Prefix = "Tag")] public const uint StepMask = 0x00FFFFFFu;
 

@@ -62,7 +62,7 @@ namespace Host.Check
             ("FluidRecorder.OnDisable", "WaitForCompletion",
                 "ends the file of a recorder that is disabled or destroyed while it records, as its documentation says; Stop does not wait"),
             ("GpuTexture.Create", ".ctor", "it asks"),
-            ("SnapshotCapture.End", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
+            ("SnapshotCapture.Complete", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
         };
 
         public override string Name => "code: the runtime calls nothing that waits for the GPU, walks the scene, allocates by LINQ or takes a format for granted";

@@ -13,6 +13,7 @@ namespace Host.Check
             new HlslFiles(),
             new KernelNeedsFile(),
             new ReferencePage(),
+            new ArchitecturePage(),
         };
 
         /// <summary>A folder that holds no other files, below the package's root with '/' at its end; null where they lie among others.</summary>

@@ -26,7 +26,7 @@ namespace Rill.Tests
         {
             ColliderMotion motion = Motion(shape, out SignedDistanceField field);
             var samples = new List<SurfaceSample>();
-            SurfaceSample.Append(samples, motion, field, 0.05f);
+            SurfaceSamples.Append(samples, motion, field, 0.05f);
             float area = 0f, volume = 0f;
             float3 sum = 0f;
             foreach (SurfaceSample sample in samples)

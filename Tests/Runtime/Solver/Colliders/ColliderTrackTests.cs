@@ -53,8 +53,8 @@ namespace Rill.Tests
         {
             float3 axis = math.normalize(new float3(1f, -2f, 0.5f));
             quaternion from = quaternion.Euler(0.3f, 1f, -0.4f), to = math.mul(quaternion.AxisAngle(axis, math.radians(degrees)), from);
-            AssertNear(ColliderTrack.RotationVector(from, to), axis * math.radians(expected), 1e-4f);
-            AssertNear(ColliderTrack.RotationVector(from, new quaternion(-to.value)), axis * math.radians(expected), 1e-4f);
+            AssertNear(RigidPose.RotationVector(from, to), axis * math.radians(expected), 1e-4f);
+            AssertNear(RigidPose.RotationVector(from, new quaternion(-to.value)), axis * math.radians(expected), 1e-4f);
         }
 
         // Of every point of the ball around it, and not twice as much.

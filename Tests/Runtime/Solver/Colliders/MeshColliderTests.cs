@@ -36,7 +36,7 @@ namespace Rill.Tests
         [TearDown]
         public void DestroyAll()
         {
-            foreach (FluidCollider collider in FluidCollider.Enabled.ToArray())
+            foreach (FluidCollider collider in SceneColliders.Enabled.ToArray())
                 Object.DestroyImmediate(collider.gameObject);
             Object.DestroyImmediate(water);
         }

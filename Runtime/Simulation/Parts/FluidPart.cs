@@ -1,0 +1,229 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using UnityEngine;
+using static System.FormattableString;
+
+namespace Rill
+{
+    /// <summary>Something in the scene that acts on one <see cref="FluidSimulation"/> while it is enabled.</summary>
+    /// <remarks>On the simulation's object, below it, or anywhere with a reference to it. Follows position and rotation.</remarks>
+    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    {
+        [Tooltip("Fluid that this acts on. None: the one on this object or the nearest above it.")]
+        [SerializeField] FluidSimulation simulation;
+
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
+
+        [NonSerialized] FluidSimulation attached;
+        RigidPose lastPose;         // at the end of the last steps, in the domain's frame
+        [NonSerialized] bool follows;               // whether it came from there
+        [NonSerialized] int said;           // bit p: problem p was logged and is still there
+        [NonSerialized] ClampedSettings clamped;
+
+        /// <summary>The fluid that this acts on; null while there is none or this is disabled. Setting null means the nearest above it.</summary>
+        public FluidSimulation Simulation
+        {
+            get => attached;
+            set
+            {
+                simulation = value;
+                Reattach();
+            }
+        }
+
+        /// <summary>Call after putting this somewhere else: it has then not moved through the fluid between.</summary>
+        public void Teleport() => follows = false;
+
+        /// <summary>Number among its kind in the simulation, -1 where it has none.</summary>
+        [field: NonSerialized] internal int Number { get; set; } = -1;
+
+        /// <summary>Problems of every part; those of a kind of its own come from <see cref="FirstOwnProblem"/> on.</summary>
+        const int NoPlace = 0, NoSimulation = 1, TooMany = 2;
+        private protected const int FirstOwnProblem = 3;
+
+        /// <summary>Each kind has numbers of its own in a simulation.</summary>
+        internal abstract PartKind PartKind { get; }
+
+        /// <summary>Puts every value into its range.</summary>
+        /// <returns>What was wrong and what it became; null if nothing was.</returns>
+        private protected abstract string ValidateValues();
+
+        /// <summary>What is wrong with a part of this kind in a simulation.</summary>
+        private protected abstract void ListOwnProblems(FluidSimulation fluid, List<string> problems);
+
+        /// <summary>The stages that a part of this kind makes a fluid use.</summary>
+        private protected abstract StageSet UsedStages { get; }
+
+        StageSet IUsesStages.UsedStages => UsedStages;
+
+        StageReferences IUsesStages.StageReferences => shaders;
+
+        bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => Wanted == fluid;
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped.Problem);
+            problems.AddIfAny(PoseProblem);
+            FluidSimulation fluid = attached != null ? attached : Wanted;
+            problems.AddIfAny(fluid == null ? NoSimulationProblem : attached != null && Number < 0 ? TooManyProblem : null);
+            if (fluid != null && fluid.ParticleSpacing > 0f)
+                ListOwnProblems(fluid, problems);
+        }
+
+        /// <summary>The simulation begins again.</summary>
+        internal virtual void OnRestart() => Teleport();
+
+        /// <summary>Whether a problem is there that is yet to be logged: true once for as long as it stays.</summary>
+        private protected bool ShouldLog(int problem, bool isThere)
+        {
+            bool isNew = isThere && (said >> problem & 1) == 0;
+            said = isThere ? said | 1 << problem : said & ~(1 << problem);
+            return isNew;
+        }
+
+        private protected void Say(string problem) => Debug.LogWarning($"Rill: {GetType().Name} '{name}': {problem}", this);
+
+        /// <summary>Where this is and how it is turned in the domain's frame, d; false, and logged once, where that is no place.</summary>
+        internal bool TryGetPose(in DomainFrame frame, out PoseInDomain place)
+        {
+            bool isSomewhere = IsSomewhere();
+            place = isSomewhere ? frame.ToDomain(transform.position, transform.rotation) : default;
+            return isSomewhere;
+        }
+
+        /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was
+        /// after the last; false as for <see cref="TryGetPose"/>.</summary>
+        /// <param name="from">Fraction of the frame at which the step starts.</param>
+        /// <param name="to">And ends.</param>
+        private protected bool TryGetMotion(in DomainFrame frame, float from, float to, out RigidPose start, out RigidPose end)
+        {
+            start = end = default;
+            if (!IsSomewhere())
+            {
+                Teleport();
+                return false;
+            }
+            RigidPose pose = frame.Pose(transform.position, transform.rotation);
+            RigidPose first = follows && attached.WentAlong(lastPose, pose) ? lastPose : pose;
+            start = RigidPose.Between(first, pose, from);
+            end = RigidPose.Between(first, pose, to);
+            if (to >= 1f)
+            {
+                lastPose = pose;
+                follows = true;
+            }
+            return true;
+        }
+
+        /// <summary>How this came to where it is, for a snapshot.</summary>
+        private protected PartRecord SavePart(in DomainFrame frame)
+        {
+            bool isSomewhere = Limit.IsPose(transform.position, transform.rotation);
+            return new PartRecord
+            {
+                number = (uint)Number,
+                now = isSomewhere ? new PoseRecord(frame.Pose(transform.position, transform.rotation)) : default,
+                last = follows ? new PoseRecord(lastPose) : default,
+                follows = isSomewhere && follows ? 1u : 0u,
+            };
+        }
+
+        /// <summary>Goes on as it came there, if it is where it was.</summary>
+        /// <param name="samePlace">Distance within which it is, d.</param>
+        private protected void LoadPart(in PartRecord record, in DomainFrame frame, float samePlace)
+        {
+            follows = record.follows != 0 && Limit.IsPose(transform.position, transform.rotation)
+                && record.now.IsAt(frame.Pose(transform.position, transform.rotation), samePlace);
+            lastPose = record.last.Pose;
+        }
+
+        private protected void Changed() => ChangedSettings.Apply(this);
+
+        void OnEnable()
+        {
+            shaders.Hold();
+            Changed();
+            Attach();
+        }
+
+        void OnDisable()
+        {
+            Detach();
+            shaders.Release();
+        }
+
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void IAppliesSettings.CheckSettings() => clamped.Set(ValidateValues());
+
+        void IAppliesSettings.ApplySettings()
+        {
+            clamped.Log(this);
+            shaders.Follow(UsedStages);
+            if (attached != null && simulation != null && simulation != attached)
+                Reattach();
+        }
+
+        void OnTransformParentChanged() => Reattach();
+
+        void Reattach()
+        {
+            FluidSimulation wanted = Wanted;
+            if (!isActiveAndEnabled || wanted == attached)
+                return;
+            Detach();
+            Attach();
+        }
+
+        bool IsSomewhere()
+        {
+            bool isNowhere = !Limit.IsPose(transform.position, transform.rotation);
+            if (ShouldLog(NoPlace, isNowhere))
+                Say(PoseProblem);
+            return !isNowhere;
+        }
+
+        string PoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null
+            : Invariant($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing ") +
+            "until position, rotation and scale of this object and its parents are numbers.";
+
+        string NoSimulationProblem
+            => "there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.";
+
+        string TooManyProblem => Invariant($"FluidSimulation '{attached.name}' has {attached.MaxLike(this)} of its kind, the most it ") +
+            "takes, and leaves this one out. Disable another and enable this again.";
+
+        FluidSimulation Wanted => simulation != null ? simulation : GetComponentInParent<FluidSimulation>(true);
+
+        void Attach()
+        {
+            attached = Wanted;
+            if (attached == null)
+            {
+                StartCoroutine(SayWhileAlone());
+                return;
+            }
+            ShouldLog(NoSimulation, false);
+            attached.Attach(this);
+            if (ShouldLog(TooMany, Number < 0))
+                Say(TooManyProblem);
+        }
+
+        // A frame later: what is instantiated is put below its fluid right after.
+        IEnumerator SayWhileAlone()
+        {
+            yield return null;
+            if (isActiveAndEnabled && ShouldLog(NoSimulation, attached == null))
+                Say(NoSimulationProblem);
+        }
+
+        void Detach()
+        {
+            if (attached != null)       // it may have been destroyed first
+                attached.Detach(this);
+            attached = null;
+            Number = -1;
+        }
+    }
+}
