@@ -41,28 +41,31 @@ namespace Rill.Editor
         [MenuItem(Folder + "Fluid", false, Priority)]
         static void Fluid(MenuCommand command) => Run(command, SceneSetup.CreateFluid);
 
-        [MenuItem(Folder + "Fluid Volume", false, Priority + 1)]
+        [MenuItem(Folder + "Fluid Scene", false, Priority + 1)]
+        static void FluidScene(MenuCommand command) => Run(command, FluidSceneSetup.Create);
+
+        [MenuItem(Folder + "Fluid Volume", false, Priority + 2)]
         static void Volume(MenuCommand command) => Run(command, SceneSetup.CreateVolume);
 
-        [MenuItem(Folder + "Emitter", false, Priority + 2)]
+        [MenuItem(Folder + "Emitter", false, Priority + 3)]
         static void Emitter(MenuCommand command) => Run(command, SceneSetup.CreateEmitter);
 
-        [MenuItem(Folder + "Drain", false, Priority + 3)]
+        [MenuItem(Folder + "Drain", false, Priority + 4)]
         static void Drain(MenuCommand command) => Run(command, SceneSetup.CreateDrain);
 
-        [MenuItem(Folder + "Force Field", false, Priority + 4)]
+        [MenuItem(Folder + "Force Field", false, Priority + 5)]
         static void ForceField(MenuCommand command) => Run(command, SceneSetup.CreateForceField);
 
-        [MenuItem(Folder + "Collider", false, Priority + 5)]
+        [MenuItem(Folder + "Collider", false, Priority + 6)]
         static void Collider(MenuCommand command) => Run(command, SceneSetup.CreateCollider);
 
-        [MenuItem(Folder + "Probe", false, Priority + 8)]
+        [MenuItem(Folder + "Probe", false, Priority + 9)]
         static void Probe(MenuCommand command) => Run(command, SceneSetup.CreateProbe);
 
-        [MenuItem(Folder + "Detector", false, Priority + 9)]
+        [MenuItem(Folder + "Detector", false, Priority + 10)]
         static void Detector(MenuCommand command) => Run(command, SceneSetup.CreateDetector);
 
-        [MenuItem(Folder + "Fluid Connection", false, Priority + 10)]
+        [MenuItem(Folder + "Fluid Connection", false, Priority + 11)]
         static void Connection(MenuCommand command) => Run(command, _ => SceneSetup.CreateConnection(Selection.gameObjects));
     }
 }

@@ -11,13 +11,24 @@ namespace Rill.Editor
     /// <remarks>Objects are made inactive and switched on when they are whole, so that what looks for its fluid finds it.</remarks>
     static class SceneSetup
     {
-        static readonly Vector3 DefaultBox = new Vector3(2f, 2f, 1f);
-        const float DefaultSpacing = 0.05f;
-        const int DefaultCapacity = 50000;
+        /// <summary>Water of a new fluid at the start.</summary>
+        public enum Fill { Nothing, Pool, PoolAndDrop }
 
-        /// <summary>A box with water on one side of it, drawn as particles.</summary>
+        /// <summary>Height of a basin's floor above what it stands on, m.</summary>
+        public const float Stand = BasinSetup.Floor;
+
+        static readonly Vector3 DefaultBox = new Vector3(2f, 1.2f, 1f);
+        const float DefaultSpacing = 0.03f;
+        const int DefaultCapacity = 50000;
+        const float DropRadius = 0.22f, DropHeight = 0.9f;      // m; of its middle above the floor
+
+        /// <summary>A basin of water, and a large drop that falls into it.</summary>
         /// <param name="parent">Null for the root of the scene, in front of the scene view.</param>
-        public static GameObject CreateFluid(GameObject parent) => Finish(MakeFluid(parent, true), "Fluid");
+        public static GameObject CreateFluid(GameObject parent)
+        {
+            GameObject made = MakeFluid(parent, Fill.PoolAndDrop);
+            return FinishInView(made, "Fluid", made.GetComponent<FluidSimulation>());
+        }
 
         /// <summary>Water at the start, in the fluid that the parent belongs to.</summary>
         public static GameObject CreateVolume(GameObject parent) => CreatePart<FluidVolume>(parent, "Fluid Volume", false, FillFloor);
@@ -164,13 +175,11 @@ namespace Rill.Editor
             GameObject root = null;
             made.SetActive(false);
             if (fluid == null)
-                fluid = (root = MakeFluid(null, true)).GetComponent<FluidSimulation>();
+                fluid = (root = MakeFluid(null, Fill.PoolAndDrop)).GetComponent<FluidSimulation>();
             made.name = name;
             Adopt(made, parent);
             made.transform.SetPositionAndRotation(fluid.transform.position, fluid.transform.rotation);
-            made.transform.localScale = Vector3.one;
-            Vector3 scale = made.transform.lossyScale;
-            made.transform.localScale = new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
+            Unscale(made);
             add(made, fluid);
             if (root != null)
                 Register(root, name);
@@ -192,7 +201,7 @@ namespace Rill.Editor
             GameObject root = null;
             if (fluid == null)
             {
-                fluid = (root = MakeFluid(parent, needsWater)).GetComponent<FluidSimulation>();
+                fluid = (root = MakeFluid(parent, needsWater ? Fill.PoolAndDrop : Fill.Nothing)).GetComponent<FluidSimulation>();
                 parent = root;
             }
             var made = new GameObject(name);
@@ -211,31 +220,57 @@ namespace Rill.Editor
             return made;
         }
 
-        static GameObject MakeFluid(GameObject parent, bool withWater)
+        /// <summary>A fluid in a basin, still inactive, at the parent's origin or in front of the scene view.</summary>
+        public static GameObject MakeFluid(GameObject parent, Fill fill)
         {
             var made = new GameObject("Fluid");
             made.SetActive(false);
             Adopt(made, parent);
+            Unscale(made);
             if (parent == null)
-                made.transform.position = ScenePivot + new Vector3(0f, 0.5f * DefaultBox.y, 0f);       // it stands on the pivot
+                made.transform.position = ScenePivot + new Vector3(0f, Stand + 0.5f * DefaultBox.y, 0f);    // it stands on the pivot
 
             FluidSimulation fluid = made.AddComponent<FluidSimulation>();
             fluid.Configure(DefaultBox, DefaultSpacing, DefaultCapacity);
-            made.AddComponent<FluidSurface>();
-            made.AddComponent<DomainRenderer>();
-            if (!withWater)
-                return made;
-            var water = new GameObject("Water");
-            water.transform.SetParent(made.transform, false);
-            FluidVolume volume = water.AddComponent<FluidVolume>();
-            volume.Size = new Vector3(0.4f * DefaultBox.x, 0.6f * DefaultBox.y, DefaultBox.z);
-            water.transform.localPosition = 0.5f * (volume.Size - DefaultBox);
+            made.AddComponent<FluidSurface>().HiddenWalls = BasinSetup.Covered;
+            made.AddComponent<FluidFoam>();
+            float floor = -0.5f * DefaultBox.y, depth = FluidSceneSetup.Depth;
+            if (fill != Fill.Nothing)
+            {
+                FluidVolume pool = MakeVolume(made, "Water", floor + 0.5f * depth);
+                pool.Size = new Vector3(DefaultBox.x, depth, DefaultBox.z);
+            }
+            if (fill == Fill.PoolAndDrop)
+            {
+                FluidVolume drop = MakeVolume(made, "Drop", floor + DropHeight);
+                drop.Shape = VolumeShape.Sphere;
+                drop.Radius = DropRadius;
+            }
+            BasinSetup.Make(fluid);
             return made;
         }
 
-        static Vector3 ScenePivot => SceneView.lastActiveSceneView != null ? SceneView.lastActiveSceneView.pivot : Vector3.zero;
+        static FluidVolume MakeVolume(GameObject fluid, string name, float height)
+        {
+            GameObject made = BasinSetup.Child(fluid, name);
+            made.transform.localPosition = new Vector3(0f, height, 0f);
+            return made.AddComponent<FluidVolume>();
+        }
 
-        static T FirstOfScenes<T>(Func<T, bool> fits) where T : Component
+        /// <summary>Gives an object a scale that makes up for those above it: a fluid's box has none.</summary>
+        public static void Unscale(GameObject made)
+        {
+            made.transform.localScale = Vector3.one;
+            Vector3 scale = made.transform.lossyScale;
+            made.transform.localScale = new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
+        }
+
+        /// <summary>Where the scene view looks; the origin while there is none.</summary>
+        public static Vector3 ScenePivot => SceneView.lastActiveSceneView != null ? SceneView.lastActiveSceneView.pivot : Vector3.zero;
+
+        /// <summary>The first active component of a kind in the open scenes, or in the prefab that is open.</summary>
+        /// <returns>Null where there is none.</returns>
+        public static T FirstOfScenes<T>(Func<T, bool> fits) where T : Component
         {
             foreach (GameObject root in Roots())
                 foreach (T found in root.GetComponentsInChildren<T>())
@@ -265,12 +300,22 @@ namespace Rill.Editor
             part.transform.SetPositionAndRotation(box.position + box.rotation * position, box.rotation * rotation);
         }
 
-        static void Adopt(GameObject made, GameObject parent)
+        /// <summary>Puts an object below the parent, or into the scene or prefab that is open, under a name of its own.</summary>
+        public static void Adopt(GameObject made, GameObject parent)
         {
             if (parent == null)
                 StageUtility.PlaceGameObjectInCurrentStage(made);
             GameObjectUtility.SetParentAndAlign(made, parent);
             GameObjectUtility.EnsureUniqueNameForSibling(made);
+        }
+
+        /// <summary>Ends the making of an object, and has the scene view show the fluid's box.</summary>
+        public static GameObject FinishInView(GameObject made, string name, FluidSimulation fluid)
+        {
+            Finish(made, name);
+            if (SceneView.lastActiveSceneView != null && FrameBounds.TryGet(fluid, out Bounds bounds))
+                SceneView.lastActiveSceneView.Frame(bounds, false);
+            return made;
         }
 
         static GameObject Finish(GameObject made, string name)

@@ -10,7 +10,7 @@ namespace Rill.Editor
         const float Beam = 0.5f, Depth = 0.25f; // of the hull, of its length
         const float DensityOfBoat = 0.4f;       // of the fluid's, over the hull
 
-        [MenuItem(CreateMenu.Folder + "Floating Boat", false, CreateMenu.Priority + 7)]
+        [MenuItem(CreateMenu.Folder + "Floating Boat", false, CreateMenu.Priority + 8)]
         static void FloatingBoat(MenuCommand command) => CreateMenu.Run(command, Create);
 
         /// <summary>A boat above the middle of the fluid, along its x axis.</summary>

@@ -7,9 +7,20 @@ namespace Rill.Editor
     static class CreateFloatingBody
     {
         const float DensityOfWood = 0.5f;       // of the fluid's
+        const float DensityOfBall = 0.3f;       // of the fluid's
 
-        [MenuItem(CreateMenu.Folder + "Floating Body", false, CreateMenu.Priority + 6)]
+        [MenuItem(CreateMenu.Folder + "Floating Body", false, CreateMenu.Priority + 7)]
         static void FloatingBody(MenuCommand command) => CreateMenu.Run(command, Create);
+
+        [InitializeOnLoadMethod]
+        static void Install() => FluidSceneSetup.Float = FloatBall;
+
+        static void FloatBall(GameObject ball, FluidSimulation fluid)
+        {
+            float radius = 0.5f * ball.transform.lossyScale.x;
+            ball.AddComponent<Rigidbody>().mass = DensityOfBall * fluid.Material.density * (4f / 3f * Mathf.PI * radius * radius * radius);
+            ball.AddComponent<FluidBuoyancy>();
+        }
 
         /// <summary>A cube half as dense as the fluid, above its middle.</summary>
         internal static GameObject Create(GameObject parent)

@@ -25,9 +25,75 @@ namespace Rill.Editor.Tests
         {
             GameObject fluid = scene.Keep(SceneSetup.CreateFluid(null));
             Assert.That(Selection.activeGameObject, Is.SameAs(fluid));
-            Assert.That(fluid.GetComponent<FluidSurface>() != null && fluid.GetComponent<DomainRenderer>() != null);
+            Assert.That(fluid.GetComponent<FluidSurface>() != null && fluid.GetComponent<FluidFoam>() != null);
+            Assert.That(fluid.GetComponentsInChildren<MeshRenderer>().Select(one => one.sharedMaterial != null), Has.Some.True.And.All.True);
             var simulation = fluid.GetComponent<FluidSimulation>();
             Assert.That(FillEstimate.Particles(simulation), Is.InRange(1000, simulation.Capacity));
+            Assert.That(ProblemList.Of(fluid.GetComponentsInChildren<MonoBehaviour>()), Is.Empty);
+        }
+
+        [Test]
+        public void The_water_of_a_fluid_lies_within_its_walls_and_the_walls_outside_of_its_box()
+        {
+            GameObject fluid = scene.Keep(SceneSetup.CreateFluid(null));
+            Vector3 half = 0.5f * fluid.GetComponent<FluidSimulation>().DomainSize;
+            Transform pool = fluid.transform.Find("Water"), drop = fluid.transform.Find("Drop");
+            Vector3 size = pool.GetComponent<FluidVolume>().Size;
+            Assert.That(pool.localPosition.y - 0.5f * size.y, Is.EqualTo(-half.y).Within(1e-5f), "on the floor");
+            Assert.That(pool.localPosition.y + 0.5f * size.y + half.y, Is.InRange(0.1f, BasinSetup.WallHeight - 0.1f), "below the rim");
+            Assert.That(drop.localPosition.y + drop.GetComponent<FluidVolume>().Radius, Is.LessThan(half.y));
+            foreach (MeshRenderer wall in fluid.transform.Find("Basin").GetComponentsInChildren<MeshRenderer>())
+            {
+                Vector3 center = fluid.transform.InverseTransformPoint(wall.transform.position), side = 0.5f * wall.transform.localScale;
+                Vector3 gap = new Vector3(Mathf.Abs(center.x), Mathf.Abs(center.y), Mathf.Abs(center.z)) - side - half;
+                Assert.That(Mathf.Max(gap.x, gap.y, gap.z), Is.EqualTo(0f).Within(1e-5f), $"{wall.name} touches the box from outside");
+            }
+        }
+
+        [TestCase(false)]
+        [TestCase(true)]
+        public void A_fluid_scene_brings_the_camera_and_the_light_that_a_scene_lacks(bool hasThem)
+        {
+            if (hasThem)
+            {
+                scene.Keep(new GameObject("Mine")).AddComponent<Camera>();
+                scene.Keep(new GameObject("Sun")).AddComponent<Light>();
+            }
+            GameObject made = scene.Keep(FluidSceneSetup.Create(null));
+            Assert.That(made.GetComponentsInChildren<Camera>().Length, Is.EqualTo(hasThem ? 0 : 1));
+            Assert.That(made.GetComponentsInChildren<Light>().Length, Is.EqualTo(hasThem ? 0 : 1));
+            Assert.That(Selection.activeGameObject, Is.SameAs(made));
+            Assert.That(ProblemList.Of(made.GetComponentsInChildren<MonoBehaviour>()), Is.Empty);
+            Assert.That(made.GetComponentInChildren<FluidDrain>().RecycleTo, Is.SameAs(made.GetComponentInChildren<FluidEmitter>()));
+            Assert.That(Undo.GetCurrentGroupName(), Is.EqualTo("Create Fluid Scene"));
+            Undo.PerformUndo();
+            Assert.That(made == null, "gone, with all that it brought");
+        }
+
+        [Test]
+        public void The_camera_of_a_fluid_scene_sees_all_of_its_basin()
+        {
+            GameObject made = scene.Keep(FluidSceneSetup.Create(null));
+            made.transform.position = new Vector3(3f, 1f, -2f);
+            Camera camera = made.GetComponentInChildren<Camera>();
+            Matrix4x4 clip = Matrix4x4.Perspective(camera.fieldOfView, 16f / 9f, camera.nearClipPlane, camera.farClipPlane)
+                * camera.worldToCameraMatrix;
+            foreach (MeshRenderer one in made.GetComponentInChildren<FluidSimulation>().GetComponentsInChildren<MeshRenderer>())
+                for (int corner = 0; corner < 8; corner++)
+                {
+                    var at = new Vector3((corner & 1) - 0.5f, ((corner >> 1) & 1) - 0.5f, (corner >> 2) - 0.5f);
+                    Vector3 seen = clip.MultiplyPoint(one.transform.TransformPoint(one.name == "Pipe" || one.name == "Lip" ? 2f * at : at));
+                    Assert.That(Mathf.Max(Mathf.Abs(seen.x), Mathf.Abs(seen.y)), Is.LessThan(1f), one.name);
+                }
+        }
+
+        [Test]
+        public void A_fluid_below_a_scaled_object_has_its_basin_around_its_box()
+        {
+            GameObject parent = scene.Keep(new GameObject("Scaled"));
+            parent.transform.localScale = new Vector3(2f, 4f, 0.5f);
+            GameObject fluid = SceneSetup.CreateFluid(parent);
+            Assert.That(Vector3.Distance(fluid.transform.lossyScale, Vector3.one), Is.LessThan(1e-5f));
             Assert.That(ProblemList.Of(fluid.GetComponentsInChildren<MonoBehaviour>()), Is.Empty);
         }
 
@@ -126,6 +192,7 @@ namespace Rill.Editor.Tests
         {
             GameObject fluid = scene.Keep(SceneSetup.CreateFluid(null));
             Assert.That(SceneSetup.CreateDrain(fluid).name, Is.Not.EqualTo(SceneSetup.CreateDrain(fluid).name));
+            Assert.That(scene.Keep(FluidSceneSetup.Create(null)).name, Is.Not.EqualTo(scene.Keep(FluidSceneSetup.Create(null)).name));
         }
 
         [Test]

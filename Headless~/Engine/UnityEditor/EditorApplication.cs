@@ -101,12 +101,23 @@ namespace UnityEditor
         public static bool Contains(Object obj) => Array.IndexOf(objects, obj) >= 0;
     }
 
-    /// <summary>None is ever open here.</summary>
+    /// <summary>None is open here, unless a test opens one. It draws nothing.</summary>
     public class SceneView
     {
-        SceneView() { }
-        public static SceneView lastActiveSceneView => null;
+        internal SceneView() { }
+        public static SceneView lastActiveSceneView { get; internal set; }
         public Vector3 pivot { get; set; }
+
+        /// <summary>What it was last told to show.</summary>
+        internal Bounds Framed { get; private set; }
+
+        public bool Frame(Bounds bounds, bool instant = true)
+        {
+            Framed = bounds;
+            pivot = bounds.center;
+            return true;
+        }
+
         public static void RepaintAll() { }
     }
 }

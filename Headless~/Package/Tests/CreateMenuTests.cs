@@ -32,7 +32,7 @@ namespace Host.Tests
         public void The_menu_has_what_scenes_are_made_of()
         {
             Assert.That(Methods.Keys.Select(item => item.Split('/').Last()),
-                Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Probe", "Detector",
+                Is.EquivalentTo(new[] { "Fluid", "Fluid Scene", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Probe", "Detector",
                 "Fluid Connection", "Floating Body", "Floating Boat" }));
         }
 
@@ -43,6 +43,7 @@ namespace Host.Tests
             GameObject fluid = SceneSetup.CreateFluid(null);
             FluidSimulation simulation = fluid.GetComponent<FluidSimulation>();
             simulation.Configure(new Vector3(2f, 2f, 1f), 0.05f, 20000);
+            Object.DestroyImmediate(fluid.transform.Find("Drop").gameObject);
             FluidVolume water = fluid.GetComponentInChildren<FluidVolume>();
             water.Size = new Vector3(2f, 0.6f, 1f);
             water.transform.localPosition = new Vector3(0f, -0.7f, 0f);
@@ -75,9 +76,48 @@ namespace Host.Tests
             Coarsen(fluid.GetComponent<FluidSimulation>());
             GameObject made = Choose(item, fluid);
             Assert.That(made.transform.parent, Is.SameAs(fluid.transform));
-            if (made.GetComponent<FluidSimulation>() == null)
+            if (made.GetComponentInChildren<FluidSimulation>() == null)
                 Assert.That(Object.FindObjectsOfType<FluidSimulation>().Length, Is.EqualTo(1), "no fluid beside the one that is there");
             Run();
+        }
+
+        [TestCase("GameObject/Rill/Fluid")]
+        [TestCase("GameObject/Rill/Fluid Scene")]
+        public void The_scene_view_shows_the_box_of_a_new_fluid_which_stands_where_it_looked(string item)
+        {
+            SceneView.lastActiveSceneView = new SceneView { pivot = new Vector3(5f, 1f, 2f) };
+            try
+            {
+                GameObject made = Choose(item, null);
+                FluidSimulation fluid = made.GetComponentInChildren<FluidSimulation>();
+                Bounds framed = SceneView.lastActiveSceneView.Framed;
+                Assert.That(Vector3.Distance(framed.center, fluid.transform.position), Is.LessThan(1e-5f));
+                Assert.That(Vector3.Distance(framed.size, fluid.DomainSize), Is.LessThan(1e-5f));
+                Vector3 foot = fluid.transform.position - 0.5f * fluid.DomainSize.y * Vector3.up;
+                Assert.That(Vector3.Distance(foot, new Vector3(5f, 1f + SceneSetup.Stand, 2f)), Is.LessThan(1e-5f));
+            }
+            finally
+            {
+                SceneView.lastActiveSceneView = null;
+            }
+        }
+
+        // What the drain takes comes back through the spout, so the water stays what it was at the start.
+        [Test]
+        public void A_fluid_scene_goes_round_and_its_ball_floats()
+        {
+            GameObject made = Choose("GameObject/Rill/Fluid Scene", null);
+            FluidSimulation fluid = made.GetComponentInChildren<FluidSimulation>();
+            fluid.Configure(fluid.DomainSize, 0.05f, 8000);
+            Transform ball = made.transform.Find("Ball");
+            Run(90);
+            fluid.TryGetStatistics(out FluidStatistics statistics);
+            float height = ball.position.y - SceneSetup.Stand - FluidSceneSetup.Depth, radius = 0.5f * ball.localScale.x;
+            TestContext.Out.WriteLine($"{statistics.particles} particles, {fluid.GetComponentInChildren<FluidDrain>().Drained} drained, " +
+                $"{fluid.GetComponentInChildren<FluidEmitter>().Emitted} emitted, the ball {height:0.000} m above the water's level");
+            Assert.That(fluid.GetComponentInChildren<FluidDrain>().Drained, Is.GreaterThan(20));
+            Assert.That(fluid.GetComponentInChildren<FluidEmitter>().Emitted, Is.GreaterThan(20));
+            Assert.That(height, Is.InRange(-radius, radius), "between under and above the water");
         }
 
         [Test]

@@ -1,0 +1,83 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using NUnit.Framework;
+using Rill;
+using Rill.Editor;
+using UnityEngine;
+using UnityEngine.Headless;
+
+namespace Host.Tests
+{
+    /// <summary>What GameObject > Rill makes looks like water, without touching a field. Where the environment's RILL_PICTURES names a
+    /// folder, the pictures are left there as PPM files to look at.</summary>
+    public class CreateMenuPictureTests : InspectorFixture
+    {
+        const int Width = 320, Height = 180;
+
+        [TestCase("Fluid", 2)]
+        [TestCase("Fluid Scene", 2)]
+        public void The_water_is_seen_in_its_basin(string item, int frames) => Draw(item, frames, Width, Height);
+
+        [TestCase("Fluid", 24)]
+        [TestCase("Fluid", 36)]
+        [TestCase("Fluid Scene", 75)]
+        [Category("GpuOnly")]
+        public void The_water_is_seen_in_its_basin_later(string item, int frames) => Draw(item, frames, 4 * Width, 4 * Height);
+
+        // The water is what differs from the same picture without a fluid: bent tiles, a mirrored sky, glitter.
+        void Draw(string item, int frames, int width, int height)
+        {
+            Player.ScreenWidth = width;
+            Player.ScreenHeight = height;
+            Material sky = Resources.GetBuiltinResource<Material>("Default-Skybox.mat");
+            RenderSettings.skybox = sky;
+            GameObject made = item == "Fluid" ? SceneSetup.CreateFluid(null) : FluidSceneSetup.Create(null);
+            FluidSimulation fluid = made.GetComponentInChildren<FluidSimulation>();
+            Camera camera = item == "Fluid" ? LookAt(fluid) : made.GetComponentInChildren<Camera>();
+            camera.enabled = false;
+            for (int i = 0; i < frames - 1; i++)
+                PlayerLoop.Frame(1f / 60f);
+            camera.enabled = true;
+            PlayerLoop.Frame(1f / 60f);
+            byte[] wet = Screenshot.ReadRgba();
+            fluid.GetComponent<FluidSurface>().enabled = false;
+            fluid.GetComponent<FluidFoam>().enabled = false;
+            PlayerLoop.Frame(1f / 60f);
+            byte[] dry = Screenshot.ReadRgba();
+            Save($"{item} {frames}", wet, width, height);
+            Assert.That(Logged, Is.Empty);
+
+            int Differs(int i) => Enumerable.Range(4 * i, 3).Any(k => Math.Abs(wet[k] - dry[k]) > 12) ? 1 : 0;
+            double water = Enumerable.Range(0, width * height).Sum(Differs) / (double)(width * height);
+            TestContext.Out.WriteLine($"{item} at frame {frames}: {100 * water:0.0} % of the picture is changed by the water");
+            Assert.That(water, Is.GreaterThan(0.08));
+            Assert.That(camera.clearFlags, Is.EqualTo(CameraClearFlags.Skybox));
+        }
+
+        // As the scene view after F, from where it looks in a new project.
+        static Camera LookAt(FluidSimulation fluid)
+        {
+            var camera = new GameObject("Camera").AddComponent<Camera>();
+            camera.fieldOfView = 40f;
+            camera.transform.rotation = Quaternion.Euler(26f, 35f, 0f);
+            camera.transform.position = fluid.transform.position - 0.2f * Vector3.up - 3.5f * camera.transform.forward;
+            var light = new GameObject("Light").AddComponent<Light>();
+            light.type = LightType.Directional;
+            light.shadows = LightShadows.Soft;
+            light.transform.rotation = Quaternion.Euler(50f, -30f, 0f);
+            return camera;
+        }
+
+        static void Save(string name, byte[] rgba, int width, int height)
+        {
+            string folder = Environment.GetEnvironmentVariable("RILL_PICTURES");
+            if (string.IsNullOrEmpty(folder))
+                return;
+            byte[] head = Encoding.ASCII.GetBytes(FormattableString.Invariant($"P6 {width} {height} 255\n"));
+            File.WriteAllBytes(Path.Combine(folder, name + ".ppm"),
+                head.Concat(rgba.Where((_, i) => i % 4 != 3)).ToArray());
+        }
+    }
+}
