@@ -35,11 +35,11 @@ namespace Rill.Editor
             MakeSpout(fluid);
             fluid.gameObject.SetActive(true);       // with its root
             MakeBall(root, fluid);
-            BasinSetup.Box(root, "Ground", new Vector3(-6f, -0.1f, -6f), new Vector3(6f, 0f, 6f), "Paving");
+            BasinSetup.Box(root, "Ground", new Vector3(-20f, -0.1f, -20f), new Vector3(20f, 0f, 20f), "Paving");
             if (needsCamera)
                 MakeCamera(root, needsListener);
             if (needsLight)
-                MakeLight(root);
+                fluid.GetComponent<FluidSurface>().Sun = MakeLight(root);
             return SceneSetup.FinishInView(root, "Fluid Scene", fluid);
         }
 
@@ -59,8 +59,8 @@ namespace Rill.Editor
                 new Vector3(center.x + 0.16f, height + 0.17f, back + 0.36f), "Stone");
             BasinSetup.Box(pillar, "Cap", new Vector3(center.x - 0.2f, height + 0.17f, back + 0.04f),
                 new Vector3(center.x + 0.2f, height + 0.23f, back + 0.4f), "Stone");
-            BasinSetup.Pipe(pillar, "Pipe", center, new Vector3(center.x, height, back + 0.1f), 0.075f, "Metal");
-            BasinSetup.Pipe(pillar, "Lip", center, center + new Vector3(0f, 0f, 0.03f), 0.09f, "Metal");
+            BasinSetup.Pipe(pillar, "Pipe", center, new Vector3(center.x, height, back + 0.1f), 0.068f, "Metal");
+            BasinSetup.Pipe(pillar, "Lip", center, center + new Vector3(0f, 0f, 0.03f), 0.08f, "Metal");
 
             GameObject tap = BasinSetup.Child(fluid.gameObject, "Tap");
             tap.transform.localPosition = center;
@@ -106,8 +106,8 @@ namespace Rill.Editor
             made.transform.localRotation = Quaternion.LookRotation(new Vector3(0.05f, 0.4f, 0f) - eye);
         }
 
-        // From behind, so that waves glitter and the water is bright.
-        static void MakeLight(GameObject root)
+        // From the side and a little from behind, so that waves glitter and the floor is bright.
+        static Light MakeLight(GameObject root)
         {
             GameObject made = BasinSetup.Child(root, "Directional Light");
             var light = made.AddComponent<Light>();
@@ -115,7 +115,8 @@ namespace Rill.Editor
             light.color = new Color(1f, 0.957f, 0.84f);
             light.shadows = LightShadows.Soft;
             made.transform.localPosition = 3f * Vector3.up;
-            made.transform.localRotation = Quaternion.Euler(48f, 140f, 0f);
+            made.transform.localRotation = Quaternion.Euler(52f, 105f, 0f);
+            return light;
         }
     }
 }

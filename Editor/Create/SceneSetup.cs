@@ -232,7 +232,9 @@ namespace Rill.Editor
 
             FluidSimulation fluid = made.AddComponent<FluidSimulation>();
             fluid.Configure(DefaultBox, DefaultSpacing, DefaultCapacity);
-            made.AddComponent<FluidSurface>().HiddenWalls = BasinSetup.Covered;
+            FluidSurface surface = made.AddComponent<FluidSurface>();
+            surface.HiddenWalls = BasinSetup.Covered;
+            surface.Sun = FirstOfScenes<Light>(light => light.type == LightType.Directional);       // what caustics need
             made.AddComponent<FluidFoam>();
             float floor = -0.5f * DefaultBox.y, depth = FluidSceneSetup.Depth;
             if (fill != Fill.Nothing)

@@ -3,6 +3,7 @@ using System.Linq;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Rill.Editor.Tests
 {
@@ -57,11 +58,12 @@ namespace Rill.Editor.Tests
             if (hasThem)
             {
                 scene.Keep(new GameObject("Mine")).AddComponent<Camera>();
-                scene.Keep(new GameObject("Sun")).AddComponent<Light>();
+                scene.Keep(new GameObject("Sun")).AddComponent<Light>().type = LightType.Directional;
             }
             GameObject made = scene.Keep(FluidSceneSetup.Create(null));
             Assert.That(made.GetComponentsInChildren<Camera>().Length, Is.EqualTo(hasThem ? 0 : 1));
             Assert.That(made.GetComponentsInChildren<Light>().Length, Is.EqualTo(hasThem ? 0 : 1));
+            Assert.That(made.GetComponentInChildren<FluidSurface>().Sun, Is.Not.Null.And.SameAs(Object.FindObjectOfType<Light>()));
             Assert.That(Selection.activeGameObject, Is.SameAs(made));
             Assert.That(ProblemList.Of(made.GetComponentsInChildren<MonoBehaviour>()), Is.Empty);
             Assert.That(made.GetComponentInChildren<FluidDrain>().RecycleTo, Is.SameAs(made.GetComponentInChildren<FluidEmitter>()));

@@ -33,6 +33,8 @@ namespace Host.Tests
             Player.ScreenHeight = height;
             Material sky = Resources.GetBuiltinResource<Material>("Default-Skybox.mat");
             RenderSettings.skybox = sky;
+            if (item == "Fluid")
+                AddLight();
             GameObject made = item == "Fluid" ? SceneSetup.CreateFluid(null) : FluidSceneSetup.Create(null);
             FluidSimulation fluid = made.GetComponentInChildren<FluidSimulation>();
             Camera camera = item == "Fluid" ? LookAt(fluid) : made.GetComponentInChildren<Camera>();
@@ -63,11 +65,16 @@ namespace Host.Tests
             camera.fieldOfView = 40f;
             camera.transform.rotation = Quaternion.Euler(26f, 35f, 0f);
             camera.transform.position = fluid.transform.position - 0.2f * Vector3.up - 3.5f * camera.transform.forward;
+            return camera;
+        }
+
+        // That of a new scene.
+        static void AddLight()
+        {
             var light = new GameObject("Light").AddComponent<Light>();
             light.type = LightType.Directional;
             light.shadows = LightShadows.Soft;
             light.transform.rotation = Quaternion.Euler(50f, -30f, 0f);
-            return camera;
         }
 
         static void Save(string name, byte[] rgba, int width, int height)
