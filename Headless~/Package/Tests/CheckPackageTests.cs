@@ -170,6 +170,12 @@ namespace Host.Tests
             "m_Shader: {fileID: 46, guid: 0000000000000000f000000000000000, type: 0}"), "Ball.mat(", "Standard", "pink");
 
         [Test]
+        public void A_sky_that_a_renderer_has_is_named() =>
+            copy.Catches(new PipelineMaterialsRule(), () => copy.Replace("Samples~/Floating Bodies/Ball.mat",
+            copy["Samples~/Floating Bodies/Ball.mat"].Split('\n').First(line => line.Contains("m_Shader")).Trim(),
+            "m_Shader: {fileID: 106, guid: 0000000000000000f000000000000000, type: 0}"), "FloatingBodies.unity(", "MeshRenderer", "sky", "pink");
+
+        [Test]
         public void A_renderer_without_a_material_is_named() =>
             copy.Catches(new PipelineMaterialsRule(), () => copy.Replace(Bodies, MaterialOf("Plank"), "{fileID: 0}"), "FloatingBodies.unity(",
             "MeshRenderer lacks a material");

@@ -16,8 +16,8 @@ namespace Host.Check
         const int Material = 21;
         // MeshRenderer, ParticleSystemRenderer, TrailRenderer, LineRenderer, SkinnedMeshRenderer, SpriteRenderer.
         static readonly int[] Renderers = { 23, 199, 96, 120, 137, 212 };
-        // A new scene has the built-in sky, which Built-in and URP draw and HDRP passes over.
-        const string Sky = "m_SkyboxMaterial";
+        // A new scene has the built-in sky, which Built-in and URP draw and HDRP passes over; so has a material of such a shader, as a sky.
+        const string Sky = "m_SkyboxMaterial", SkyShaders = "Skybox/";
 
         public override string Name => "package: materials draw in every render pipeline";
 
@@ -46,6 +46,9 @@ namespace Host.Check
                         if (given.Count == 0 || given.Any(material => FileReference.Of(material).IsNone))
                             findings.Fault($"{document.Location}: {document.TypeName} lacks a material, which is pink in every pipeline: " +
                                 "give it one");
+                        foreach (FileReference sky in given.Select(FileReference.Of).Where(material => IsSky(index, material)))
+                            findings.Fault($"{sky.Location}: {document.TypeName} has a material of a sky, which is pink in URP and HDRP: " +
+                                "give it one with the shader Rill/Solid");
                     }
                 }
                 catch (AssetException e)
@@ -63,7 +66,7 @@ namespace Host.Check
             {
                 FileReference reference = FileReference.Of(node);
                 return BuiltInAssets.IsBuiltIn(reference.Guid) && !BuiltInAssets.IsMesh(reference.FileId) && key != Sky
-                    ? new[] { reference } : Enumerable.Empty<FileReference>();
+                    && !(key == "m_Shader" && IsSkyShader(reference)) ? new[] { reference } : Enumerable.Empty<FileReference>();
             }
             return node switch
             {
@@ -72,6 +75,13 @@ namespace Host.Check
                 _ => Enumerable.Empty<FileReference>(),
             };
         }
+
+        static bool IsSkyShader(FileReference shader)
+            => BuiltInAssets.IsBuiltIn(shader.Guid) && BuiltInAssets.NameOf(shader.FileId).Contains(SkyShaders);
+
+        static bool IsSky(ProjectIndex index, FileReference material)
+            => index.ByGuid(material.Guid ?? "") is { Extension: ".mat" } file && UnityYaml.Load(file.File, file.Path).Documents
+            .Any(document => document.ClassId == Material && IsSkyShader(document.Fields.Reference("m_Shader")));
 
         static void CheckShader(PackageTree package, ProjectIndex index, UnityDocument material, Findings findings)
         {
