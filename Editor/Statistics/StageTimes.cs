@@ -65,6 +65,7 @@ namespace Rill.Editor
             ("Rill.Surface.Thickness", "Surface: thickness"),
             ("Rill.Surface.Blur", "Surface: thickness blur"),
             ("Rill.Surface.Foam", "Surface: foam"),
+            ("Rill.Wetness", "Wet surfaces"),
             ("Rill.Queries", "Probes and detectors"),
             ("Rill.QueryBatch", "Batches of points and rays"),
             ("Rill.Recording", "Recording and playback"),

@@ -5,8 +5,8 @@ using UnityEngine.Rendering.HighDefinition;
 namespace Rill.HighDefinition
 {
     /// <summary>
-    /// Fluid surfaces in the High Definition Render Pipeline: as a camera begins, its hidden volume is made ready and the draw that shades
-    /// is submitted. Nothing has to be added to a scene.
+    /// Fluid surfaces, and what they have wetted, in the High Definition Render Pipeline: as a camera begins, its hidden volume is made ready and
+    /// the draw that shades is submitted. Nothing has to be added to a scene.
     /// </summary>
     /// <remarks>HDRP begins all cameras of a frame before it draws the first: each has a pass of its own. Reflection probes show no
     /// surfaces.</remarks>
@@ -36,7 +36,12 @@ namespace Rill.HighDefinition
 
         static void Begin(ScriptableRenderContext context, Camera camera)
         {
-            if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection
+            if (FluidSurface.Active.Count + FluidWetness.Active.Count == 0)
+            {
+                Reset();
+                return;
+            }
+            if (camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection
                 || !(GraphicsSettings.currentRenderPipeline is HDRenderPipelineAsset))
                 return;
             HDCamera seen = HDCamera.GetOrCreate(camera);
@@ -53,6 +58,8 @@ namespace Rill.HighDefinition
                 surface.Submit(views, null);
                 any = true;
             }
+            for (int i = 0; i < FluidWetness.Active.Count; i++)
+                any |= FluidWetness.Active[i].Prepare(views);
             if (any && volume == null)
                 volumes.Add(volume = new SurfaceVolume(camera));
             if (volume == null)

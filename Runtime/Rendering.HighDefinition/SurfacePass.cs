@@ -5,8 +5,8 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace Rill.HighDefinition
 {
-    /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque draws and the copy of them that the water
-    /// refracts; and draws their motion vectors.</summary>
+    /// <summary>Draws what is wet for one camera and fills the textures of the surfaces that it sees, between its opaque draws and the copy of them
+    /// that the water refracts; and draws the surfaces' motion vectors.</summary>
     [Serializable]
     sealed class SurfacePass : CustomPass
     {
@@ -40,6 +40,7 @@ namespace Rill.HighDefinition
         protected override void Execute(CustomPassContext ctx)
         {
             SetMatrices(ctx.hdCamera);
+            DrawWetness(ctx);
             FluidViews.Light main = BrightestOf(ctx.cameraCullingResults);
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
@@ -59,6 +60,19 @@ namespace Rill.HighDefinition
                 return;
             views.SetEye(0, camera.mainViewConstants.viewMatrix * Matrix4x4.Translate(-camera.mainViewConstants.worldSpaceCameraPos),
                 GL.GetGPUProjectionMatrix(Matrix4x4.identity, true).inverse * camera.mainViewConstants.projMatrix);
+        }
+
+        void DrawWetness(in CustomPassContext ctx)
+        {
+            bool isAnySeen = false;
+            for (int i = 0; i < FluidWetness.Active.Count; i++)
+                isAnySeen |= FluidWetness.Active[i].IsPreparedFor(views.camera);
+            if (!isAnySeen)
+                return;
+            ctx.cmd.SetRenderTarget(ctx.cameraColorBuffer, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);
+            ctx.cmd.SetViewport(new Rect(0f, 0f, views.width, views.height));
+            for (int i = 0; i < FluidWetness.Active.Count; i++)
+                FluidWetness.Active[i].Record(ctx.cmd, views);
         }
 
         // HDRP has drawn its own motion vectors by now, and reads them after the transparent draws.

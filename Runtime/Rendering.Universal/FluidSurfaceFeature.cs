@@ -32,6 +32,7 @@ namespace Rill.Universal
         /// <inheritdoc/>
         public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData renderingData)
         {
+            UniversalSurfaces.EnqueueWetness(renderingData.cameraData.camera);
             SurfacePass pass = UniversalSurfaces.PassOf(renderingData.cameraData.camera);
             if (pass == null)
                 return;

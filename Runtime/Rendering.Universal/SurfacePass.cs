@@ -9,54 +9,23 @@ using UnityEngine.Rendering.RenderGraphModule;
 namespace Rill.Universal
 {
     /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque and its transparent draws.</summary>
-    /// <remarks>
-    /// Each camera has its own: one may be drawn from inside of another. URP leaves it in the queue of a renderer where a camera was not
-    /// culled, and runs it there for whatever camera comes next, so it does its work once, and only for its own.
-    /// </remarks>
-    sealed class SurfacePass : ScriptableRenderPass, ICameraPart
+    sealed class SurfacePass : CameraPass
     {
         /// <summary>Just before the transparent draws, among which the surface is shaded.</summary>
         public const RenderPassEvent DefaultEvent = RenderPassEvent.BeforeRenderingTransparents;
 
-        FluidViews views;
-        ScriptableRenderer renderer, queue;     // what draws the camera, and in whose queue it is
-
-        public Camera Camera { get; }
-        public bool IsGone => Camera == null;
-
-        /// <summary>Whether the camera's picture is to be recorded yet.</summary>
-        public bool IsReady { get; private set; }
-
-        /// <summary>Whether the camera's renderer has it in its queue.</summary>
-        public bool IsEnqueued => ReferenceEquals(queue, renderer);
-
-        public SurfacePass(Camera camera)
+        public SurfacePass(Camera camera) : base(camera)
         {
-            Camera = camera;
             // Depth to measure water in front of the scene, color to see the scene through it: no project setting has to be on.
             ConfigureInput(ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color);
         }
 
-        /// <summary>For the picture that the camera draws now.</summary>
-        public void Prepare(in FluidViews camera, ScriptableRenderer drawing)
+        /// <inheritdoc/>
+        public override void Prepare(in FluidViews camera, ScriptableRenderer drawing)
         {
-            views = camera;
-            renderer = drawing;
-            IsReady = true;
+            base.Prepare(camera, drawing);
             renderPassEvent = LastEvent;
         }
-
-        /// <summary>Where it is not in the queue yet.</summary>
-        public void Enqueue()
-        {
-            if (IsEnqueued)
-                return;
-            queue = renderer;
-            renderer.EnqueuePass(this);
-        }
-
-        /// <summary>URP empties the queue after this, whichever camera has been drawn.</summary>
-        public override void OnCameraCleanup(CommandBuffer cmd) => queue = null;
 
         /// <summary>Moves it before other passes, for this picture.</summary>
         /// <param name="steps">Before <see cref="DefaultEvent"/>.</param>
@@ -69,30 +38,6 @@ namespace Rill.Universal
 #else
         static RenderPassEvent LastEvent => DefaultEvent;
 #endif
-
-        /// <summary>The camera has been drawn, or has not been culled.</summary>
-        public void Invalidate() => IsReady = false;
-
-        public void Dispose() => Invalidate();
-
-        bool Begin(Camera drawn)
-        {
-            if (!ReferenceEquals(drawn, Camera))
-            {
-                UniversalSurfaces.Notice(drawn);
-                return false;
-            }
-            bool isReady = IsReady;
-            IsReady = false;
-            return isReady;
-        }
-
-        // In two passes, one after the other, URP draws one eye in each.
-        void SetEyes(XRPass xr)
-        {
-            views.eyes = xr.enabled ? Mathf.Min(xr.viewCount, views.eyes) : 1;
-            views.sceneIsArray = xr.singlePassEnabled;
-        }
 
         void Record(CommandBuffer cmd)
         {

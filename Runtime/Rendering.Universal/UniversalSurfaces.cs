@@ -5,8 +5,8 @@ using UnityEngine.Rendering.Universal;
 namespace Rill.Universal
 {
     /// <summary>
-    /// Fluid surfaces in the Universal Render Pipeline: as a camera begins, the draws that shade are submitted and its pass is enqueued.
-    /// Nothing has to be added to a renderer.
+    /// Fluid surfaces, and what they have wetted, in the Universal Render Pipeline: as a camera begins, the draws that shade are submitted and its
+    /// passes are enqueued. Nothing has to be added to a renderer.
     /// </summary>
     /// <remarks>
     /// Overlay cameras of a stack draw no surfaces: the base camera has drawn them.
@@ -21,6 +21,7 @@ namespace Rill.Universal
         const float ScaleThreshold = 0.05f;
 
         static CameraParts<SurfacePass> passes = new CameraParts<SurfacePass>();
+        static CameraParts<WetnessPass> wetPasses = new CameraParts<WetnessPass>();
         static Camera begun;        // the last that URP, or a feature, said it begins
         static bool isUnannouncedKnown;
         static PassPath lastPath;
@@ -38,6 +39,7 @@ namespace Rill.Universal
         static void Listen()
         {
             passes = new CameraParts<SurfacePass>();
+            wetPasses = new CameraParts<WetnessPass>();
             begun = null;
             isUnannouncedKnown = false;
             lastPath = PassPath.Unknown;
@@ -54,51 +56,70 @@ namespace Rill.Universal
         }
 
         /// <summary>The camera's pass for the picture that it draws now; null where it sees no surface.</summary>
-        public static SurfacePass PassOf(Camera camera)
+        public static SurfacePass PassOf(Camera camera) => ReadyOf(passes, camera);
+
+        /// <summary>Has its renderer draw what is wet in the picture that the camera draws now, where anything is.</summary>
+        public static void EnqueueWetness(Camera camera) => wetPasses.Find(camera)?.Enqueue();
+
+        static T ReadyOf<T>(CameraParts<T> of, Camera camera) where T : CameraPass
         {
-            SurfacePass pass = passes.Find(camera);
+            T pass = of.Find(camera);
             return pass != null && pass.IsReady ? pass : null;
         }
 
         static void Begin(ScriptableRenderContext context, Camera camera)
         {
             passes.Find(camera)?.Invalidate();
+            wetPasses.Find(camera)?.Invalidate();
             Announce(camera);
             PassOf(camera)?.Enqueue();
+            EnqueueWetness(camera);
         }
 
-        /// <summary>Before a camera culls: submits what it draws of the surfaces and makes its pass ready, where that was not done.</summary>
+        /// <summary>Before a camera culls: submits what it draws of the surfaces and makes its passes ready, where that was not done.</summary>
         public static void Announce(Camera camera)
         {
             begun = camera;
-            if (PassOf(camera) == null)
+            if (PassOf(camera) == null && ReadyOf(wetPasses, camera) == null)
                 Prepare(camera);
         }
 
         static void End(ScriptableRenderContext context, Camera camera)
         {
-            if (PassOf(camera) is SurfacePass own)
-            {
-                // Nothing ran it, and it is gone: a camera was drawn after it was enqueued.
-                if (!own.IsEnqueued)
-                    ListenLast();
-                own.Invalidate();
-            }
+            End(PassOf(camera));
+            End(ReadyOf(wetPasses, camera));
             // Of the cameras that this one was drawn inside of.
             for (int i = 0; i < passes.Count; i++)
-                if (passes[i].IsReady)
-                    passes[i].Enqueue();
+                passes[i].Enqueue();
+            for (int i = 0; i < wetPasses.Count; i++)
+                wetPasses[i].Enqueue();
+        }
+
+        static void End(CameraPass own)
+        {
+            if (own == null)
+                return;
+            // Nothing ran it, and it is gone: a camera was drawn after it was enqueued.
+            if (!own.IsEnqueued)
+                ListenLast();
+            own.Invalidate();
         }
 
         static void Prepare(Camera camera)
         {
-            if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview
+            if (FluidSurface.Active.Count + FluidWetness.Active.Count == 0 || camera.cameraType == CameraType.Preview
                 || !(UniversalRenderPipeline.asset is UniversalRenderPipelineAsset asset))
                 return;
             camera.TryGetComponent(out UniversalAdditionalCameraData data);
             if (data != null && data.renderType == CameraRenderType.Overlay || !(RendererOf(camera, data, asset) is UniversalRenderer renderer))
                 return;
             FluidViews views = ViewsOf(camera, data, asset);
+            PrepareSurfaces(views, renderer);
+            PrepareWetness(views, renderer);
+        }
+
+        static void PrepareSurfaces(in FluidViews views, UniversalRenderer renderer)
+        {
             bool any = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
@@ -112,9 +133,22 @@ namespace Rill.Universal
             }
             if (!any)
                 return;
-            SurfacePass pass = passes.Find(camera);
+            SurfacePass pass = passes.Find(views.camera);
             if (pass == null)
-                passes.Add(pass = new SurfacePass(camera));
+                passes.Add(pass = new SurfacePass(views.camera));
+            pass.Prepare(views, renderer);
+        }
+
+        static void PrepareWetness(in FluidViews views, UniversalRenderer renderer)
+        {
+            bool isAnySeen = false;
+            for (int i = 0; i < FluidWetness.Active.Count; i++)
+                isAnySeen |= FluidWetness.Active[i].Prepare(views);
+            if (!isAnySeen)
+                return;
+            WetnessPass pass = wetPasses.Find(views.camera);
+            if (pass == null)
+                wetPasses.Add(pass = new WetnessPass(views.camera));
             pass.Prepare(views, renderer);
         }
 
@@ -133,6 +167,8 @@ namespace Rill.Universal
             bool any = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
                 any |= (camera.cullingMask & 1 << FluidSurface.Active[i].gameObject.layer) != 0;
+            for (int i = 0; i < FluidWetness.Active.Count; i++)
+                any |= (camera.cullingMask & 1 << FluidWetness.Active[i].gameObject.layer) != 0;
             return any;
         }
 

@@ -11,6 +11,9 @@ namespace Rill
         [NonSerialized] FluidSimulation handedOverTo;       // the last one, for what is logged of it
         [NonSerialized] bool saidHandOverFull;
 
+        /// <summary>After a running fluid's box was moved and has left the water: by how much that has moved in the box, d.</summary>
+        internal event Action<Vector3> Recentered;
+
         /// <summary>
         /// Moves the box, and leaves the water where it is in the world: for a box that follows a target. What then lies outside goes to
         /// another fluid, is removed and counts as drained, or is kept and comes back as the box covers its place again. Nothing is pushed,
@@ -51,6 +54,7 @@ namespace Rill
                 pbf.Shift(from, to, keptCapacity, keeps);
             else
                 pbf.Shift((float3)(Quaternion.Inverse(rotation) * (before - position)) / particleSpacing);
+            Recentered?.Invoke(Quaternion.Inverse(rotation) * (before - position) / particleSpacing);
             FollowTransform();
             StandStill();
             ClearMotions();

@@ -42,9 +42,11 @@ namespace Rill
         Water = 1 << 23,
         /// <summary>What hands it to renderers.</summary>
         RenderedMesh = 1 << 24,
+        /// <summary>What keeps surfaces wet.</summary>
+        Wetness = 1 << 25,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         OfFluids = All & ~MeshBaking,
-        All = (1 << 25) - 1,
+        All = (1 << 26) - 1,
     }
 
     static class StageSets
@@ -116,6 +118,7 @@ namespace Rill
                 case StageSet.SurfaceParticles: return "SurfaceParticles";
                 case StageSet.SurfaceMesh: return "SurfaceMesh";
                 case StageSet.RenderedMesh: return "RenderedMesh";
+                case StageSet.Wetness: return "Wetness";
                 default: return null;
             }
         }

@@ -143,6 +143,17 @@ namespace Rill.Tests
             return surface;
         }
 
+        static FluidWetness Wetness(FluidSimulation fluid)
+        {
+            #region Keep surfaces wet (components.md)
+            var wetness = fluid.gameObject.AddComponent<FluidWetness>();        // on the fluid's own object
+            wetness.DryingTime = 5f;                                            // s, until 37 % is left
+            wetness.Darkening = 0.3f;                                           // light stone; 0.4 is dark ground
+            wetness.Smoothness = 0.8f;                                          // of the film, which mirrors the sky
+            #endregion
+            return wetness;
+        }
+
         static FluidConnection Connection(FluidSimulation lake, FluidSimulation basin)
         {
             #region Make a connection (components.md)
@@ -199,6 +210,16 @@ namespace Rill.Tests
             yield return Frames(3);
             Assert.That(surface.Mesh != null && fluid.GetComponent<MeshFilter>().sharedMesh == surface.Mesh);
             Object.Destroy(glass);
+        }
+
+        [UnityTest]
+        public IEnumerator A_wetness_made_by_its_snippet_marks_where_the_water_is()
+        {
+            FluidSimulation fluid = Fluid("Lake", new Vector3(2f, 2f, 1f), 0.1f, 6000, Vector3.zero, made => Volume(made.transform));
+            FluidWetness wetness = Wetness(fluid);
+            yield return Frames(3);
+            Assert.That(wetness.isActiveAndEnabled);
+            Assert.That(wetness.HasAnything);
         }
 
         [UnityTest]

@@ -55,6 +55,8 @@ namespace Rill
             new KernelNeed("WaterSpray", "AddDroplets", "ADD_DROPLETS", 128, 0, 4, 1, 2),
             new KernelNeed("WaterSpray", "ResolveSpray", "", 64, 4, 2, 2, 1),
             new KernelNeed("WaterSpray", "ResolveFoam", "WITH_FOAM", 64, 4, 2, 3, 2),
+            new KernelNeed("Wetness", "MarkWet", "MARK", 128, 0, 3, 1, 0),
+            new KernelNeed("Wetness", "ShiftWetness", "", 64, 0, 2, 1, 0),
             new KernelNeed("CoarseColliders", "OpenCells", "", 64, 484, 5, 3, 2),
             new KernelNeed("CoarseColliders", "OpenCells", "RILL_DEFORMING", 64, 484, 5, 3, 2),
             new KernelNeed("CoarseColliders", "LinkCells", "", 128, 0, 2, 1, 0),
@@ -439,6 +441,8 @@ namespace Rill
             new KernelNeed("WaterShadow", "Fragment", "", 0, 0, 1, 0, 2),
             new KernelNeed("WaterSpray", "Vertex", "", 0, 0, 1, 0, 0),
             new KernelNeed("WaterSpray", "Fragment", "", 0, 0, 0, 0, 4),
+            new KernelNeed("Wetness", "Vertex", "", 0, 0, 0, 0, 0),
+            new KernelNeed("Wetness", "Fragment", "", 0, 0, 1, 0, 3),
         };
     }
 }

@@ -59,7 +59,8 @@ namespace Rill
                 case "WaterPhases":
                 case "WaterRays":
                 case "WaterSpray":
-                case "WaterShadow": return DeviceFeature.Surface;
+                case "WaterShadow":
+                case "Wetness": return DeviceFeature.Surface;
                 case "ImplicitViscosity": return DeviceFeature.DynamicViscosity;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;
@@ -116,6 +117,7 @@ namespace Rill
                 case "MAKE_ELEMENTS":
                 case "MAKE_QUADS":
                 case "MAKE_VERTICES":
+                case "MARK":
                 case "MARK_BRICKS":
                 case "MARK_CONTACTS":
                 case "MESH":

@@ -71,6 +71,20 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Sixty_frames_that_wet_surfaces_allocate_no_managed_memory()
+        {
+            FluidSimulation simulation = Dam();
+            var wetness = fluid.AddComponent<FluidWetness>();
+            TestDelegate frame = () =>
+            {
+                simulation.Advance(Step);
+                wetness.DrawFrame();
+            };
+            yield return WarmedUp(frame);
+            yield return WithoutGarbage(frame, 60);
+        }
+
+        [UnityTest]
         public IEnumerator A_hundred_frames_with_emitters_drains_and_force_fields_allocate_no_managed_memory()
         {
             FluidSimulation simulation = Basin();

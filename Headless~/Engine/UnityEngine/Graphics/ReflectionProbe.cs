@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using UnityEngine.Headless;
 using UnityEngine.Rendering;
 
 namespace UnityEngine
@@ -12,6 +13,10 @@ namespace UnityEngine
         internal override void OnDeactivated() => active.Remove(this);
 
         internal static IReadOnlyList<ReflectionProbe> Active => active;
+
+        /// <summary>What is mirrored where no probe is: the sky's cube, or the scene's own.</summary>
+        public static Texture defaultTexture => EnvironmentLighting.DefaultCube;
+        public static Vector4 defaultTextureHDRDecodeValues => EnvironmentLighting.DefaultDecode;
 
         public ReflectionProbeMode mode { get; set; }
         public Texture bakedTexture { get; set; }

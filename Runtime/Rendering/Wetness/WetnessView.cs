@@ -1,0 +1,12 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What the draw of wet surfaces needs for one camera.</summary>
+    sealed class WetnessView : CameraView
+    {
+        public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();
+
+        public WetnessView(Camera camera) : base(camera, "Rill.Wetness.Constants") => SetConstants(Properties);
+    }
+}

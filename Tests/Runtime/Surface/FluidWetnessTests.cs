@@ -1,0 +1,399 @@
+using System;
+using System.Collections;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>What a fluid has wetted is darker until it has dried, seen from above: a block of weightless water that lies on the floor at the
+    /// left of its box until it is taken away.</summary>
+    public class FluidWetnessTests
+    {
+        const int Size = 64;
+        const float Half = 0.6f;            // m, of the picture
+        const float Darkening = 0.5f;
+
+        WaterScene scene;
+        FluidWetness wetness;
+        GameObject floor;
+        AmbientMode ambientMode;
+        Color ambient;
+
+        [SetUp]
+        public void Make()
+        {
+            (ambientMode, ambient) = (RenderSettings.ambientMode, RenderSettings.ambientLight);
+            (RenderSettings.ambientMode, RenderSettings.ambientLight) = (AmbientMode.Flat, Color.white);
+            Time.captureDeltaTime = 1f / 60f;
+            scene = new WaterScene(Size);
+            scene.Camera.orthographicSize = Half;
+            scene.Surface.enabled = false;
+            scene.Fluid.Gravity = Vector3.zero;
+            FluidVolume volume = scene.Root.GetComponentInChildren<FluidVolume>();
+            volume.transform.localPosition = new Vector3(-0.3f, -0.4f, 0f);
+            volume.Size = new Vector3(0.4f, 0.2f, 0.6f);
+            floor = AddFloor(-0.5f);
+            wetness = scene.Root.AddComponent<FluidWetness>();
+            wetness.Darkening = Darkening;
+            wetness.Smoothness = 0f;
+            wetness.DryingTime = 10000f;
+        }
+
+        [UnityTearDown]
+        public IEnumerator LeaveNothing()
+        {
+            (RenderSettings.ambientMode, RenderSettings.ambientLight) = (ambientMode, ambient);
+            RenderSettings.fog = false;
+            yield return scene.End();
+        }
+
+        GameObject AddFloor(float height)
+        {
+            GameObject plate = scene.Keep(GameObject.CreatePrimitive(PrimitiveType.Quad));
+            plate.transform.position = new Vector3(0f, height, 0f);
+            plate.transform.rotation = Quaternion.LookRotation(Vector3.down);
+            plate.transform.localScale = 4f * Vector3.one;
+            return plate;
+        }
+
+        // Wets the floor and takes the water away.
+        IEnumerator Wet(int frames = 4)
+        {
+            scene.Root.SetActive(true);
+            yield return WaterScene.Frames(frames);
+            scene.Fluid.Clear();
+            yield return WaterScene.Frames(3);
+        }
+
+        // The same picture without any wetness.
+        IEnumerator Dry(Action<float4[]> got)
+        {
+            wetness.enabled = false;
+            yield return WaterScene.Frames(2);
+            got(scene.Pixels());
+        }
+
+        static int Pixel(float right, float up = 0f)
+            => (int)((up / Half * 0.5f + 0.5f) * Size) * Size + (int)((right / Half * 0.5f + 0.5f) * Size);
+
+        static float Share(float4[] wet, float4[] dry, int pixel) => math.csum(wet[pixel].xyz) / math.csum(dry[pixel].xyz);
+
+        static int Changed(float4[] a, float4[] b)
+        {
+            int count = 0;
+            for (int i = 0; i < a.Length; i++)
+                count += math.any(a[i].xyz != b[i].xyz) ? 1 : 0;
+            return count;
+        }
+
+        [UnityTest]
+        public IEnumerator Floor_that_was_covered_is_darker_by_what_is_set_and_the_rest_is_as_it_was_to_the_bit()
+        {
+            yield return Wet();
+            float4[] wet = scene.Pixels(), dry = null;
+            yield return Dry(pixels => dry = pixels);
+            Assert.That(math.csum(dry[Pixel(-0.3f)].xyz), Is.GreaterThan(0.3f), "it is lit");
+            // The block is 0.4 x 0.6 m at the left wall; its outermost particles lie half a spacing within, and wet up to one beyond.
+            float worst = 0f;
+            int changed = 0;
+            for (int i = 0; i < wet.Length; i++)
+            {
+                float2 at = (new float2(i % Size, i / Size) + 0.5f) / Size * 2f * Half - Half;
+                float2 within = 0.5f * new float2(0.4f, 0.6f) - math.abs(at - new float2(-0.3f, 0f));
+                float inside = math.cmin(within);
+                bool isInBox = math.cmax(math.abs(at)) < 0.5f;
+                if (inside > WaterScene.Spacing && isInBox)
+                    worst = math.max(worst, math.abs(Share(wet, dry, i) - (1f - Darkening)));
+                if (inside < -2f * WaterScene.Spacing)
+                    changed += math.any(wet[i].xyz != dry[i].xyz) ? 1 : 0;
+            }
+            TestContext.Out.WriteLine($"share off by {worst:0.00000}, {changed} others changed");
+            Assert.That(worst, Is.LessThan(0.001f));
+            Assert.That(changed, Is.Zero);
+        }
+
+        [UnityTest]
+        public IEnumerator It_dries_with_its_time_and_not_while_the_fluid_is_paused()
+        {
+            const float time = 0.4f;
+            wetness.DryingTime = time;
+            yield return Wet();
+            double begun = scene.Fluid.FrameTime;
+            float4[] first = scene.Pixels();
+            scene.Fluid.Paused = true;
+            yield return WaterScene.Frames(5);
+            Assert.That(Changed(scene.Pixels(), first), Is.Zero, "paused");
+            scene.Fluid.Paused = false;
+            yield return WaterScene.Frames(20);
+            float4[] second = scene.Pixels(), dry = null;
+            double passed = scene.Fluid.FrameTime - begun;
+            yield return WaterScene.Frames(150);
+            float4[] late = scene.Pixels();
+            yield return Dry(pixels => dry = pixels);
+            int at = Pixel(-0.3f);
+            float before = 1f - Share(first, dry, at), after = 1f - Share(second, dry, at);
+            TestContext.Out.WriteLine($"{before:0.0000} and {passed:0.000} s later {after:0.0000}");
+            Assert.That(passed, Is.GreaterThan(0.25));
+            Assert.That(after / before, Is.EqualTo(math.exp(-passed / time)).Within(0.005f));
+            Assert.That(Changed(late, dry), Is.Zero, "after 6 times that it is dry");
+        }
+
+        [UnityTest]
+        public IEnumerator A_wall_of_the_box_is_wet_on_its_inner_side_alone()
+        {
+            GameObject wall = scene.Keep(GameObject.CreatePrimitive(PrimitiveType.Cube));
+            wall.transform.position = new Vector3(-0.51f, -0.4f, 0f);
+            wall.transform.localScale = new Vector3(0.02f, 0.4f, 1f);
+            scene.Camera.orthographicSize = 0.3f;
+            yield return Wet();
+            foreach (float side in new[] { 1f, -1f })
+            {
+                wetness.enabled = true;
+                WaterScene.Look(scene.Camera, new Vector3(side * 2f, 0f, 0f));
+                scene.Camera.transform.position += 0.4f * Vector3.down;
+                scene.Camera.transform.rotation = Quaternion.LookRotation(-side * Vector3.right);
+                yield return WaterScene.Frames(2);
+                if (side > 0f)
+                    Assert.That(IsWetAtCenter(), Is.True, "inner");
+                else
+                    Assert.That(IsWetAtCenter(), Is.False, "outer");
+            }
+        }
+
+        // By turning its darkening off, which keeps where it was wet.
+        bool IsWetAtCenter()
+        {
+            int at = Size / 2 * Size + Size / 2;
+            float4 with = scene.Pixels()[at];
+            wetness.Darkening = 0f;
+            scene.Camera.Render();
+            float4 without = scene.Pixels()[at];
+            wetness.Darkening = Darkening;
+            Assert.That(math.csum(without.xyz), Is.GreaterThan(0.1f));
+            return math.csum(with.xyz) < 0.7f * math.csum(without.xyz);
+        }
+
+        [UnityTest]
+        public IEnumerator Each_camera_sees_it_at_the_same_places_but_not_one_that_does_not_show_the_layer()
+        {
+            RenderTexture second = scene.NewTarget(Size, Size), third = scene.NewTarget(Size, Size);
+            Camera aslant = scene.NewCamera(second, new Vector3(0f, 3f, 0f)), blind = scene.NewCamera(third, new Vector3(0f, 3f, 0f));
+            aslant.orthographic = false;
+            aslant.fieldOfView = 40f;
+            aslant.transform.position = new Vector3(0.5f, 1.2f, -1.5f);
+            aslant.transform.LookAt(new Vector3(-0.2f, -0.5f, 0f));
+            blind.orthographicSize = Half;
+            scene.Root.layer = 4;
+            blind.cullingMask &= ~(1 << 4);
+            yield return Wet();
+            float4[] wet = WaterScene.Pixels(second), unseen = WaterScene.Pixels(third), dry = null, dryAslant, above = scene.Pixels();
+            yield return Dry(pixels => dry = pixels);
+            dryAslant = WaterScene.Pixels(second);
+            Assert.That(Changed(unseen, dry), Is.Zero);
+            Assert.That(Changed(above, dry), Is.GreaterThan(100));
+            foreach (float right in new[] { -0.4f, -0.25f, 0.1f, 0.3f })
+            {
+                Vector3 at = aslant.WorldToViewportPoint(new Vector3(right, -0.5f, 0.1f));
+                int pixel = (int)(at.y * Size) * Size + (int)(at.x * Size);
+                Assert.That(Share(wet, dryAslant, pixel), Is.EqualTo(right < 0f ? 1f - Darkening : 1f).Within(0.002f), $"{right}");
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator A_box_that_is_turned_and_moved_wets_where_it_stands()
+        {
+            scene.Root.transform.position = new Vector3(0.1f, 0f, -0.05f);
+            scene.Root.transform.rotation = Quaternion.Euler(0f, 35f, 0f);
+            yield return Wet();
+            float4[] wet = scene.Pixels(), dry = null;
+            yield return Dry(pixels => dry = pixels);
+            foreach (Vector3 inBox in new[] { new Vector3(-0.4f, -0.5f, 0f), new Vector3(-0.3f, -0.5f, 0.2f), new Vector3(0.1f, -0.5f, 0f),
+                new Vector3(-0.3f, -0.5f, -0.42f) })
+            {
+                Vector3 world = scene.Root.transform.TransformPoint(inBox);
+                bool isWet = inBox.x < 0f && math.abs(inBox.z) < 0.3f;
+                Assert.That(Share(wet, dry, Pixel(world.x, world.z)), Is.EqualTo(isWet ? 1f - Darkening : 1f).Within(0.001f), $"{inBox}");
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator A_box_that_is_put_elsewhere_and_leaves_the_water_leaves_its_wetness_too()
+        {
+            yield return Wet();
+            float4[] before = scene.Pixels(), dry = null;
+            var by = new Vector3(0.113f, 0f, -0.071f);      // neither whole spacings
+            scene.Fluid.Recenter(scene.Root.transform.position + 0.6f * by);
+            yield return null;
+            scene.Fluid.Recenter(scene.Root.transform.position + 0.4f * by);
+            yield return WaterScene.Frames(2);
+            float4[] after = scene.Pixels();
+            yield return Dry(pixels => dry = pixels);
+            float worst = 0f;
+            int wet = 0;
+            for (int i = 0; i < before.Length; i++)
+            {
+                float2 at = (new float2(i % Size, i / Size) + 0.5f) / Size * 2f * Half - Half;
+                if (math.any(at < new float2(-0.5f + by.x + 0.03f, -0.47f)) || math.any(at > new float2(0.47f, 0.5f + by.z - 0.03f)))
+                    continue;       // in one of the boxes alone, or at its side
+                worst = math.max(worst, math.abs(Share(after, dry, i) - Share(before, dry, i)));
+                wet += Share(before, dry, i) < 0.6f ? 1 : 0;
+            }
+            TestContext.Out.WriteLine($"{wet} pixels wet, worst {worst:0.00000}");
+            Assert.That(wet, Is.GreaterThan(200));
+            Assert.That(worst, Is.LessThan(0.002f));
+        }
+
+        [UnityTest]
+        public IEnumerator A_fluid_that_restarts_is_dry_at_first()
+        {
+            scene.Root.GetComponentInChildren<FluidVolume>().gameObject.SetActive(false);
+            scene.Root.SetActive(true);
+            yield return null;
+            scene.Fluid.Fill(FluidShape.Box(new Vector3(-0.3f, -0.4f, 0f), new Vector3(0.4f, 0.2f, 0.6f)));
+            yield return WaterScene.Frames(20);
+            scene.Fluid.Clear();
+            yield return WaterScene.Frames(2);
+            float4[] wet = scene.Pixels(), dry = null;
+            scene.Fluid.Restart();
+            yield return WaterScene.Frames(2);
+            float4[] restarted = scene.Pixels();
+            yield return Dry(pixels => dry = pixels);
+            Assert.That(Changed(wet, dry), Is.GreaterThan(100));
+            Assert.That(Changed(restarted, dry), Is.Zero);
+        }
+
+        [UnityTest]
+        public IEnumerator Two_fluids_side_by_side_each_wet_their_own()
+        {
+            var other = scene.Keep(new GameObject("Other"));
+            other.SetActive(false);
+            other.transform.position = new Vector3(1f, 0f, 0f);
+            var second = other.AddComponent<FluidSimulation>();
+            second.Configure(Vector3.one, WaterScene.Spacing, 2000);
+            second.Gravity = Vector3.zero;
+            var water = new GameObject("Water").AddComponent<FluidVolume>();
+            water.transform.SetParent(other.transform, false);
+            water.transform.localPosition = new Vector3(-0.3f, -0.4f, 0f);
+            water.Size = new Vector3(0.4f, 0.2f, 0.6f);
+            var secondWetness = other.AddComponent<FluidWetness>();
+            (secondWetness.Darkening, secondWetness.Smoothness, secondWetness.DryingTime) = (0.2f, 0f, 10000f);
+            scene.Camera.transform.position += 0.5f * Vector3.right;
+            other.SetActive(true);
+            yield return Wet();
+            second.Clear();
+            yield return WaterScene.Frames(2);
+            float4[] wet = scene.Pixels(), dry = null;
+            secondWetness.enabled = false;
+            yield return Dry(pixels => dry = pixels);
+            Assert.That(Share(wet, dry, Pixel(-0.3f - 0.5f + 0.3f)), Is.EqualTo(0.5f).Within(0.001f), "the first's");
+            Assert.That(Share(wet, dry, Pixel(0.7f - 0.5f)), Is.EqualTo(0.8f).Within(0.001f), "the second's");
+            Assert.That(Share(wet, dry, Pixel(0.2f - 0.5f)), Is.EqualTo(1f), "between");
+        }
+
+        [UnityTest]
+        public IEnumerator Particles_that_are_drawn_as_balls_are_not_darkened_and_what_is_beside_them_is()
+        {
+            scene.Root.AddComponent<ParticleRenderer>();
+            scene.Root.SetActive(true);
+            yield return WaterScene.Frames(4);
+            scene.Fluid.RemoveInside(FluidShape.Box(new Vector3(-0.3f, -0.4f, 0.2f), new Vector3(0.6f, 0.4f, 0.4f)));
+            scene.Fluid.Paused = true;
+            yield return WaterScene.Frames(3);
+            scene.Fluid.Paused = false;
+            yield return WaterScene.Frames(2);
+            scene.Fluid.Paused = true;
+            yield return WaterScene.Frames(2);
+            float4[] wet = scene.Pixels(), dry = null, floorAlone = null;
+            yield return Dry(pixels => dry = pixels);
+            scene.Root.GetComponent<ParticleRenderer>().enabled = false;
+            yield return WaterScene.Frames(2);
+            floorAlone = scene.Pixels();
+            int particles = 0, darker = 0, wetFloor = 0;
+            for (int i = 0; i < wet.Length; i++)
+            {
+                bool isParticle = math.any(dry[i].xyz != floorAlone[i].xyz), isDarker = math.any(wet[i].xyz != dry[i].xyz);
+                particles += isParticle ? 1 : 0;
+                darker += isParticle && isDarker ? 1 : 0;
+                wetFloor += !isParticle && isDarker ? 1 : 0;
+            }
+            TestContext.Out.WriteLine($"{darker} of {particles} pixels of particles are darker, and {wetFloor} of the floor");
+            Assert.That(particles, Is.GreaterThan(200));
+            Assert.That(darker, Is.Zero);
+            Assert.That(wetFloor, Is.GreaterThan(200));
+        }
+
+        [UnityTest]
+        public IEnumerator The_film_mirrors_the_sky_by_Fresnel_and_not_under_water([Values(0f, 1f)] float smoothness)
+        {
+            Cubemap sky = scene.Keep(new Cubemap(1, TextureFormat.RGBAHalf, false));
+            for (int face = 0; face < 6; face++)
+                sky.SetPixels(new[] { Color.white }, (CubemapFace)face);
+            sky.Apply(false);
+            (DefaultReflectionMode mode, Texture custom) = (RenderSettings.defaultReflectionMode, RenderSettings.customReflectionTexture);
+            (RenderSettings.defaultReflectionMode, RenderSettings.customReflectionTexture) = (DefaultReflectionMode.Custom, sky);
+            wetness.Darkening = 0f;
+            wetness.Smoothness = smoothness;
+            scene.Root.SetActive(true);
+            yield return WaterScene.Frames(4);
+            float4[] under = scene.Pixels(), wet, dry = null;
+            scene.Fluid.Clear();
+            yield return WaterScene.Frames(3);
+            wet = scene.Pixels();
+            yield return Dry(pixels => dry = pixels);
+            (RenderSettings.defaultReflectionMode, RenderSettings.customReflectionTexture) = (mode, custom);
+            int at = Pixel(-0.3f);
+            TestContext.Out.WriteLine($"dry {dry[at]}, wet {wet[at]}, under water {under[at]}");
+            Assert.That(math.cmax(math.abs(under[at] - dry[at]).xyz), Is.LessThan(1e-5f), "under water");
+            float3 expected = math.lerp(dry[at].xyz, 1f, 0.02f * smoothness);
+            Assert.That(math.cmax(math.abs(wet[at].xyz - expected)), Is.LessThan(0.0005f));
+        }
+
+        [UnityTest]
+        public IEnumerator It_is_seen_through_the_fog_in_front_of_it([Values] FogMode mode)
+        {
+            Color fog = WaterScene.Encoded(new float3(0.2f, 0.4f, 0.6f));
+            yield return Wet();
+            float4[] wet = scene.Pixels(), dry = null;
+            RenderSettings.fog = true;
+            (RenderSettings.fogMode, RenderSettings.fogColor, RenderSettings.fogDensity) = (mode, fog, 0.2f);
+            (RenderSettings.fogStartDistance, RenderSettings.fogEndDistance) = (1f, 6f);
+            yield return WaterScene.Frames(2);
+            float4[] wetInFog = scene.Pixels(), dryInFog = null;
+            yield return Dry(pixels => dryInFog = pixels);
+            RenderSettings.fog = false;
+            yield return WaterScene.Frames(2);
+            dry = scene.Pixels();
+            int at = Pixel(-0.3f);
+            const float away = 3.5f;
+            float seen = mode == FogMode.Linear ? (6f - away) / 5f : mode == FogMode.Exponential ? math.exp(-0.2f * away)
+                : math.exp(-0.04f * away * away);
+            TestContext.Out.WriteLine($"fog {dryInFog[at]} of {dry[at]}, wet {wetInFog[at]} of {wet[at]}");
+            float3 expected = dryInFog[at].xyz - seen * (dry[at].xyz - wet[at].xyz);
+            Assert.That(math.cmax(math.abs(wetInFog[at].xyz - expected)), Is.LessThan(0.002f));
+        }
+
+        [Test]
+        public void Values_out_of_range_are_clamped_and_said([Values(0, 1, 2)] int setting)
+        {
+            LogAssert.Expect(LogType.Warning, new Regex("FluidWetness 'Fluid': (drying time|darkening|smoothness) -1 is outside"));
+            Action<float> set = setting == 0 ? v => wetness.DryingTime = v : setting == 1 ? v => wetness.Darkening = v : v => wetness.Smoothness = v;
+            Func<float> get = setting == 0 ? () => wetness.DryingTime : setting == 1 ? () => wetness.Darkening : () => wetness.Smoothness;
+            set(-1f);
+            Assert.That(get(), Is.EqualTo(setting == 0 ? 0.01f : 0f));
+            LogAssert.Expect(LogType.Warning, new Regex("FluidWetness 'Fluid': .* NaN is outside"));
+            set(float.NaN);
+            Assert.That(get(), Is.EqualTo(setting == 0 ? 8f : setting == 1 ? 0.4f : 0.7f));
+        }
+
+        [TestCase(10f, 10f, 10f, ExpectedResult = 1f)]
+        [TestCase(400f, 400f, 10f, ExpectedResult = 1f)]
+        [TestCase(400f, 400f, 400f, ExpectedResult = 3.8146973f)]
+        public float Nodes_are_a_spacing_apart_and_wider_where_there_would_be_too_many(float x, float y, float z)
+            => WetGrid.CellFor(new float3(x, y, z));
+    }
+}
