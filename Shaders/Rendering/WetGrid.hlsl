@@ -4,6 +4,7 @@
 
 float4 _WetGridSize;            // xyz: nodes along each axis; w: distance between them
 float4 _WetGridOrigin;          // xyz: the first node, in the box's lowest corner or up to one distance beyond
+float4 _WetGridShifted;         // xyz: how far what lies in it has been moved by all shifts
 
 // Returns the index of a node.
 uint WetNode(uint3 node)

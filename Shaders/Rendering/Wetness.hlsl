@@ -56,12 +56,21 @@ float3 StepAlong(float2 picture, float2 texel, float z, float3 p)
     return isBefore ? p - other : other - p;
 }
 
+// -1 to 1, in waves of two to three spacings that stay where they are in the world as the box leaves the water.
+float EdgeNoise(float3 p)
+{
+    float3 at = p - _WetGridShifted.xyz;
+    float3 waves = float3(dot(at, float3(1.9, 0.7, 1.3)), dot(at, float3(-1.1, 2.3, 0.9)) + 1.7, dot(at, float3(0.8, -1.4, 2.1)) + 4.1);
+    return dot(sin(waves), 1.0 / 3.0);
+}
+
 // x: how wet it is at a point, 0 to 1; y: the part of that where water is now.
 float2 WetnessAt(float3 p)
 {
     float3 part;
     uint3 low = WetCell(p, part);
-    float2 wet = 0.0;
+    float2 sum = 0.0;
+    float reached = 0.0;
     for (uint corner = 0; corner < 8; corner++)
     {
         uint3 side = WetCorner(corner);
@@ -69,11 +78,14 @@ float2 WetnessAt(float3 p)
         uint stamp = _WetStamps[WetNode(low + side)];
         if (stamp > 0)
         {
-            float age = (float)(_WetNow - min(stamp, _WetNow)) * (1.0 / kWetTicks);
-            wet += weights.x * weights.y * weights.z * float2(exp(-age * _WetLook.z), stamp == _WetStamp ? 1.0 : 0.0);
+            float age = (float)(_WetNow - min(stamp, _WetNow)) * (1.0 / kWetTicks), weight = weights.x * weights.y * weights.z;
+            reached += weight;
+            sum += weight * float2(exp(-age * _WetLook.z), stamp == _WetStamp ? 1.0 : 0.0);
         }
     }
-    return wet;
+    // A seam between nodes that water has reached and others, which is neither straight nor a spacing wide. All are reached: 1; none: 0.
+    float edge = smoothstep(0.3, 0.7, reached + 0.2 * EdgeNoise(p));
+    return edge * sum / max(reached, 1e-6);
 }
 
 // What the film mirrors in a direction, linear. roughness: 0 a mirror.

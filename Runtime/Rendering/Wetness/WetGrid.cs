@@ -31,6 +31,7 @@ namespace Rill
         readonly int3 nodes;
         readonly Vector4 size;
         float3 origin;          // of the first node, d: -cell to 0
+        float3 shifted;         // by all shifts, d
         GraphicsBuffer stamps;
         uint newest;            // stamp of the state that was marked last; 0: none yet
 
@@ -92,6 +93,7 @@ namespace Rill
         public void Shift(float3 by)
         {
             float cell = size.w;
+            shifted += by;
             float3 moved = math.clamp((origin + by) / cell, -1e6f, 1e6f);
             int3 whole = (int3)math.ceil(moved);
             origin = (moved - whole) * cell;
@@ -118,6 +120,7 @@ namespace Rill
             block.SetBuffer(Ids.Stamps, stamps);
             block.SetVector(Ids.Size, size);
             block.SetVector(Ids.Origin, (Vector3)origin);
+            block.SetVector(Ids.Shifted, (Vector3)shifted);
             block.SetInteger(Ids.Now, (int)StampOf(time));
             block.SetInteger(Ids.Stamp, (int)newest);
         }
@@ -157,6 +160,7 @@ namespace Rill
             public static readonly int Now = Shader.PropertyToID("_WetNow");
             public static readonly int Size = Shader.PropertyToID("_WetGridSize");
             public static readonly int Origin = Shader.PropertyToID("_WetGridOrigin");
+            public static readonly int Shifted = Shader.PropertyToID("_WetGridShifted");
             public static readonly int ShiftBy = Shader.PropertyToID("_WetShift");
         }
     }
