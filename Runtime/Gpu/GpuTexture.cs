@@ -1,6 +1,7 @@
 using System;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
 using static System.FormattableString;
 
 namespace Rill
@@ -37,6 +38,19 @@ namespace Rill
             };
             texture.Create();
             return texture;
+        }
+
+        /// <summary>Creates a texture with a layer for each eye.</summary>
+        /// <param name="format">None: of depth alone.</param>
+        /// <param name="isWritten">By kernels; otherwise it is drawn into.</param>
+        /// <exception cref="InvalidOperationException">The device has no such textures; the message says which.</exception>
+        public static RenderTexture CreateLayers(string name, int width, int height, int eyes, GraphicsFormat format, bool isWritten)
+        {
+            return Create(name, new RenderTextureDescriptor(width, height, format, format == GraphicsFormat.None
+                ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            {
+                dimension = TextureDimension.Tex2DArray, volumeDepth = eyes, enableRandomWrite = isWritten,
+            });
         }
     }
 }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 
 namespace Rill
 {
@@ -41,11 +42,22 @@ namespace Rill
 
         public void Texture(string name, long bytes) => Buffers.Add((name, bytes));
 
+        /// <summary>Null is a texture that this scene does without.</summary>
+        public void Texture(RenderTexture texture)
+        {
+            if (texture != null)
+                Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture.graphicsFormat));
+        }
+
         /// <summary>Null is a buffer that this scene does without.</summary>
         public void Buffer(string name, GraphicsBuffer buffer)
         {
             if (buffer != null)
                 Buffers.Add((name, (long)buffer.count * buffer.stride));
         }
+
+        // Of a texel: depth has none of these formats, and 4.
+        static int BytesOf(GraphicsFormat format) => format == GraphicsFormat.R32G32B32A32_SFloat ? 16
+            : format == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;
     }
 }

@@ -46,6 +46,9 @@ namespace Rill
         /// <summary>The shader's file, without its extension.</summary>
         private protected abstract string ShaderFile { get; }
 
+        /// <summary>Of the shader; null while it is off.</summary>
+        private protected Material ShaderMaterial => shaderMaterial;
+
         [field: NonSerialized] private protected FluidSimulation Simulation { get; private set; }
 
         /// <summary>At the frame before; where nothing was drawn then, at this one.</summary>

@@ -107,8 +107,7 @@ namespace Rill
                 case StageSet.Transfer: return "connections, and what is kept outside the box";
                 case StageSet.Recording: return "recording and playback";
                 case StageSet.SurfaceParticles:
-                case StageSet.SurfaceMesh:
-                case StageSet.Water: return "the water's surface";
+                case StageSet.SurfaceMesh: return "the water's surface";
                 default: return group.ToString();
             }
         }

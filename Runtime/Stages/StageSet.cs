@@ -20,6 +20,7 @@ namespace Rill
         ForceFields = 1 << 9,
         ParticleRenderer = 1 << 10,
         DomainRenderer = 1 << 11,
+        /// <summary>What draws the water's surface.</summary>
         Surface = 1 << 12,
         Foam = 1 << 13,
         ImplicitViscosity = 1 << 14,
@@ -36,17 +37,15 @@ namespace Rill
         Transfer = 1 << 20,
         /// <summary>What finds the water's surface as a mesh.</summary>
         SurfaceMesh = 1 << 21,
-        /// <summary>What finds the pieces of the water's surface, on the screen and as a mesh.</summary>
+        /// <summary>What finds the pieces of that mesh.</summary>
         SurfaceParticles = 1 << 22,
-        /// <summary>What draws that mesh as water.</summary>
-        Water = 1 << 23,
         /// <summary>What hands it to renderers.</summary>
-        RenderedMesh = 1 << 24,
+        RenderedMesh = 1 << 23,
         /// <summary>What keeps surfaces wet.</summary>
-        Wetness = 1 << 25,
+        Wetness = 1 << 24,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         OfFluids = All & ~MeshBaking,
-        All = (1 << 26) - 1,
+        All = (1 << 25) - 1,
     }
 
     static class StageSets
@@ -61,12 +60,9 @@ namespace Rill
                 // A collider can reach into deep water at any time, and brings only the stage that does not depend on the depth.
                 case StageSet.DeepWater: return index == 0 ? "CoarseGrid" : index == 1 ? "CoarseSolver" : index == 2 ? "CoarseColliders" : null;
                 case StageSet.Surface:
-                    return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceThickness"
-                    : index == 3 ? "SurfaceShadow" : index == 4 ? "SurfaceMotion" : null;
-                case StageSet.Water:
                     return index == 0 ? "Water" : index == 1 ? "WaterInside" : index == 2 ? "WaterDrops" : index == 3 ? "WaterRays"
-                    : index == 4 ? "WaterShadow" : index == 5 ? "WaterSpray" : null;
-                case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : index == 2 ? "SurfaceFoam" : null;
+                    : index == 4 ? "WaterShadow" : index == 5 ? "WaterSpray" : index == 6 ? "SurfaceMotion" : index == 7 ? "ShadowCopy" : null;
+                case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : null;
                 default: return index == 0 ? Only(group) : null;
             }
         }

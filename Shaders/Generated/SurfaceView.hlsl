@@ -20,10 +20,8 @@ cbuffer RillSurfaceView
     float4 _NearPlanes[2];    // of each eye: a point of the world is in front of it where the product with (point, 1) is above 0; (0, 0, 0, 1) where it is straight
     float4 _SurfaceSize;    // width and height of the picture in texels of the surface's textures, and one over them
     float4 _SurfaceWindow;    // what those textures hold of it, from their first texel on: its first texel, its width and height
-    float4 _ThicknessSize;    // the same of the textures of thickness and of the scene's distance
-    float4 _ThicknessWindow;    // the same of the textures of thickness and of the scene's distance
-    float4 _FoamSize;    // the same of the texture of foam; with a mesh of the textures of rays, foam and spray, and of the copy of the scene
-    float4 _FoamWindow;    // the same of the texture of foam; with a mesh of the textures of rays, foam and spray, and of the copy of the scene
+    float4 _FoamSize;    // the same of the textures of rays, foam and spray, and of the copy of the scene
+    float4 _FoamWindow;    // the same of the textures of rays, foam and spray, and of the copy of the scene
     float4 _PictureBounds;    // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes; all 0: nothing is drawn
     float4 _SceneSize;    // xy: width and height of what is in use of the scene's depth, texels; 0: all
     float4 _Absorption;    // rgb 1/m

@@ -18,14 +18,4 @@ float LoadTrilinear(Texture3D<float> field, float3 place)
     return lerp(plane.x, plane.y, part.z);
 }
 
-// texel: from the corner of the first. Of those from low to high, both included.
-float4 LoadBilinear(Texture2DArray<float4> values, float2 texel, float2 low, float2 high, uint slice)
-{
-    float2 at = clamp(texel - 0.5, low, high);
-    int2 a = int2(at), b = min(a + 1, int2(high));
-    float2 part = at - a;
-    return lerp(lerp(values.Load(int4(a, slice, 0)), values.Load(int4(b.x, a.y, slice, 0)), part.x),
-        lerp(values.Load(int4(a.x, b.y, slice, 0)), values.Load(int4(b, slice, 0)), part.x), part.y);
-}
-
 #endif

@@ -1,4 +1,4 @@
-// How layers of foam on the picture are sampled, and how foam is lit: on a surface on the screen and over a mesh. Include after SurfaceView.hlsl.
+// How layers of foam on the picture of the water are sampled, and how foam is lit. Include after SurfaceView.hlsl.
 #ifndef RILL_FOAM_SHADING_INCLUDED
 #define RILL_FOAM_SHADING_INCLUDED
 

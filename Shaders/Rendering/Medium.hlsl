@@ -3,7 +3,7 @@
 #ifndef RILL_MEDIUM_INCLUDED
 #define RILL_MEDIUM_INCLUDED
 
-#include "../Generated/PhaseFrame.hlsl"
+#include "../Generated/PhaseGrid.hlsl"
 
 struct Medium
 {

@@ -1,8 +1,8 @@
-// Motion vectors of the water's surface: one rectangle over the textures that FluidSurfaceRecorder or WaterRays filled for this camera, with depth,
+// Motion vectors of the water's surface: one rectangle over the textures that WaterRays filled for this camera, with depth,
 // into a pipeline's texture of motion. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
 //   _SurfaceDepth   in  Texture2DArray, a slice for each eye, x: see SurfaceView.hlsl
-//   _SurfaceChords  in  xyz displacement of the nearest water in the last substep, d, in the domain's frame; w its depth as it was drawn, or 1
+//   _SurfaceChords  in  xyz displacement of the nearest water in the last substep, d, in the domain's frame
 //   the scene's depth, where the pipeline has no depth to test against (HDRP)
 #include "ScreenMotion.hlsl"
 #include "SurfaceView.hlsl"
@@ -20,29 +20,11 @@ float4x4 _WorldToDomain;        // from world, meters, to the domain's frame in 
 float4x4 _LastDomainToWorld;    // back, at the frame before
 float4x4 _DomainMotion;         // the same of this frame minus that: exactly 0 where the domain stands still
 
-static const float kDrawnThere = 0.98;      // of the surface's depth: what was drawn with less lies further away
-
 // How far a point of the water, world, has come since the frame before, m: along the chord of its particle, and with the domain.
 float3 MotionOfWater(float3 world, float3 chord)
 {
     float4 inDomain = float4(mul(_WorldToDomain, float4(world, 1.0)).xyz, 1.0);
     return mul((float3x3)_LastDomainToWorld, chord * (_FrameLag.x - _FrameLag.z)) + mul(_DomainMotion, inDomain).xyz;
-}
-
-// In a gap that the filter has closed, that of the water beside it.
-float3 ChordAt(int2 texel, float surface)
-{
-    float4 chord = _SurfaceChords.Load(int4(texel, eyeIndex, 0));
-    if (chord.w >= kDrawnThere * surface)
-        return chord.xyz;
-    static const int2 kNeighbors[4] = { int2(1, 0), int2(-1, 0), int2(0, 1), int2(0, -1) };
-    for (uint i = 0; i < 4; i++)
-    {
-        float4 neighbor = _SurfaceChords.Load(int4(clamp(texel + kNeighbors[i], 0, int2(_SurfaceWindow.zw) - 1), eyeIndex, 0));
-        if (neighbor.w > chord.w)
-            chord = neighbor;
-    }
-    return chord.xyz;
 }
 
 // Where the water is; its motion in xy. Discards where there is none.
@@ -54,7 +36,7 @@ float4 MotionAt(float2 picture, out float3 world)
         discard;
     SurfaceRay ray = RayThrough(picture, eyeIndex);
     world = ray.origin + ray.direction * FromSurfaceDepth(surface, eyeIndex);
-    return MotionOnScreen(world, world - MotionOfWater(world, ChordAt(texel, surface)));
+    return MotionOnScreen(world, world - MotionOfWater(world, _SurfaceChords.Load(int4(texel, eyeIndex, 0)).xyz));
 }
 
 #ifdef RILL_HIGH_DEFINITION

@@ -53,13 +53,6 @@ bool IsBeyondNearPlane(float3 world, uint eye)
     return dot(_NearPlanes[eye], float4(world, 1.0)) > 0.0;
 }
 
-// z > 0 with perspective.
-float ToSurfaceDepth(float z, uint eye)
-{
-    float4 p = _SurfaceDepths[eye];
-    return p.z > 0.5 ? p.x + p.y * z : p.x + p.y / z;
-}
-
 // Depth along the view, m.
 float FromSurfaceDepth(float depth, uint eye)
 {
@@ -123,12 +116,6 @@ float4 ViewportPosition(float2 at, float depth)
 #else
     return float4(at.x, -at.y, depth, 1.0);
 #endif
-}
-
-// The same for a point of the picture, where the viewport is the window.
-float4 SurfacePosition(float2 picture, float depth)
-{
-    return ViewportPosition(TexelsAt(picture, _SurfaceSize, _SurfaceWindow) / max(_SurfaceWindow.zw, 1.0) * 2.0 - 1.0, depth);
 }
 
 // The same for a point in the clip space of the surface.

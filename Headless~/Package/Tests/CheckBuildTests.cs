@@ -257,7 +257,7 @@ namespace Host.Tests
                 ExplainCommand.WriteBuild(Object.FindObjectsOfType<MonoBehaviour>(true), text);
                 string[] lines = text.ToString().Split('\n');
                 Assert.That(lines, Has.Some.Match("^      Colliders: [0-9]+ kernels.*, for FluidCollider 'Basin' and 'Cup'$"));
-                Assert.That(lines, Has.Some.Match("^      FluidSurface: the shader Rill/.*, for FluidSurface 'Fluid'$"));
+                Assert.That(lines, Has.Some.Match("^      Water: .*the shader Rill/Water.*, for FluidSurface 'Fluid'$"));
                 Assert.That(lines, Has.None.Contains("Viscoelasticity"));
             }
         }

@@ -72,15 +72,19 @@ namespace Host.Tests
             Vector4 seen = Mean(16, 48, 16, 48);
             for (int channel = 0; channel < 3; channel++)
             {
-                float expected = (1f - 0.0204f) * Mathf.Pow(dark.colorAtDepth[channel], Depth / 0.5f);
+                float expected = 0.9596f * Mathf.Pow(dark.colorAtDepth[channel], Depth / 0.5f);
                 TestContext.WriteLine($"seen {seen[channel]:0.0000}, Beer and Lambert {expected:0.0000}");
                 Assert.That(seen[channel], Is.EqualTo(expected).Within(0.03f * expected));
             }
         }
 
         [Test]
-        public void It_mirrors_as_much_as_Schlick_says([Values(0f, 50f, 65f)] float degrees)
+        public void It_mirrors_as_much_as_Fresnels_equations_say([Values(0f, 50f, 65f)] float degrees)
         {
+            // Opaque: nothing is seen but what its surface mirrors.
+            SurfaceLook opaque = surface.Look;
+            (opaque.colorAtDepth, opaque.colorDepth) = (Color.black, 0.02f);
+            surface.Look = opaque;
             var white = new Cubemap(2, TextureFormat.RGBAHalf, false);
             for (CubemapFace face = CubemapFace.PositiveX; face <= CubemapFace.NegativeZ; face++)
                 white.SetPixels(new[] { Color.white, Color.white, Color.white, Color.white }, face);
@@ -91,10 +95,10 @@ namespace Host.Tests
             camera.orthographicSize = 0.1f;
             var top = new Vector3(0f, Bottom + Depth, 0f);
             Look(top + Quaternion.Euler(-degrees, 0f, 0f) * (3f * Vector3.up), top, Vector3.forward);
-            float seen = Mean(16, 48, 16, 48).y, expected = 0.0204f + (1f - 0.0204f) * Mathf.Pow(1f - Mathf.Cos(degrees * Mathf.Deg2Rad), 5f);
+            float seen = Mean(16, 48, 16, 48).y, expected = Fresnel(degrees);
             surface.Reflection = null;
             Object.DestroyImmediate(white);
-            TestContext.WriteLine($"seen {seen:0.00000}, Schlick {expected:0.00000}");
+            TestContext.WriteLine($"seen {seen:0.00000}, Fresnel {expected:0.00000}");
             Assert.That(seen, Is.EqualTo(expected).Within(0.03f * expected));
         }
 
@@ -119,6 +123,14 @@ namespace Host.Tests
             TestContext.WriteLine($"{along / (Depth * (1f - slope)):0.000} of the offset too far");
             Assert.That(white - black, Is.GreaterThan(0.8f));
             Assert.That(along, Is.EqualTo(0f).Within(0.03f * Depth * (1f - slope)));
+        }
+
+        // Of water, without polarization.
+        static float Fresnel(float degrees)
+        {
+            float cosine = Mathf.Cos(degrees * Mathf.Deg2Rad), within = Mathf.Sqrt(1f - (1f - cosine * cosine) / (1.333f * 1.333f));
+            float across = (cosine - 1.333f * within) / (cosine + 1.333f * within), along = (1.333f * cosine - within) / (1.333f * cosine + within);
+            return 0.5f * (across * across + along * along);
         }
 
         void Look(Vector3 from, Vector3 at, Vector3 up)

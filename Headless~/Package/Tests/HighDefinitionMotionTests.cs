@@ -17,16 +17,10 @@ namespace Host.Tests
 
         private protected override float[] Depth(int eye)
         {
-            if (method == SurfaceMethod.Mesh)
-            {
-                var water = (WaterView)((MeshDraw)Get(Surface, "meshDraw")).Find(camera);
-                RenderTexture faces = water.Faces;
-                float[] channels = Floats(faces, eye, faces.width, faces.height);
-                return water.Window.Whole(channels.Where((_, i) => i % 4 == 0).ToArray(), faces.width);
-            }
-            SurfaceView view = ((FluidSurfaceRecorder)Get(Surface, "recorder")).ViewOf(camera);
-            RenderTexture depth = view.Smoothed;
-            return view.Window.Whole(Floats(depth, eye, depth.width, depth.height), depth.width);
+            var water = ((MeshDraw)Get(Surface, "meshDraw")).Find(camera);
+            RenderTexture faces = water.Faces;
+            float[] channels = Floats(faces, eye, faces.width, faces.height);
+            return water.Window.Whole(channels.Where((_, i) => i % 4 == 0).ToArray(), faces.width);
         }
 
         FluidSurface Surface => simulation.GetComponent<FluidSurface>();
@@ -35,7 +29,7 @@ namespace Host.Tests
 
         void BuildFor(string version, bool isJittered = true)
         {
-            Build(PipelineKind.HighDefinition, WithoutMethod(version));
+            Build(PipelineKind.HighDefinition, version);
             MakePicture();
             if (isJittered)
                 Jitter();
@@ -51,8 +45,6 @@ namespace Host.Tests
         [TestCase("14", 60)]
         [TestCase("17", 60)]
         [TestCase("17.4", 60)]
-        [TestCase("17 as mesh", 60)]
-        [TestCase("14 as mesh", 60)]
         [TestCase("17", 144)]
         public void Falling_water_moves_by_what_it_fell(string version, int rate)
         {
@@ -135,7 +127,7 @@ namespace Host.Tests
             StageDescription description = Surface.Describe();
             Assert.That(description.Buffers.Select(buffer => buffer.name), Has.None.EqualTo(Chords));
             Assert.That(description.Kernels.Select(kernel => kernel.kernel), Has.None.Contains("SurfaceMotion"));
-            Assert.That(description.Buffers.Select(buffer => buffer.name), Has.Some.EqualTo("Rill.Surface.Depth"), "there is water");
+            Assert.That(description.Buffers.Select(buffer => buffer.name), Has.Some.EqualTo("Rill.Water.RayFaces"), "there is water");
             Assert.That(Shader.GetGlobalTexture(MotionTexture).name, Is.EqualTo("_BlackTexture"));
         }
 
@@ -152,7 +144,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Each_eye_has_the_motion_that_it_sees([Values("14", "17", "17 as mesh")] string version)
+        public void Each_eye_has_the_motion_that_it_sees([Values("14", "17")] string version)
         {
             BuildFor(version, isJittered: false);
             PutOnHeadset();

@@ -19,14 +19,10 @@ namespace Host.Tests
         IAssetSource assetsBefore;
         private protected FluidSimulation simulation;
 
-        /// <summary>Method of the surface that is built next.</summary>
-        private protected SurfaceMethod method;
-
         [SetUp]
         public void KeepAssets()
         {
             assetsBefore = Player.Assets;
-            method = SurfaceMethod.ScreenSpace;
         }
 
         [TearDown]
@@ -69,7 +65,7 @@ namespace Host.Tests
             simulation.Configure(new Vector3(1.6f, 1.6f, 1.6f), 0.1f, 600);
             simulation.StatisticsInterval = 0;
             fluid.AddComponent<FluidVolume>().Size = new Vector3(0.8f, 0.8f, 0.8f);
-            fluid.AddComponent<FluidSurface>().Method = method;
+            fluid.AddComponent<FluidSurface>();
             fluid.SetActive(true);
         }
 

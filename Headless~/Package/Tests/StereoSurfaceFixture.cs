@@ -15,8 +15,7 @@ namespace Host.Tests
     /// <summary>Water that a pipeline's stand-in draws for two eyes in one pass, held against a camera with one eye at each.</summary>
     public abstract class StereoSurfaceFixture : PipelineSurfaceFixture
     {
-        private protected const string Refracting = "refracting", Blended = "blended", Milky = "milky", Foamy = "foamy", Sunlit = "a sunlit mesh",
-            FoamyMesh = "a foamy mesh";
+        private protected const string Refracting = "refracting", Blended = "blended", Milky = "milky", Foamy = "foamy", Sunlit = "sunlit";
         private protected const int Few = 4;
 
         static readonly string shaders = Path.Combine(PackageFolder.Path, "Shaders", "Rendering");
@@ -52,15 +51,13 @@ namespace Host.Tests
             Surface.Refraction = look != Blended;
             if (look == Milky)
                 Surface.Preset = SurfacePreset.Milk;
-            if (look == Foamy || look == FoamyMesh)
+            if (look == Foamy)
                 AddFoam();
-            if (look == Sunlit || look == FoamyMesh)
-                Surface.Method = SurfaceMethod.Mesh;
             if (look == Sunlit)
                 Surface.Sun = UnityEngine.Object.FindObjectOfType<Light>();
             Play(3);
             simulation.Paused = true;
-            if (look == Foamy || look == FoamyMesh)
+            if (look == Foamy)
                 PlantFoam();
             Play(2);
             Assert.That(Surface.CausticMap != null, Is.EqualTo(look == Sunlit));
@@ -122,19 +119,17 @@ namespace Host.Tests
             Assert.That(Math.Max(left, right), Is.GreaterThan(8 * Few));
         }
 
-        /// <summary>The surface's own shader with another line in Surface.hlsl, or in SceneColor.hlsl.</summary>
+        /// <summary>The water's own shader with another line in Water.hlsl, or in SceneColor.hlsl.</summary>
         private protected void ShadeWithFault(string line, string instead)
         {
-            string source = File.ReadAllText(Path.Combine(shaders, "Surface.hlsl"))
+            string source = File.ReadAllText(Path.Combine(shaders, "Water.hlsl"))
                 .Replace("#include \"SceneColor.hlsl\"", File.ReadAllText(Path.Combine(shaders, "SceneColor.hlsl")));
             Assert.That(source, Does.Contain(line));
             // Not for the camera with one eye, which is right.
             string faulty = "#ifdef RILL_STEREO\n" + source.Replace(line, instead) + "\n#else\n" + source + "\n#endif";
             string both = "#include \"View.hlsl\"\n" + faulty;
-            Material material = RenderPassFixture.MaterialOf("Surface.shader", Player.PipelineTag,
-                text => Regex.Replace(text, "#include \"Surface.hlsl\"", _ => both));
-            material.EnableKeyword("RILL_REFRACTION");
-            Surface.Material = material;
+            ((Material)Get(Surface, "ShaderMaterial")).shader = RenderPassFixture.MaterialOf("Water.shader", Player.PipelineTag,
+                text => Regex.Replace(text, "#include \"Water.hlsl\"", _ => both)).shader;
         }
 
         Color32[] DrawAlone(Matrix4x4 view, Matrix4x4 projection)

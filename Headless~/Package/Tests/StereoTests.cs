@@ -72,10 +72,10 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Each_eye_sees_water_and_foam_as_a_camera_there_does([Values] bool foam, [Values] SurfaceMethod method)
+        public void Each_eye_sees_water_and_foam_as_a_camera_there_does([Values] bool foam)
         {
             fluid.GetComponent<ParticleRenderer>().enabled = false;
-            fluid.gameObject.AddComponent<FluidSurface>().Method = method;
+            fluid.gameObject.AddComponent<FluidSurface>();
             if (foam)
                 PlantedFoam.Add(fluid.gameObject);
             DrawFrozenFrame();

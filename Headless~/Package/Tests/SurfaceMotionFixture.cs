@@ -16,7 +16,6 @@ namespace Host.Tests
         private protected const int Wide = 384, High = 256;
         private protected const float FrameTime = 1f / 30f;
         private protected const float Bar = 0.25f;        // pixels
-        const string AsMesh = " as mesh";
 
         RenderTexture picture;
 
@@ -30,17 +29,7 @@ namespace Host.Tests
         }
 
         /// <summary>The texture of the water's displacements.</summary>
-        private protected string Chords => method == SurfaceMethod.Mesh ? "Rill.Water.Chords" : "Rill.Surface.Chords";
-
-        /// <summary>Sets the method by which the surface is drawn.</summary>
-        /// <param name="version">With or without " as mesh".</param>
-        /// <returns>The rest of it.</returns>
-        private protected string WithoutMethod(string version)
-        {
-            bool isMesh = version.EndsWith(AsMesh, StringComparison.Ordinal);
-            method = isMesh ? SurfaceMethod.Mesh : SurfaceMethod.ScreenSpace;
-            return isMesh ? version.Substring(0, version.Length - AsMesh.Length) : version;
-        }
+        private protected const string Chords = "Rill.Water.Chords";
 
         /// <summary>The pipeline's, a global.</summary>
         private protected abstract string MotionTexture { get; }

@@ -10,7 +10,7 @@ namespace Host.Tests
     public class SurfaceOffTests : PipelineSurfaceFixture
     {
         [Test]
-        public void Off_it_costs_what_none_costs([Values(null, "14", "17")] string version, [Values] SurfaceMethod method)
+        public void Off_it_costs_what_none_costs([Values(null, "14", "17")] string version)
         {
             Build(version == null ? null : PipelineKind.Universal, version);
             Object.DestroyImmediate(simulation.GetComponent<FluidSurface>());
@@ -18,12 +18,9 @@ namespace Host.Tests
             Footprint without = Footprint.Of(() => Play(1));
 
             var surface = simulation.gameObject.AddComponent<FluidSurface>();
-            surface.Method = method;
             Play(3);
             Footprint on = Footprint.Of(() => Play(1));
-            string[] work = method == SurfaceMethod.Mesh
-                ? new[] { "Water.shader", "SurfaceParticles.compute ShapeElements", "SurfaceMesh.compute FindField" }
-                : new[] { "Surface.shader", "SurfaceParticles.compute Shape", "SurfaceFilter.compute FindNormals" };
+            string[] work = { "Water.shader", "SurfaceParticles.compute ShapeElements", "SurfaceMesh.compute FindField" };
             Assert.That(work, Is.SubsetOf(on.Work));
             Assert.That(Textures(), Is.Not.Empty);
 

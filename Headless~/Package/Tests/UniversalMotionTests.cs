@@ -24,7 +24,7 @@ namespace Host.Tests
 
         void BuildFor(string version, bool asks = true)
         {
-            Build(PipelineKind.Universal, WithoutMethod(version));
+            Build(PipelineKind.Universal, version);
             MakePicture();
             if (asks)
                 AskForMotion();
@@ -45,9 +45,6 @@ namespace Host.Tests
         [TestCase("17.3", 60, Bar)]
         [TestCase("17 by Execute", 60, Bar)]
         [TestCase("14", 60, Bar)]
-        [TestCase("17 as mesh", 60, Bar)]
-        [TestCase("17 by Execute as mesh", 60, Bar)]
-        [TestCase("14 as mesh", 60, Bar)]
         [TestCase("17", 45, Bar)]
         [TestCase("17", 144, Bar)]
         [TestCase("17", 30, Bar + 0.1f)]
@@ -101,7 +98,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Each_eye_has_the_motion_that_it_sees([Values("14", "17", "17 by Execute", "17.3", "17 as mesh")] string version)
+        public void Each_eye_has_the_motion_that_it_sees([Values("14", "17", "17 by Execute", "17.3")] string version)
         {
             BuildFor(version);
             PutOnHeadset();
@@ -127,7 +124,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Where_no_one_asks_there_is_no_pass_and_no_texture([Values("14", "17", "17 by Execute", "17.3", "17 as mesh")] string version)
+        public void Where_no_one_asks_there_is_no_pass_and_no_texture([Values("14", "17", "17 by Execute", "17.3")] string version)
         {
             BuildFor(version, asks: false);
             PlayMore(3);
@@ -139,7 +136,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void What_is_asked_for_later_is_drawn_then([Values("14", "17", "17 by Execute", "17 as mesh")] string version)
+        public void What_is_asked_for_later_is_drawn_then([Values("14", "17", "17 by Execute")] string version)
         {
             BuildFor(version, asks: false);
             PlayMore(3);

@@ -61,9 +61,8 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Foam_looks_as_in_the_Built_in_pipeline([Values("14", "17", "17 by Execute")] string version, [Values] SurfaceMethod method)
+        public void Foam_looks_as_in_the_Built_in_pipeline([Values("14", "17", "17 by Execute")] string version)
         {
-            this.method = method;
             (int changed, int other) = Foam(() => Build(version));
             TestContext.WriteLine($"{changed} pixels of foam, {other} other than in the Built-in pipeline");
             Assert.That(changed, Is.GreaterThan(Width * Height / 50));
@@ -135,7 +134,7 @@ namespace Host.Tests
             Vector4[] drawn = Pixels();
             Assert.That(Errors, Is.Empty);
             FluidSurface surface = simulation.GetComponent<FluidSurface>();
-            int[] widths = { (int)((FluidSurfaceRecorder)Get(surface, "recorder")).ViewOf(camera).Window.Grid.x };
+            int[] widths = { (int)((MeshDraw)Get(surface, "meshDraw")).Find(camera).Window.Grid.x };
             Assert.That(Covered(whole), Is.GreaterThan(Width * Height / 20));
             var sums = new Vector4[Width / 4 * (Height / 4)];
             for (int i = 0; i < drawn.Length; i++)

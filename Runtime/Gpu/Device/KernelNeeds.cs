@@ -50,11 +50,8 @@ namespace Rill
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
                 case "RenderedMesh": return DeviceFeature.Surface;
-                case "SurfaceFoam": return DeviceFeature.Foam | DeviceFeature.Surface;
                 case "Caustics":
-                case "SurfaceFilter":
                 case "SurfaceMesh":
-                case "SurfaceThickness":
                 case "SurfaceParticles":
                 case "WaterPhases":
                 case "WaterRays":
@@ -75,7 +72,6 @@ namespace Rill
             switch (word)
             {
                 case "":
-                case "ADD":
                 case "ADD_DROPLETS":
                 case "ADD_ELEMENTS":
                 case "ADD_NEW":
@@ -85,11 +81,9 @@ namespace Rill
                 case "AVERAGE":
                 case "BEGIN":
                 case "BINS":
-                case "BLUR":
                 case "CHORDS":
                 case "CLEAR_SUMS":
                 case "COEFFICIENTS":
-                case "COLUMNS":
                 case "COMPACT":
                 case "CONFINE":
                 case "COPY_INDICES":
@@ -123,10 +117,8 @@ namespace Rill
                 case "MESH":
                 case "MOVE":
                 case "NARROW":
-                case "NORMALS":
                 case "PASS":
                 case "PATHS":
-                case "PHASES":
                 case "PLACE_BRICKS":
                 case "PROJECTION":
                 case "REDUCE":
@@ -134,9 +126,7 @@ namespace Rill
                 case "RESIDUAL":
                 case "RILL_BUILD_LIST":
                 case "RILL_PHASES":
-                case "RILL_RAW":
                 case "ROOM":
-                case "ROWS":
                 case "SHAPE":
                 case "SHIFT":
                 case "SMALL":

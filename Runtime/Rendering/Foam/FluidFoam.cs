@@ -74,7 +74,7 @@ namespace Rill
             return foam != null && foam.TryGetStatistics(out statistics);
         }
 
-        bool IsDrawnBySurface => TryGetComponent(out FluidSurface surface) && surface.DrawsFoam;
+        bool IsDrawnBySurface => TryGetComponent(out FluidSurface surface) && surface.isActiveAndEnabled;
 
         /// <summary>What there is to draw in this frame.</summary>
         internal FoamFrame Frame

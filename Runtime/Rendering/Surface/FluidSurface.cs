@@ -17,7 +17,6 @@ namespace Rill
     public sealed class FluidSurface : FluidRenderer
     {
         const float ShadowOffset = 3f;      // d
-        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM";
 
         [Tooltip("A look that goes by a name. Custom keeps the values below.")]
         [SerializeField] SurfacePreset preset = SurfacePreset.Water;
@@ -28,29 +27,22 @@ namespace Rill
             "the last. Empty: all phases look as above.")]
         [SerializeField] SurfaceLook[] phaseLooks = Array.Empty<SurfaceLook>();
 
-        [Tooltip("How the surface is found. Mesh: once a frame for all cameras, a closed mesh that light passes through from side to side. " +
-            "Screen Space: for each camera, one layer of water. A Material of your own is drawn in screen space.")]
-        [SerializeField] SurfaceMethod method = SurfaceMethod.Mesh;
-
         [Tooltip("Walls of the box at which the mesh has no face: those that stand in other water, or behind a solid.")]
         [SerializeField] BoxWalls hiddenWalls = BoxWalls.None;
 
-        [Tooltip("What the surface costs on the screen, or how fine its mesh is. Low is for mobile devices and untethered headsets.")]
+        [Tooltip("How fine the surface is: nodes of its mesh 1, 0.75 or 0.5 particle spacings apart. Low is for mobile devices and untethered " +
+            "headsets: its textures have half the picture's width and height.")]
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
-
-        [Tooltip("Smoothing on the screen, particle spacings, 0 to 4. More closes gaps between particles and blurs detail.")]
-        [Range(0f, 4f)]
-        [SerializeField] float smoothing = 1f;
 
         [Tooltip("Whether the scene behind is seen bent, through a copy of the opaque scene. Off: the surface blends over whatever is " +
             "behind it, which other transparent objects behind it need.")]
         [SerializeField] bool refraction = true;
 
-        [Tooltip("Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. Of a mesh that " +
-            "refracts, where the sun is known: set Sun, or the sun in Lighting > Environment.")]
+        [Tooltip("Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. With Refraction, " +
+            "where the sun is known: set Sun, or the sun in Lighting > Environment.")]
         [SerializeField] bool caustics = true;
 
-        [Tooltip("Height of ripples smaller than the particles on water that moves, 0 to 1. Of a mesh. 0: none.")]
+        [Tooltip("Height of ripples smaller than the particles on water that moves, 0 to 1. 0: none.")]
         [Range(0f, 1f)]
         [SerializeField] float ripples = 0.5f;
 
@@ -68,28 +60,17 @@ namespace Rill
         [Tooltip("Light whose highlight is seen. None: the scene's main light; in HDRP, the brightest directional light that the camera sees.")]
         [SerializeField] Light sun;
 
-        [Tooltip("A material of your own, whose shader reads the surface's textures as Surface.hlsl does. It is drawn in screen space. None: " +
-            "the package's.")]
-        [SerializeField] Material material;
-
         static List<FluidSurface> active = new List<FluidSurface>();
 
-        FluidSurfaceRecorder recorder;
-        SurfaceShadow shadow;
-        MeshDraw meshDraw;      // this and the next are made when first needed
+        MeshDraw meshDraw;
+        WaterShadow shadow;     // this and the next are made when first needed
         SurfaceMotion motion;
         CausticMap causticMap;  // where caustics are on
-        PhaseGrid phaseGrid;    // where the mesh shows phases
+        PhaseGrid phaseGrid;    // where phases have looks
         [NonSerialized] bool isCausticMapDue, isPhaseGridDue;     // in this frame, as soon as a camera sees the water
         [NonSerialized] bool hasSaidWhy;        // there is none
-        [NonSerialized] bool hasSaidMeshProblem;
         readonly SurfaceWatch watch = new SurfaceWatch();
-        SurfaceFrame frame;
-        [NonSerialized] bool hasFrame;
         MeshFrame? mesh, nextMesh;      // that is drawn, and from the next frame on
-        [NonSerialized] Material copy;          // of the user's own
-        [NonSerialized] Shader knownShader;
-        [NonSerialized] bool knowsFoam;
 
         /// <summary>All that are enabled and run, for the adapters of the render pipelines.</summary>
         internal static IReadOnlyList<FluidSurface> Active => active;
@@ -109,27 +90,21 @@ namespace Rill
         /// </summary>
         public SurfaceLook[] PhaseLooks { get => phaseLooks; set { phaseLooks = value ?? Array.Empty<SurfaceLook>(); Changed(); } }
 
-        /// <summary>How the surface is found, where no <see cref="Material"/> of your own is drawn.</summary>
-        public SurfaceMethod Method { get => method; set { method = value; Changed(); } }
-
-        /// <summary>Walls of the box at which the mesh has no face. With Screen Space they have no effect.</summary>
+        /// <summary>Walls of the box at which the mesh has no face.</summary>
         public BoxWalls HiddenWalls { get => hiddenWalls; set => hiddenWalls = value & BoxWalls.All; }
 
-        /// <summary>Gets or sets the cost of the surface on the screen, or how fine its mesh is.</summary>
+        /// <summary>How fine the surface is found and drawn.</summary>
         public SurfaceQuality Quality { get => quality; set => quality = value; }
-
-        /// <summary>Smoothing on the screen, particle spacings, 0 to 4.</summary>
-        public float Smoothing { get => smoothing; set => smoothing = Mathf.Clamp(value, 0f, 4f); }
 
         /// <summary>Whether the scene behind is seen bent; off, the surface blends over it.</summary>
         public bool Refraction { get => refraction; set => refraction = value; }
 
-        /// <summary>Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. Of a mesh that
-        /// refracts, where the sun is known.</summary>
+        /// <summary>Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. With
+        /// <see cref="Refraction"/>, where the sun is known.</summary>
         public bool Caustics { get => caustics; set => caustics = value; }
 
         /// <summary>Height of ripples smaller than the particles, 0 to 1: slopes of up to 0.15 rms at 1. The flow carries them, and water that
-        /// stands still has none. Of a mesh.</summary>
+        /// stands still has none.</summary>
         public float Ripples { get => ripples; set => ripples = Mathf.Clamp01(value); }
 
         /// <summary>Cube map of the surroundings that it mirrors; null for the scene's sky or reflection probe.</summary>
@@ -145,39 +120,8 @@ namespace Rill
         /// camera sees).</summary>
         public Light Sun { get => sun; set => sun = value; }
 
-        /// <summary>A material of your own, which is drawn in screen space whatever the <see cref="Method"/>; null for the package's. It is not
-        /// drawn itself but by a copy, which follows its properties and has the keywords that the settings of this component ask for.</summary>
-        public Material Material { get => material; set { material = value; Changed(); } }
-
-        /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own may know nothing of
-        /// foam.</summary>
-        internal bool DrawsFoam => isActiveAndEnabled && (IsDrawnAsMesh || ShadesAll);
-
-        bool IsDrawnAsMesh => nextMesh.HasValue || Simulation != null && HasFoundMesh;
-
-        bool HasFoundMesh => Simulation.Solver?.Mesh != null && Simulation.HasStages(StageSet.Water) && CanDrawMesh();
-
-        // Whether the shader shades foam and phases too: the package's own, and one that is made of Surface.hlsl with its keywords.
-        bool ShadesAll
-        {
-            get
-            {
-                if (material == null)
-                    return true;
-                if (!ReferenceEquals(material.shader, knownShader))
-                {
-                    knownShader = material.shader;
-                    knowsFoam = knownShader.keywordSpace.FindKeyword(FoamKeyword).isValid;
-                }
-                return knowsFoam;
-            }
-        }
-
         /// <summary>Gets or sets a mesh that is drawn instead of the fluid's own surface; null for that.</summary>
         internal MeshFrame? Mesh { get => nextMesh; set => nextMesh = value; }
-
-        /// <summary>Whether the surface is to be a mesh: by the method, unless a material of the user's own is drawn, in screen space.</summary>
-        internal bool WantsMesh => method == SurfaceMethod.Mesh && material == null;
 
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
         internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
@@ -186,26 +130,20 @@ namespace Rill
         internal CausticMap CausticMap => causticMap;
 
         private protected override StageSet Stage => StageSet.Surface;
-        private protected override StageSet FurtherStages => StageSet.SurfaceParticles
-            | (WantsMesh ? StageSet.SurfaceMesh | StageSet.Water : StageSet.None);
-        private protected override string ShaderFile => "Surface";
+        private protected override StageSet FurtherStages => StageSet.SurfaceParticles | StageSet.SurfaceMesh;
+        private protected override string ShaderFile => "Water";
 
         /// <summary>Before anything else of the surface for this camera and frame.</summary>
         /// <returns>Whether the camera sees it; then <see cref="Submit"/> puts its draw into the queue, before the camera culls, and
         /// <see cref="Record"/> fills what that shows.</returns>
         internal bool Prepare(in FluidViews camera)
         {
-            if (!hasFrame || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
+            if (!mesh.HasValue || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
             {
-                recorder.TurnOff(camera.camera);
-                meshDraw?.TurnOff(camera.camera);
+                meshDraw.TurnOff(camera.camera);
                 return false;
             }
-            if (mesh.HasValue)
-                recorder.TurnOff(camera.camera);
-            else
-                meshDraw?.TurnOff(camera.camera);
-            if (!(mesh.HasValue ? meshDraw.Prepare(camera, mesh.Value) : recorder.Prepare(camera, frame)))
+            if (!meshDraw.Prepare(camera, mesh.Value))
                 return false;
             watch.See();
             UpdateCaustics();
@@ -214,13 +152,15 @@ namespace Rill
         }
 
         /// <summary>Whether there is anything to record for the picture that the camera draws now.</summary>
-        internal bool IsPreparedFor(Camera camera) => mesh.HasValue ? meshDraw.IsPreparedFor(camera) : recorder.IsPreparedFor(camera);
+        internal bool IsPreparedFor(Camera camera) => meshDraw.IsPreparedFor(camera);
 
         /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
         /// <param name="camera">With the matrices that it draws with: jittered where antialiasing wants that, of the eyes of this pass.</param>
         /// <param name="shadow">In the Built-in pipeline; null for none.</param>
         internal void Record(CommandBuffer cmd, in FluidViews camera, ShadowCopy shadow = null)
         {
+            if (!(mesh is MeshFrame drawn))
+                return;
             SurfaceConstants constants = default;
             SetLook(ref constants);
             if (camera.light is FluidViews.Light light)
@@ -229,17 +169,14 @@ namespace Rill
                 shadow.SetOn(ref constants);
             else
                 ShadowCopy.SetNone(ref constants);
-            if (mesh.HasValue)
-                meshDraw.Record(cmd, camera, mesh.Value, constants);
-            else
-                recorder.Record(cmd, camera, frame, constants);
+            meshDraw.Record(cmd, camera, drawn, constants);
         }
 
         /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where
         /// none are needed.</summary>
         internal void RecordMotion(CommandBuffer cmd, in FluidViews camera)
         {
-            if (FindView(camera.camera) is CameraView view && view.IsPrepared && view.HasMotion)
+            if (meshDraw.Find(camera.camera) is WaterView view && view.IsPrepared && view.HasMotion)
                 (motion ??= new SurfaceMotion()).Record(cmd, view);
         }
 
@@ -247,7 +184,7 @@ namespace Rill
         /// that needs them.</summary>
         internal void SubmitMotion(in FluidViews camera)
         {
-            CameraView view = FindView(camera.camera);
+            WaterView view = meshDraw.Find(camera.camera);
             if (!view.TrySubmitMotion())
                 return;
             RenderParams parameters = Parameters(view.Motion);
@@ -255,29 +192,14 @@ namespace Rill
             (motion ??= new SurfaceMotion()).Submit(parameters);
         }
 
-        CameraView FindView(Camera camera) => mesh.HasValue ? meshDraw.Find(camera) : recorder.Find(camera);
-
         /// <summary>Has the camera draw the surface in this frame, after <see cref="Prepare"/>. Once a frame: Unity's queue lives longer than a
         /// picture where the camera draws several, and in the editor while it is paused.</summary>
         /// <param name="sceneColor">The opaque scene, in the Built-in pipeline; null where the pipeline has it as a global.</param>
         /// <param name="shadow">In the Built-in pipeline; null for none.</param>
         internal void Submit(in FluidViews camera, Texture sceneColor, ShadowCopy shadow = null)
         {
-            if (mesh is MeshFrame drawn)
-            {
-                if (!(meshDraw.BeginSubmit(camera, drawn) is MaterialPropertyBlock ofMesh))
-                    return;
-                meshDraw.Submit(ShadingParameters(camera, ofMesh, sceneColor, shadow), drawn);
-                return;
-            }
-            SurfaceView view = recorder.ViewOf(camera.camera);
-            if (view.IsSubmitted)
-                return;
-            view.MarkSubmitted(camera.width, camera.height);
-            RenderParams parameters = ShadingParameters(camera, view.Shading, sceneColor, shadow);
-            if (copy != null)
-                parameters.material = copy;
-            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, 6);
+            if (mesh is MeshFrame drawn && meshDraw.BeginSubmit(camera, drawn) is MaterialPropertyBlock properties)
+                meshDraw.Submit(ShadingParameters(camera, properties, sceneColor, shadow), drawn);
         }
 
         RenderParams ShadingParameters(in FluidViews camera, MaterialPropertyBlock properties, Texture sceneColor, ShadowCopy shadow)
@@ -301,10 +223,10 @@ namespace Rill
 
         private protected override void Begin()
         {
-            if (FluidSurfaceRecorder.DeviceProblem is string why)
+            // Without compute shaders the fluid says so itself.
+            if (SystemInfo.supportsComputeShaders && (SurfaceMesh.DeviceProblem ?? WaterRays.DeviceProblem) is string why)
                 throw new InvalidOperationException($"{why}. Draw the fluid with a Particle Renderer there.");
-            recorder = new FluidSurfaceRecorder();
-            shadow = new SurfaceShadow();
+            meshDraw = new MeshDraw(ShaderMaterial);
             active.Add(this);
             Simulation.AskForSurface += Ask;
             BuiltInSurfaces.Begin();
@@ -312,18 +234,14 @@ namespace Rill
 
         private protected override void End()
         {
-            hasFrame = false;
             mesh = null;
             active.Remove(this);
             if (Simulation != null)
                 Simulation.AskForSurface -= Ask;
             BuiltInSurfaces.End();
             RenderSetups.End();
-            EngineObject.Destroy(ref copy);
             shadow?.Dispose();
             shadow = null;
-            recorder?.Dispose();
-            recorder = null;
             meshDraw?.Dispose();
             meshDraw = null;
             motion?.Dispose();
@@ -331,26 +249,14 @@ namespace Rill
             ReleaseCaustics();
             ReleasePhases();
             if (active.Count == 0)
-                SurfaceScratch.Shared.Release();
+                WaterScratch.Shared.Release();
         }
 
         private protected override void ReleaseUnused()
         {
-            recorder.ReleaseUnused();
             meshDraw?.ReleaseUnused();
-            SurfaceScratch.Shared.ReleaseUnused();
+            WaterScratch.Shared.ReleaseUnused();
             BuiltInSurfaces.ReleaseUnused();
-        }
-
-        // On a device that cannot, the surface on the screen is drawn instead, and the device is not asked again.
-        bool CanDrawMesh()
-        {
-            if (!hasSaidMeshProblem && WaterRays.DeviceProblem is string why)
-            {
-                Debug.LogWarning($"Rill: FluidSurface '{name}' is drawn in screen space: {why}. Set its Method to Screen Space there.", this);
-                hasSaidMeshProblem = true;
-            }
-            return !hasSaidMeshProblem;
         }
 
         bool CastsShadow => CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
@@ -358,8 +264,7 @@ namespace Rill
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
-            if (WantsMesh && CanDrawMesh())
-                Simulation.NeedMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
+            Simulation.NeedMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {
                 Simulation.NeedsSurface = true;
@@ -368,7 +273,7 @@ namespace Rill
             bool casts = CastsShadow;
             Light light = KnownLight;
             // Of a light that is not known, the shadow may fall anywhere.
-            if (casts && light == null || watch.IsSeen(gameObject.layer, SurfaceFrame.BoxOf(Simulation), casts
+            if (casts && light == null || watch.IsSeen(gameObject.layer, new FluidBox(Simulation), casts
                 ? light.transform.forward * QualitySettings.shadowDistance : Vector3.zero))
                 Simulation.NeedsSurface = true;
         }
@@ -376,46 +281,25 @@ namespace Rill
         private protected override void Draw()
         {
             PbfSolver solver = Simulation.Solver;
-            mesh = nextMesh ?? (HasFoundMesh ? MeshFrame.Of(Simulation, solver.Mesh, quality) : default(MeshFrame?));
-            if (mesh is MeshFrame found)
-            {
-                found.lastDomainToWorld = LastDomainToWorld;
-                found.SetRipples(Simulation, ripples);
-                if (TryGetComponent(out FluidFoam foamOnMesh))
-                    found.foam = foamOnMesh.Frame;
-                found.phases = FollowPhases(solver);
-                found.caustics = FollowCaustics();
-                mesh = found;
-            }
-            else
+            mesh = nextMesh ?? (solver.Mesh != null ? MeshFrame.Of(Simulation, solver.Mesh, quality) : default(MeshFrame?));
+            if (!(mesh is MeshFrame found))
             {
                 ReleasePhases();
                 ReleaseCaustics();
-            }
-            if (mesh.HasValue)
-            {
-                meshDraw ??= new MeshDraw();
-                meshDraw.SetKeywords(refraction, reflection != null, mesh.Value.HasFoam);
-                hasFrame = true;
-                if (CastsShadow)
-                    shadow.Draw(Parameters(shadow.Properties), mesh.Value, shadowOpacity, causticMap != null, KnownLight);
                 return;
             }
-            hasFrame = solver.Surface != null && solver.Mesh == null;
-            if (!hasFrame)
+            found.lastDomainToWorld = LastDomainToWorld;
+            found.SetRipples(Simulation, ripples);
+            if (TryGetComponent(out FluidFoam foam))
+                found.foam = foam.Frame;
+            found.phases = FollowPhases(solver);
+            found.caustics = FollowCaustics();
+            mesh = found;
+            meshDraw.SetKeywords(refraction, reflection != null, found.HasFoam);
+            if (!CastsShadow)
                 return;
-            frame = SurfaceFrame.Of(solver, Simulation.DomainToWorld, Simulation.FrameLag, smoothing, quality);
-            frame.lastDomainToWorld = LastDomainToWorld;
-            if (DrawsFoam && TryGetComponent(out FluidFoam foam))
-                frame.foam = foam.Frame;
-            if (phaseLooks.Length > 0 && ShadesAll)
-                frame.phases = new PhaseFrame(solver.Tags);
-            if (CastsShadow)
-                shadow.Draw(Parameters(shadow.Properties), frame, shadowOpacity);
-            FollowMaterial();
-            SetKeyword(RefractionKeyword, refraction, copy);
-            SetKeyword(ReflectionKeyword, reflection != null, copy);
-            SetKeyword(FoamKeyword, frame.foam.particles != null, copy);
+            shadow ??= new WaterShadow();
+            shadow.Draw(Parameters(shadow.Properties), found, shadowOpacity, causticMap != null, KnownLight);
         }
 
         // Returns null where there are none.
@@ -450,7 +334,10 @@ namespace Rill
             if (!isCausticMapDue)
                 return;
             isCausticMapDue = false;
-            causticMap.Update(mesh.Value, -KnownLight.transform.forward, Simulation.Gravity, look.refractionIndex, quality);
+            Light light = KnownLight;
+            if (light == null)      // a script may have destroyed it meanwhile
+                return;
+            causticMap.Update(mesh.Value, -light.transform.forward, Simulation.Gravity, look.refractionIndex, quality);
         }
 
         // Returns null where all phases look alike.
@@ -484,25 +371,8 @@ namespace Rill
         /// <summary>Distance of the mesh's nodes, d.</summary>
         internal static float CellOf(SurfaceQuality quality) => quality == SurfaceQuality.Low ? 1f : quality == SurfaceQuality.Medium ? 0.75f : 0.5f;
 
-        // A material of the user's own is drawn by a copy, brought up to date in each frame: it gets the keywords that the settings ask for, and
-        // the user's asset stays as it is.
-        void FollowMaterial()
-        {
-            if (copy != null && (material == null || !ReferenceEquals(copy.shader, material.shader)))
-                EngineObject.Destroy(ref copy);
-            if (material == null)
-                return;
-            if (copy == null)
-                copy = new Material(material) { hideFlags = HideFlags.HideAndDontSave };
-            else
-                copy.CopyPropertiesFromMaterial(material);
-        }
-
         private protected override void DescribeDraws(StageDescription description)
         {
-            description.Draw(ShaderFile, mesh.HasValue ? 0 : 1);
-            description.Draw("SurfaceShadow", 0);       // in shadow maps alone
-            recorder?.Describe(description, frame.filterPasses);
             meshDraw?.Describe(description);
             causticMap?.Describe(description);
             phaseGrid?.Describe(description);
@@ -520,12 +390,12 @@ namespace Rill
 
         void ValidatePhases(ref string problem)
         {
-            if (phaseLooks.Length >= PhaseFrame.MaxPhases)
+            if (phaseLooks.Length >= PhaseGrid.MaxPhases)
             {
-                Limit.Append(ref problem, Invariant($"of {phaseLooks.Length} phase looks only the first {PhaseFrame.MaxPhases - 1} can be told ") +
-                    Invariant($"apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are removed; give emitters phases up to ") +
-                    Invariant($"{PhaseFrame.MaxPhases - 1}."));
-                Array.Resize(ref phaseLooks, PhaseFrame.MaxPhases - 1);
+                Limit.Append(ref problem, Invariant($"of {phaseLooks.Length} phase looks only the first {PhaseGrid.MaxPhases - 1} can be told ") +
+                    Invariant($"apart, for phases 1 to {PhaseGrid.MaxPhases - 1}. The rest are removed; give emitters phases up to ") +
+                    Invariant($"{PhaseGrid.MaxPhases - 1}."));
+                Array.Resize(ref phaseLooks, PhaseGrid.MaxPhases - 1);
             }
             for (int i = 0; i < phaseLooks.Length; i++)
             {
@@ -548,9 +418,9 @@ namespace Rill
             SunOf(sun, out constants.sunDirection, out constants.sunColor);
             constants.absorption = look.Absorption;
             constants.scattering = ScatteringOf(look);
-            bool showsPhases = mesh.HasValue ? phaseGrid != null : frame.phases.AreShown;
+            bool showsPhases = phaseGrid != null;
             constants.hasPhases = showsPhases ? 1f : 0f;
-            for (int phase = 0; phase < PhaseFrame.MaxPhases && showsPhases; phase++)
+            for (int phase = 0; phase < PhaseGrid.MaxPhases && showsPhases; phase++)
             {
                 SurfaceLook own = phase == 0 || phaseLooks.Length == 0 ? look : phaseLooks[Mathf.Min(phase, phaseLooks.Length) - 1];
                 constants.phaseAbsorption[phase] = own.Absorption;

@@ -11,7 +11,7 @@ namespace Rill
     /// <remarks>
     /// Shadows, probes, layers, motion vectors and all else are the Mesh Renderer's. The mesh has positions, normals and, as texture coordinates, x
     /// and z in the world in m; no tangents. Its vertices are on the GPU alone. What is thinner than it can hold, such as drops, is not in it.
-    /// A <see cref="FluidSurface"/> is not needed; on the same object it draws its water too, if its method is <see cref="SurfaceMethod.Mesh"/>.
+    /// A <see cref="FluidSurface"/> is not needed; on the same object it draws its water too.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Surface Mesh"), Icon(PackagePaths.Icon), ManualPage("surface.md")]
     [RequireComponent(typeof(FluidSimulation), typeof(MeshFilter), typeof(MeshRenderer)), DisallowMultipleComponent]
@@ -53,16 +53,9 @@ namespace Rill
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(failure);
-            problems.AddIfAny(SurfaceProblem);
             problems.AddIfAny(ScaleProblem);
             problems.AddIfAny(MaterialProblem);
         }
-
-        // The elements of a mesh are others than the ellipsoids that are drawn on the screen, and a fluid has one kind of them.
-        string SurfaceProblem => TryGetComponent(out FluidSurface surface) && surface.isActiveAndEnabled
-            && !surface.WantsMesh
-            ? "it draws nothing, since the Fluid Surface on this object draws the water in screen space. Turn that off, or set its Method to Mesh " +
-                "and remove its Material: then both draw." : null;
 
         string ScaleProblem => transform.localToWorldMatrix.determinant == 0f
             ? "it draws nothing, since the scale of its transform is 0 along an axis. Set it to another value." : null;
@@ -92,6 +85,8 @@ namespace Rill
             shaders.Hold();
             try
             {
+                if (SystemInfo.supportsComputeShaders && SurfaceMesh.DeviceProblem is string why)
+                    throw new InvalidOperationException($"{why}. Draw the fluid with a Particle Renderer there.");
                 rendered = new RenderedMesh();
             }
             catch (InvalidOperationException problem)
@@ -123,7 +118,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings() => shaders.Follow(Stages);
 
         // Who looks at it is not known: shadows of any light and probes may show what no camera sees.
-        bool IsWanted => failure == null && meshRenderer != null && meshRenderer.enabled && SurfaceProblem == null && ScaleProblem == null;
+        bool IsWanted => failure == null && meshRenderer != null && meshRenderer.enabled && ScaleProblem == null;
 
         void Ask()
         {
@@ -140,7 +135,7 @@ namespace Rill
         {
             if (rendered == null)
                 return;
-            LogOnce(SurfaceProblem ?? ScaleProblem ?? MaterialProblem);
+            LogOnce(ScaleProblem ?? MaterialProblem);
             if (fluid.IsRunning && fluid.Solver.Mesh is SurfaceMesh surface && IsWanted)
                 Show(surface);
             else

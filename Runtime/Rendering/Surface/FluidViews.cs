@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What a camera sees in a frame, as the adapter of a render pipeline hands it to <see cref="FluidSurfaceRecorder"/>: one eye,
+    /// <summary>What a camera sees in a frame, as the adapter of a render pipeline hands it to <see cref="FluidSurface"/>: one eye,
     /// or two in one pass.</summary>
     struct FluidViews
     {
@@ -31,9 +31,6 @@ namespace Rill
 
         /// <summary>Whether motion vectors of the surface are drawn: only where something asks for the camera's.</summary>
         public bool needsMotion;
-
-        /// <summary>Whether the picture is one of a reflection probe, for which it is not smoothed: that costs six times a camera's.</summary>
-        public bool IsProbe => camera.cameraType == CameraType.Reflection;
 
         /// <summary>The light that is seen on the surface, where the pipeline's shaders cannot read it; null where they can.</summary>
         public Light? light;

@@ -18,12 +18,15 @@ namespace Rill
         const int RectangleVertices = 6;
         const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM";
 
-        Material colors = MaterialOf("Water"), inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops"),
-            sprays = MaterialOf("WaterSpray");
+        readonly Material colors;
+        Material inside = MaterialOf("WaterInside"), drops = MaterialOf("WaterDrops"), sprays = MaterialOf("WaterSpray");
         readonly WaterRays rays = new WaterRays();
         readonly WaterSpray spray = new WaterSpray();
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
         bool refracts, reflectsOwn, withFoam;
+
+        /// <param name="colors">Of Water.shader; it is not destroyed with this.</param>
+        public MeshDraw(Material colors) => this.colors = colors;
 
         /// <summary>Whether what is behind is seen bent, whether a cube map of the user's own is mirrored, and whether there is foam.</summary>
         public void SetKeywords(bool refraction, bool ownReflection, bool foam)
@@ -55,7 +58,7 @@ namespace Rill
             if (!view.IsSubmitted)
                 view.Prepare(camera, seen.Bounds, mesh);
             if (camera.needsMotion)
-                SurfaceMotion.Set(view, view.Faces, mesh.lag, mesh.domainToWorld, mesh.lastDomainToWorld);
+                SurfaceMotion.Set(view, mesh);
             return true;
         }
 
@@ -117,7 +120,7 @@ namespace Rill
             (constants.foamSize, constants.foamWindow) = (view.CoarseWindow.Grid, view.CoarseWindow.Rect);
             constants.foamColor = mesh.HasFoam ? mesh.foam.color : Vector4.one;
             view.Write(cmd, constants);
-            SurfaceScratch.Shared.Prepare(view, Mathf.CeilToInt(view.CoarseWindow.Grid.x), Mathf.CeilToInt(view.CoarseWindow.Grid.y),
+            WaterScratch.Shared.Prepare(view, Mathf.CeilToInt(view.CoarseWindow.Grid.x), Mathf.CeilToInt(view.CoarseWindow.Grid.y),
                 WaterSpray.WordsOf(mesh));
             rays.Record(cmd, camera, mesh, view, refracts);
             if (view.Spray != null)
@@ -127,7 +130,7 @@ namespace Rill
         }
 
         /// <summary>Returns the textures of a camera; null for one that has none.</summary>
-        public CameraView Find(Camera camera) => views.Find(camera);
+        public WaterView Find(Camera camera) => views.Find(camera);
 
         /// <summary>Once a frame: gives back what belongs to cameras that have not seen the fluid lately.</summary>
         public void ReleaseUnused() => views.ReleaseUnused();
@@ -150,14 +153,13 @@ namespace Rill
                         spray.Describe(stage, views[i].Faces.volumeDepth, withFoam);
                     views[i].Describe(stage);
                 }
-            SurfaceScratch.Shared.Describe(stage);
+            WaterScratch.Shared.Describe(stage);
         }
 
         public void Dispose()
         {
             views.Dispose();
             rays.Dispose();
-            EngineObject.Destroy(ref colors);
             EngineObject.Destroy(ref inside);
             EngineObject.Destroy(ref drops);
             EngineObject.Destroy(ref sprays);

@@ -78,7 +78,7 @@ namespace Rill
         public Bounds bounds;
 
         /// <summary>The box alone.</summary>
-        public readonly SurfaceFrame Box => new SurfaceFrame { domainToWorld = domainToWorld, domainSize = domainSize, spacing = spacing };
+        public readonly FluidBox Box => new FluidBox(domainToWorld, domainSize, spacing);
 
         public readonly bool HasFoam => foam.particles != null;
 

@@ -10,6 +10,9 @@ namespace Rill
     /// <summary>Tells which phases the water of a mesh is of, found once a frame for all cameras; see WaterPhases.compute.</summary>
     sealed class PhaseGrid : IDisposable
     {
+        /// <summary>phases that have looks of their own, those beyond counting as the last</summary>
+        [GenerateHlsl("PhaseGrid")] public const int MaxPhases = 4;
+
         const float MinCell = 2f;           // d
         const int MaxNodes = 1 << 21;
 
@@ -36,7 +39,7 @@ namespace Rill
             texture = GpuTexture.Create("Rill.Water.PhaseGrid", new RenderTextureDescriptor(nodes.x, nodes.y, GraphicsFormat.R16G16B16A16_SFloat,
                 GraphicsFormat.None)
             { dimension = TextureDimension.Tex3D, volumeDepth = nodes.z, enableRandomWrite = true }, FilterMode.Bilinear);
-            counts = GpuBuffer.Structured<uint>("Rill.Water.PhaseCounts", (long)PhaseFrame.MaxPhases * nodes.x * nodes.y * nodes.z);
+            counts = GpuBuffer.Structured<uint>("Rill.Water.PhaseCounts", (long)MaxPhases * nodes.x * nodes.y * nodes.z);
             BufferClear.Now(counts);
         }
 
@@ -100,7 +103,7 @@ namespace Rill
             stage.Kernel(count, 1);
             stage.Kernel(store, 1);
             stage.Buffer("Rill.Water.PhaseCounts", counts);
-            SurfaceView.Describe(stage, texture);
+            stage.Texture(texture);
         }
 
         public void Dispose()

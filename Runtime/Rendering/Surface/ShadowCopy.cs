@@ -16,7 +16,7 @@ namespace Rill
     /// </remarks>
     sealed class ShadowCopy : IDisposable
     {
-        const int MapPass = 3, ValuesPass = 4;      // of SurfaceRaster.shader
+        const int MapPass = 0, ValuesPass = 1;      // of ShadowCopy.shader
         const int MaxSize = 2048, Stamps = 1 << 20;
 
         /// <summary>Where each of the uniforms of the Built-in pipeline's shadow lies in the copy that ShadowCopy.hlsl makes of them,
@@ -43,7 +43,7 @@ namespace Rill
         readonly Light light;
         readonly CommandBuffer copy = new CommandBuffer { name = "Rill.Surface.ShadowMap" },
             values = new CommandBuffer { name = "Rill.Surface.ShadowValues" };
-        Material material = new Material(StageShader.Load("SurfaceViews").Shader) { hideFlags = HideFlags.HideAndDontSave };
+        Material material = new Material(StageShader.Load("ShadowCopy").Shader) { hideFlags = HideFlags.HideAndDontSave };
         RenderTexture map = Make("Rill.Surface.ShadowMap", Size, Size, GraphicsFormat.R32_SFloat);
         RenderTexture valueTexels = Make("Rill.Surface.ShadowValues", Values, 1, GraphicsFormat.R32G32B32A32_SFloat);
         int stamp;
@@ -134,7 +134,7 @@ namespace Rill
 
         public void Describe(StageDescription stage)
         {
-            stage.Draw("SurfaceRaster", 2);
+            stage.Draw("ShadowCopy", 2);
             stage.Texture(map.name, 4L * map.width * map.height);
             stage.Texture(valueTexels.name, 16L * valueTexels.width);
         }

@@ -69,7 +69,7 @@ namespace Rill
         public void Describe(StageDescription stage)
         {
             stage.Kernel(trace, 1);
-            SurfaceView.Describe(stage, texture);
+            stage.Texture(texture);
         }
 
         public void Dispose()

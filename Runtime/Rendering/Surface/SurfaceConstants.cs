@@ -26,9 +26,7 @@ namespace Rill
         public Vector4 surfaceSize;
         /// <summary>what those textures hold of it, from their first texel on: its first texel, its width and height</summary>
         public Vector4 surfaceWindow;
-        /// <summary>the same of the textures of thickness and of the scene's distance</summary>
-        public Vector4 thicknessSize, thicknessWindow;
-        /// <summary>the same of the texture of foam; with a mesh of the textures of rays, foam and spray, and of the copy of the scene</summary>
+        /// <summary>the same of the textures of rays, foam and spray, and of the copy of the scene</summary>
         public Vector4 foamSize, foamWindow;
         /// <summary>lowest x, y and highest x, y of the fluid's box on the picture, of both eyes; all 0: nothing is drawn</summary>
         public Vector4 pictureBounds;
@@ -80,7 +78,7 @@ namespace Rill
             }
         }
 
-        /// <summary>One for each of <see cref="PhaseFrame.MaxPhases"/>.</summary>
+        /// <summary>One for each of <see cref="PhaseGrid.MaxPhases"/>.</summary>
         public struct PhaseVectors
         {
             public Vector4 first, second, third, fourth;
@@ -155,8 +153,5 @@ namespace Rill
             return isOrthographic ? new Vector4(0f, 0f, -2f * inverse, -(far + near) * inverse)
                 : new Vector4(0f, 0f, -(far + near) * inverse, -2f * far * near * inverse);
         }
-
-        /// <summary>Pixels of a picture of that height that 1 m takes up at a depth of 1 m with perspective, at any without.</summary>
-        public static float PixelsPerMeter(Matrix4x4 projection, float height) => 0.5f * height * Mathf.Abs(projection.m11);
     }
 }

@@ -13,19 +13,16 @@ namespace Rill
         Material material = new Material(StageShader.Load("SurfaceMotion").Shader) { hideFlags = HideFlags.HideAndDontSave };
 
         /// <summary>Sets what SurfaceMotion.hlsl reads of this camera and frame.</summary>
-        /// <param name="depth">Of the water, see SurfaceMotion.hlsl.</param>
-        /// <param name="lag">FluidSimulation.FrameLag.</param>
-        /// <param name="lastDomainToWorld">At the frame before.</param>
-        public static void Set(CameraView view, Texture depth, Vector4 lag, Matrix4x4 domainToWorld, Matrix4x4 lastDomainToWorld)
+        public static void Set(WaterView view, in MeshFrame mesh)
         {
             MaterialPropertyBlock block = view.Motion;
             view.SetConstants(block);
-            block.SetVector(Ids.FrameLag, lag);
-            block.SetTexture(SurfaceIds.SurfaceDepth, depth);
+            block.SetVector(Ids.FrameLag, mesh.lag);
+            block.SetTexture(SurfaceIds.SurfaceDepth, view.Faces);
             block.SetTexture(Ids.SurfaceChords, view.Chords);
-            block.SetMatrix(Ids.WorldToDomain, domainToWorld.inverse);
-            block.SetMatrix(Ids.LastDomainToWorld, lastDomainToWorld);
-            block.SetMatrix(Ids.DomainMotion, Difference(domainToWorld, lastDomainToWorld));
+            block.SetMatrix(Ids.WorldToDomain, mesh.domainToWorld.inverse);
+            block.SetMatrix(Ids.LastDomainToWorld, mesh.lastDomainToWorld);
+            block.SetMatrix(Ids.DomainMotion, Difference(mesh.domainToWorld, mesh.lastDomainToWorld));
         }
 
         /// <summary>Draws into the texture of motion and the depth that are bound, with the pipeline's matrices.</summary>

@@ -1,13 +1,14 @@
 namespace Rill
 {
-    /// <summary>What the screen-space passes of the water's surface spend.</summary>
+    /// <summary>How fine the water's surface is found and drawn.</summary>
     public enum SurfaceQuality
     {
-        /// <summary>Textures of half the screen's width and height: for mobile devices and untethered headsets.</summary>
+        /// <summary>Nodes of the mesh are one spacing apart, and textures have half the picture's width and height: for mobile devices and untethered
+        /// headsets.</summary>
         Low,
-        /// <summary>Textures of the screen's size, filtered once.</summary>
+        /// <summary>Nodes of the mesh are 0.75 spacings apart.</summary>
         Medium,
-        /// <summary>Textures of the screen's size, filtered twice.</summary>
+        /// <summary>Nodes of the mesh are 0.5 spacings apart, and rays are as fine as the largest pictures.</summary>
         High,
     }
 }

@@ -16,9 +16,9 @@ namespace Rill
 
         /// <summary>Allocates no managed memory while the number of cameras does not grow.</summary>
         /// <param name="layer">Of the fluid.</param>
-        /// <param name="fluid">Its box is read.</param>
+        /// <param name="box">Of the fluid.</param>
         /// <param name="shadow">World, m: how far its shadow reaches, along the light; zero where it casts none.</param>
-        public bool IsSeen(int layer, in SurfaceFrame fluid, Vector3 shadow)
+        public bool IsSeen(int layer, in FluidBox box, Vector3 shadow)
         {
             if (Time.frameCount - seenFrame <= 1)
                 return true;
@@ -30,7 +30,7 @@ namespace Rill
             {
                 if ((cameras[i].cullingMask & (1 << layer)) == 0)
                     continue;
-                isSeen = BoxOnPicture.Of(FluidViews.Of(cameras[i]), fluid, shadow).IsSeen;
+                isSeen = BoxOnPicture.Of(FluidViews.Of(cameras[i]), box, shadow).IsSeen;
             }
             Array.Clear(cameras, 0, count);
             return isSeen;

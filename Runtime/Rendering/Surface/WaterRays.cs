@@ -39,14 +39,15 @@ namespace Rill
         }
 
         /// <summary>Why light cannot be followed on this device; null where it can.</summary>
-        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, false)
+        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.Depth, false)
+            ?? GpuTexture.WhyNot(RenderTextureFormat.RFloat, false) ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, false)
             ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBFloat, true) ?? GpuTexture.WhyNot(RenderTextureFormat.ARGBHalf, true);
 
         /// <summary>Fills the textures of the view, whose window is placed and whose constants are written.</summary>
         /// <param name="refracts">Else the straight path through the water is found alone.</param>
         public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view, bool refracts)
         {
-            SurfaceScratch scratch = SurfaceScratch.Shared;
+            WaterScratch scratch = WaterScratch.Shared;
             RecordFaces(cmd, camera, mesh, view);
             Kernel trace = traceRays.For(mesh.phases != null, mesh.caustics != null);
             cmd.BeginSample(RaysMarker);
@@ -89,7 +90,7 @@ namespace Rill
         {
             cmd.BeginSample(TilesMarker);
             view.Tiles.RecordStart(cmd, StereoInstancing.IsActive ? 2 : 1);
-            cmd.SetComputeBufferParam(shader, listTiles, Ids.TileMarks, SurfaceScratch.Shared.TileMarks);
+            cmd.SetComputeBufferParam(shader, listTiles, Ids.TileMarks, WaterScratch.Shared.TileMarks);
             cmd.SetComputeBufferParam(shader, listTiles, WaterView.Ids.WaterTiles, view.Tiles.Tiles);
             cmd.SetComputeBufferParam(shader, listTiles, Ids.TileArguments, view.Tiles.Arguments);
             SurfaceIds.Dispatch(cmd, shader, listTiles, WaterTiles.MarksOf(view.CoarseWindow.Width, view.CoarseWindow.Height), 1);
@@ -112,13 +113,13 @@ namespace Rill
 
         void SetFaces(CommandBuffer cmd, Kernel kernel)
         {
-            cmd.SetComputeTextureParam(shader, kernel, Ids.FaceDepth, SurfaceScratch.Shared.FaceDepth, 0, RenderTextureSubElement.Depth);
-            cmd.SetComputeTextureParam(shader, kernel, Ids.Faces, SurfaceScratch.Shared.Faces);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.FaceDepth, WaterScratch.Shared.FaceDepth, 0, RenderTextureSubElement.Depth);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.Faces, WaterScratch.Shared.Faces);
         }
 
         void RecordFaces(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view)
         {
-            SurfaceScratch scratch = SurfaceScratch.Shared;
+            WaterScratch scratch = WaterScratch.Shared;
             cmd.BeginSample(FacesMarker);
             cmd.SetKeyword(raster, sceneArray, camera.sceneIsArray);
             view.SetConstants(properties);

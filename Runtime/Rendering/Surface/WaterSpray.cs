@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Adds up foam, spray and small droplets on a camera's picture of water that is drawn as a mesh, as WaterSpray.compute says.</summary>
+    /// <summary>Adds up foam, spray and small droplets on a camera's picture of the water, as WaterSpray.compute says.</summary>
     sealed class WaterSpray
     {
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Water.Spray");
@@ -30,18 +30,18 @@ namespace Rill
         /// <summary>Fills the layers of the view, after its faces and the copy of the scene's depth.</summary>
         public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view)
         {
-            SurfaceScratch scratch = SurfaceScratch.Shared;
+            WaterScratch scratch = WaterScratch.Shared;
             cmd.BeginSample(Marker);
             clear.Record(cmd, scratch.SprayAmounts, view.CoarseWindow.Texels * camera.eyes * WordsOf(mesh));
             view.SetConstants(cmd, shader);
             mesh.SetOn(cmd, shader);
             cmd.SetComputeIntParam(shader, Ids.SprayWords, WordsOf(mesh));
-            SurfaceFrame box = mesh.Box;
+            FluidBox box = mesh.Box;
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
                 cmd.SetComputeVectorParam(shader, Ids.SprayRange,
-                    new Vector4(SurfaceFoam.FarthestDepth(camera.ViewOf(eye), box), UnderWater * mesh.spacing, 0f, 0f));
+                    new Vector4(FarthestDepth(camera.ViewOf(eye), box), UnderWater * mesh.spacing, 0f, 0f));
                 if (mesh.drops != null)
                     AddDroplets(cmd, mesh);
                 if (mesh.HasFoam)
@@ -59,7 +59,7 @@ namespace Rill
 
         public void Describe(StageDescription stage, int eyes, bool withFoam)
         {
-            clear.Describe(stage, SurfaceScratch.Shared.SprayAmounts.stride, 1);
+            clear.Describe(stage, WaterScratch.Shared.SprayAmounts.stride, 1);
             stage.Kernel(addDroplets, eyes);
             if (withFoam)
                 stage.Kernel(addFoam, eyes);
@@ -77,15 +77,22 @@ namespace Rill
         {
             SetPicture(cmd, addFoam);
             cmd.SetComputeVectorParam(shader, Ids.FoamLook, foam.look);
-            cmd.SetComputeTextureParam(shader, addFoam, WaterRays.Ids.Faces, SurfaceScratch.Shared.Faces);
+            cmd.SetComputeTextureParam(shader, addFoam, WaterRays.Ids.Faces, WaterScratch.Shared.Faces);
             cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamParticles, foam.particles);
             cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamCounters, foam.counters);
             cmd.DispatchCompute(shader, addFoam, foam.arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
+        // Of the fluid's box along the view, or more; m.
+        static float FarthestDepth(Matrix4x4 worldToView, in FluidBox box)
+        {
+            Vector3 middle = worldToView.MultiplyPoint3x4(box.DomainToWorld.MultiplyPoint3x4(0.5f * box.Size));
+            return Mathf.Max(-middle.z, 0f) + 0.5f * box.Spacing * box.Size.magnitude;
+        }
+
         void SetPicture(CommandBuffer cmd, Kernel kernel)
         {
-            SurfaceScratch scratch = SurfaceScratch.Shared;
+            WaterScratch scratch = WaterScratch.Shared;
             cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
             cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.SceneCopy, scratch.SceneCopy);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SprayAmounts, scratch.SprayAmounts);

@@ -99,22 +99,22 @@ namespace Rill
 
         public void Describe(StageDescription stage)
         {
-            SurfaceView.Describe(stage, Faces);
-            SurfaceView.Describe(stage, Ends);
-            SurfaceView.Describe(stage, Directions);
-            SurfaceView.Describe(stage, Mirrors);
-            SurfaceView.Describe(stage, Chords);
-            SurfaceView.Describe(stage, Sun);
-            SurfaceView.Describe(stage, Phases);
-            SurfaceView.Describe(stage, Spray);
-            SurfaceView.Describe(stage, Bubbles);
+            stage.Texture(Faces);
+            stage.Texture(Ends);
+            stage.Texture(Directions);
+            stage.Texture(Mirrors);
+            stage.Texture(Chords);
+            stage.Texture(Sun);
+            stage.Texture(Phases);
+            stage.Texture(Spray);
+            stage.Texture(Bubbles);
             Tiles.Describe(stage);
         }
 
         void Make(int eyes)
         {
             ReleaseTextures();
-            Faces = SurfaceView.Make("Rill.Water.RayFaces", size.Width, size.Height, eyes, GraphicsFormat.R32G32B32A32_SFloat, true);
+            Faces = GpuTexture.CreateLayers("Rill.Water.RayFaces", size.Width, size.Height, eyes, GraphicsFormat.R32G32B32A32_SFloat, true);
         }
 
         // Returns how many texels of the window one of the coarse window is wide: 1, 2 or 4.
@@ -130,7 +130,7 @@ namespace Rill
             if (layer != null && (!isNeeded || layer.width != width || layer.height != height || layer.volumeDepth != Faces.volumeDepth))
                 EngineObject.Release(ref layer);
             if (isNeeded && layer == null)
-                layer = SurfaceView.Make(name, width, height, Faces.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, true);
+                layer = GpuTexture.CreateLayers(name, width, height, Faces.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, true);
         }
 
         void ReleaseTextures()

@@ -145,6 +145,9 @@ namespace Rill
         /// <summary>uint for each brick of the box: 0 air, 1 water, n + 2 for the brick with number n.</summary>
         public GraphicsBuffer Top => meshTop;
 
+        /// <summary>Why there is no mesh on this device; null where there is.</summary>
+        public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.RHalf, true);
+
         /// <summary>Half, 5 x 5 x 5 texels for each brick, see MeshField.hlsl: the distance of a node from the surface, d, positive in water, -2 to
         /// 2.</summary>
         public RenderTexture Field => field;

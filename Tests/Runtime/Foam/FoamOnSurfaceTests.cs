@@ -10,22 +10,16 @@ using UnityEngine.TestTools;
 namespace Rill.Tests
 {
     /// <summary>Foam where the water is drawn as a surface: under it, on it and beside it.</summary>
-    [TestFixture(SurfaceMethod.ScreenSpace)]
-    [TestFixture(SurfaceMethod.Mesh)]
     public class FoamOnSurfaceTests
     {
         const float Depth = WaterScene.Depth, Half = 0.5f;
         const float Lit = 0.35f + 0.45f * 0.6f;     // of white foam in a white light, whose height is 0.6
         const int Pixels = 64;
+        const string Layer = "Rill.Water.Bubbles";
 
-        readonly SurfaceMethod method;
         WaterScene scene;
         FluidSurface surface;
         FluidFoam foam;
-
-        public FoamOnSurfaceTests(SurfaceMethod method) => this.method = method;
-
-        string Layer => method == SurfaceMethod.Mesh ? "Rill.Water.Bubbles" : "Rill.Surface.Foam";
 
         [SetUp]
         public void Make()
@@ -34,7 +28,6 @@ namespace Rill.Tests
             scene.Camera.backgroundColor = Color.black;
             scene.AddSun();
             surface = scene.Surface;
-            surface.Method = method;
             surface.CastShadows = ShadowCastingMode.Off;
             foam = scene.Root.AddComponent<FluidFoam>();
             foam.Radius = 0.06f;

@@ -55,7 +55,7 @@ namespace Rill.Tests
         {
             float spacing = 0.025f / scale;
             float3 box = new float3(60f, 36f, 24f) * scale;
-            using (var picture = new SurfacePicture())
+            var picture = new SurfacePicture();
             using (var fluid = new TestFluid(box * spacing, spacing, 12480 * scale * scale * scale))
             {
                 fluid.AddBlock(0f, new float3(20f, 26f, 24f) * scale * spacing);

@@ -162,21 +162,15 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator With_a_surface_on_the_screen_it_says_what_to_do_and_with_a_mesh_both_draw()
+        public IEnumerator With_a_surface_on_the_object_both_draw_the_finer_mesh_with_the_walls_of_both()
         {
             Make(keepsSurface: true);
             scene.Surface.Quality = SurfaceQuality.Low;
             scene.Surface.HiddenWalls = BoxWalls.Left | BoxWalls.Bottom;
             mesh.Quality = SurfaceQuality.High;
             mesh.HiddenWalls = BoxWalls.Bottom | BoxWalls.Top;
-            LogAssert.Expect(LogType.Warning, new Regex("FluidSurfaceMesh 'Fluid': .*in screen space.*Turn that off, or set its Method to Mesh"));
             yield return scene.Settle(3);
             LogAssert.NoUnexpectedReceived();
-            Assert.That(mesh.Mesh == null);
-            Assert.That(scene.Fluid.Solver.Surface, Is.Not.Null);
-            Assert.That(Found, Is.Null);
-            scene.Surface.Method = SurfaceMethod.Mesh;
-            yield return Frames(3);
             Assert.That(mesh.Mesh != null);
             Assert.That(Found.Cell, Is.EqualTo(0.5f));
             Assert.That(scene.Fluid.Solver.MeshWalls, Is.EqualTo((int)(BoxWalls.All & ~BoxWalls.Bottom)));

@@ -54,7 +54,7 @@ namespace Rill.Tests
         static Flatness Pool(SolverSettings settings, float side, float depth, float viscosity, int steps, float tilt)
         {
             const float rim = 4f;
-            using (var picture = new SurfacePicture())
+            var picture = new SurfacePicture();
             using (var fluid = new TestFluid(new float3(side, 24f, side) * Spacing, Spacing, (int)(side * side * depth), settings))
             {
                 float radians = math.radians(tilt);
@@ -64,56 +64,51 @@ namespace Rill.Tests
                 fluid.AddBlock(0f, new float3(side, depth, side) * Spacing, jitter: 0.3f).Step(steps);
                 float3 middle = new float3(0.5f * side, depth, 0.5f * side) * Spacing;
                 var water = new Isosurface(Compare.Points(fluid.Read().positions), fluid.Solver.Layout.DomainSize);
-                var flatness = new Flatness();
-                foreach (float smoothing in new[] { 0f, 1f })
-                {
-                    picture.Look((Vector3)middle + 3f * Vector3.up, middle, -side * Spacing, 200, 200).Draw(fluid, smoothing);
-                    double sum = 0.0, squares = 0.0, slopes = 0.0, raw = 0.0, rawSquares = 0.0;
-                    int all = 0, inside = 0, rays = 0, raysInside = 0;
-                    for (int y = 0; y < picture.Height; y++)
-                        for (int x = 0; x < picture.Width; x++)
-                        {
-                            float3 point = picture.Point(x, y);
-                            double error = math.dot(point - middle, up) / Spacing;
-                            bool isInside = math.cmax(math.abs(point - middle).xz) < (0.5f * side - rim) * Spacing;
-                            if (picture.Depth[y * picture.Width + x] == 0f)
-                            {
-                                Assert.That(math.cmin(0.5f * side * Spacing - math.abs(point - middle).xz), Is.LessThan(0.5f * Spacing),
-                                    "a hole that is not in a corner");
-                                continue;
-                            }
-                            sum += error;
-                            all++;
-                            if (isInside)
-                            {
-                                squares += error * error;
-                                slopes += Math.Pow(
-                                    Math.Acos(Math.Min(math.dot(math.normalize((double3)picture.Normals[y * picture.Width + x].xyz), up),
-                                    1.0)), 2.0);
-                                inside++;
-                            }
-                            if (smoothing == 0f || x % Coarse != 0 || y % Coarse != 0)
-                                continue;
-                            double of = math.dot(RawPoint(water, picture, x, y) - (double3)middle / Spacing, up);
-                            raw += of;
-                            rays++;
-                            if (!isInside)
-                                continue;
-                            rawSquares += of * of;
-                            raysInside++;
-                        }
-                    flatness = new Flatness
+                picture.Look((Vector3)middle + 3f * Vector3.up, middle, -side * Spacing, 200, 200).Draw(fluid);
+                double sum = 0.0, squares = 0.0, slopes = 0.0, raw = 0.0, rawSquares = 0.0;
+                int all = 0, inside = 0, rays = 0, raysInside = 0;
+                for (int y = 0; y < picture.Height; y++)
+                    for (int x = 0; x < picture.Width; x++)
                     {
-                        mean = sum / all, rms = Math.Sqrt(squares / inside),
-                        degrees = math.degrees(Math.Sqrt(slopes / inside))
-                    };
-                    TestContext.Out.WriteLine($"{side} x {depth} x {side} d, viscosity {viscosity}, {steps} steps, tilt {tilt}°, " +
-                        $"smoothing {smoothing} d: height mean {flatness.mean:+0.000;-0.000} d, rms {flatness.rms:0.000} d, normals " +
-                        $"{flatness.degrees:0.00}° rms");
-                    if (smoothing != 0f)
-                        TestContext.Out.WriteLine($"isosurface of its raw particles: mean {raw / rays:+0.000;-0.000} d, rms " +
-                            $"{Math.Sqrt(rawSquares / raysInside):0.000} d");
-                }
+                        float3 point = picture.Point(x, y);
+                        double error = math.dot(point - middle, up) / Spacing;
+                        bool isInside = math.cmax(math.abs(point - middle).xz) < (0.5f * side - rim) * Spacing;
+                        if (picture.Depth[y * picture.Width + x] == 0.0)
+                        {
+                            Assert.That(math.cmin(0.5f * side * Spacing - math.abs(point - middle).xz), Is.LessThan(0.5f * Spacing),
+                                "a hole that is not in a corner");
+                            continue;
+                        }
+                        sum += error;
+                        all++;
+                        if (isInside)
+                        {
+                            squares += error * error;
+                            slopes += Math.Pow(
+                                Math.Acos(Math.Min(math.dot(picture.Normals[y * picture.Width + x], up),
+                                1.0)), 2.0);
+                            inside++;
+                        }
+                        if (x % Coarse != 0 || y % Coarse != 0)
+                            continue;
+                        double of = math.dot(RawPoint(water, picture, x, y) - (double3)middle / Spacing, up);
+                        raw += of;
+                        rays++;
+                        if (!isInside)
+                            continue;
+                        rawSquares += of * of;
+                        raysInside++;
+                    }
+                var flatness = new Flatness
+                {
+                    mean = sum / all, rms = Math.Sqrt(squares / inside),
+                    degrees = math.degrees(Math.Sqrt(slopes / inside))
+                };
+                TestContext.Out.WriteLine($"{side} x {depth} x {side} d, viscosity {viscosity}, {steps} steps, tilt {tilt}°, " +
+                    $"height mean {flatness.mean:+0.000;-0.000} d, rms {flatness.rms:0.000} d, normals " +
+                    $"{flatness.degrees:0.00}° rms");
+                TestContext.Out.WriteLine($"isosurface of its raw particles: mean {raw / rays:+0.000;-0.000} d, rms " +
+                        $"{Math.Sqrt(rawSquares / raysInside):0.000} d");
                 return flatness;
             }
         }
@@ -123,7 +118,7 @@ namespace Rill.Tests
         public void A_ball_relaxed_from_random_places_has_the_radius_of_its_volume(uint seed)
         {
             const int count = 4189;
-            using (var picture = new SurfacePicture())
+            var picture = new SurfacePicture();
             using (var fluid = new TestFluid(30f * Spacing, Spacing, count))
             {
                 fluid.Input.gravity = 0f;
@@ -139,44 +134,39 @@ namespace Rill.Tests
                 double radius = Math.Pow(0.75 / Math.PI * count, 1.0 / 3.0);
                 double3 middle = points.Aggregate((a, b) => a + b) / count;
                 var water = new Isosurface(points, 30.0);
-                foreach (float smoothing in new[] { 0f, 1f })
-                {
-                    float3 at = (float3)middle * Spacing;
-                    picture.Look((Vector3)at + 3f * Vector3.back, at, -24f * Spacing, 240, 240).Draw(fluid, smoothing);
-                    double squares = 0.0, sum = 0.0, raw = 0.0, between = 0.0;
-                    int both = 0, either = 0, rays = 0;
-                    for (int y = 0; y < picture.Height; y++)
-                        for (int x = 0; x < picture.Width; x++)
-                        {
-                            picture.Ray(x, y, out float3 origin, out _);
-                            double drawn = picture.Depth[y * picture.Width + x] / Spacing,
-                                left = radius * radius - math.lengthsq(origin.xy / Spacing - middle.xy);
-                            either += left > 0.0 || drawn > 0.0 ? 1 : 0;
-                            if (left <= 0.0 || drawn == 0.0)
-                                continue;
-                            both++;
-                            double error = drawn - (middle.z - origin.z / Spacing - Math.Sqrt(left));
-                            sum += error;
-                            squares += error * error;
-                            if (smoothing == 0f || x % Coarse != 0 || y % Coarse != 0)
-                                continue;
-                            double z = RawPoint(water, picture, x, y).z;
-                            if (double.IsNaN(z))
-                                continue;
-                            raw += Math.Pow(z - middle.z + Math.Sqrt(left), 2.0);
-                            between += Math.Pow(z - origin.z / Spacing - drawn, 2.0);
-                            rays++;
-                        }
-                    double rms = Math.Sqrt(squares / both), overlap = both / (double)either;
-                    TestContext.Out.WriteLine($"ball of seed {seed}, smoothing {smoothing} d: depth RMSE {rms:0.000} d, mean " +
-                        $"{sum / both:+0.000;-0.000} d; silhouette IoU {overlap:0.0000}");
-                    if (smoothing == 0f)
-                        continue;
-                    TestContext.Out.WriteLine($"isosurface of its raw particles: depth RMSE {Math.Sqrt(raw / rays):0.000} d; from it " +
-                        $"to what is drawn {Math.Sqrt(between / rays):0.000} d rms");
-                    Assert.That(rms, Is.LessThanOrEqualTo(0.4), "0.1 is aimed at");
-                    Assert.That(overlap, Is.GreaterThanOrEqualTo(0.95), "0.98 is aimed at");
-                }
+                float3 at = (float3)middle * Spacing;
+                picture.Look((Vector3)at + 3f * Vector3.back, at, -24f * Spacing, 240, 240).Draw(fluid);
+                double squares = 0.0, sum = 0.0, raw = 0.0, between = 0.0;
+                int both = 0, either = 0, rays = 0;
+                for (int y = 0; y < picture.Height; y++)
+                    for (int x = 0; x < picture.Width; x++)
+                    {
+                        picture.Ray(x, y, out float3 origin, out _);
+                        double drawn = picture.Depth[y * picture.Width + x] / Spacing,
+                            left = radius * radius - math.lengthsq(origin.xy / Spacing - middle.xy);
+                        either += left > 0.0 || drawn > 0.0 ? 1 : 0;
+                        if (left <= 0.0 || drawn == 0.0)
+                            continue;
+                        both++;
+                        double error = drawn - (middle.z - origin.z / Spacing - Math.Sqrt(left));
+                        sum += error;
+                        squares += error * error;
+                        if (x % Coarse != 0 || y % Coarse != 0)
+                            continue;
+                        double z = RawPoint(water, picture, x, y).z;
+                        if (double.IsNaN(z))
+                            continue;
+                        raw += Math.Pow(z - middle.z + Math.Sqrt(left), 2.0);
+                        between += Math.Pow(z - origin.z / Spacing - drawn, 2.0);
+                        rays++;
+                    }
+                double rms = Math.Sqrt(squares / both), overlap = both / (double)either;
+                TestContext.Out.WriteLine($"ball of seed {seed}: depth RMSE {rms:0.000} d, mean " +
+                    $"{sum / both:+0.000;-0.000} d; silhouette IoU {overlap:0.0000}");
+                TestContext.Out.WriteLine($"isosurface of its raw particles: depth RMSE {Math.Sqrt(raw / rays):0.000} d; from it " +
+                    $"to what is drawn {Math.Sqrt(between / rays):0.000} d rms");
+                Assert.That(rms, Is.LessThanOrEqualTo(0.4), "0.1 is aimed at");
+                Assert.That(overlap, Is.GreaterThanOrEqualTo(0.95), "0.98 is aimed at");
             }
         }
 

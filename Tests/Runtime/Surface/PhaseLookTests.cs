@@ -9,22 +9,17 @@ using UnityEngine.TestTools;
 namespace Rill.Tests
 {
     /// <summary>Phases of a fluid whose surface shows each with a look of its own: seen from above, over white.</summary>
-    [TestFixture(SurfaceMethod.ScreenSpace)]
-    [TestFixture(SurfaceMethod.Mesh)]
     public class PhaseLookTests
     {
         const float Depth = WaterScene.Depth;
+        const float Kept = 0.9596f;     // of light at the two faces that it goes through
 
         // left after 0.5 m
         static readonly float3 Base = WaterScene.Left, First = new float3(0.7f, 0.3f, 0.4f), Second = new float3(0.9f, 0.8f, 0.2f);
 
-        readonly SurfaceMethod method;
-        readonly float kept;        // of light at the faces that it goes through: a mesh has one below too
         WaterScene scene;
         FluidSurface surface;
         FluidEmitter emitter;
-
-        public PhaseLookTests(SurfaceMethod method) => (this.method, kept) = (method, method == SurfaceMethod.Mesh ? 0.9596f : 0.98f);
 
         [SetUp]
         public void Make()
@@ -32,7 +27,6 @@ namespace Rill.Tests
             scene = new WaterScene(48);
             scene.Camera.orthographicSize = 0.4f;
             surface = scene.Surface;
-            surface.Method = method;
             emitter = scene.NewChild<FluidEmitter>("Emitter");
             emitter.Rate = 1e-7f;       // less than a particle in a test
             emitter.Phase = 1;
@@ -50,7 +44,7 @@ namespace Rill.Tests
             scene.SetPhases((p, i) => p.x > 0.5f ? phase : 0);
             yield return WaterScene.Frames(2);
             float3 left = scene.At(-0.25f), right = scene.At(0.25f);
-            float thickness = math.log(alike.z / kept) / math.log(Base.z) * 0.5f;
+            float thickness = math.log(alike.z / Kept) / math.log(Base.z) * 0.5f;
             TestContext.Out.WriteLine($"all alike {alike}, left {left}, right {right}, thickness {thickness} m");
             Assert.That(thickness, Is.EqualTo(Depth).Within(0.06f));
             IsNear(left, Left(Base, thickness));
@@ -62,14 +56,14 @@ namespace Rill.Tests
         {
             surface.PhaseLooks = new[] { Clear(First) };
             yield return scene.Settle();
-            float thickness = math.log(scene.At(0f).z / kept) / math.log(Base.z) * 0.5f;
+            float thickness = math.log(scene.At(0f).z / Kept) / math.log(Base.z) * 0.5f;
             scene.SetPhases((p, i) => i % one == 0 ? 1 : 0);
             yield return WaterScene.Frames(2);
             float3 sum = 0f;
             int samples = 0;
             for (float right = -0.3f; right < 0.3f; right += 0.05f, samples++)
-                sum += math.log(scene.At(right) / kept);
-            float3 seen = math.exp(sum / samples) * kept, expected = Left(Base, (1f - 1f / one) * thickness) * Left(First, thickness / one) / kept;
+                sum += math.log(scene.At(right) / Kept);
+            float3 seen = math.exp(sum / samples) * Kept, expected = Left(Base, (1f - 1f / one) * thickness) * Left(First, thickness / one) / Kept;
             TestContext.Out.WriteLine($"seen {seen}, by the mean of the rates {expected}");
             IsNear(seen, expected, 0.03f);
         }
@@ -112,7 +106,7 @@ namespace Rill.Tests
             surface.PhaseLooks = new[] { Clear(First) };
             scene.SetPhases((p, i) => 1);
             yield return WaterScene.Frames(2);
-            Assert.That(Work(), Has.Some.Contains(method == SurfaceMethod.Mesh ? "TracePhases" : "AddPhases"));
+            Assert.That(Work(), Has.Some.Contains("TracePhases"));
             Assert.That(math.cmax(math.abs(scene.At(0f) - before[before.Length / 2 + scene.Target.width / 2].xyz)), Is.GreaterThan(0.1f));
             surface.PhaseLooks = null;
             yield return WaterScene.Frames(2);
@@ -153,7 +147,7 @@ namespace Rill.Tests
 
         static SurfaceLook Clear(float3 left) => WaterScene.Absorbing(left, 0.5f);
 
-        float3 Left(float3 after, float thickness) => kept * math.pow(after, thickness / 0.5f);
+        float3 Left(float3 after, float thickness) => Kept * math.pow(after, thickness / 0.5f);
 
         static void IsNear(float3 seen, float3 expected, float within = 0.04f)
             => Assert.That(math.cmax(math.abs(seen / expected - 1f)), Is.LessThan(within), $"{seen} for {expected}");

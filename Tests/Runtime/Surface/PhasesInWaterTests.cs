@@ -23,7 +23,6 @@ namespace Rill.Tests
             scene = new WaterScene(48);
             scene.Camera.orthographicSize = 0.4f;
             surface = scene.Surface;
-            surface.Method = SurfaceMethod.Mesh;
             FluidEmitter emitter = scene.NewChild<FluidEmitter>("Emitter");
             emitter.Rate = 1e-7f;       // less than a particle in a test
             emitter.Phase = 1;

@@ -11,13 +11,7 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f;
 
-        SurfacePicture picture;
-
-        [SetUp]
-        public void Make() => picture = new SurfacePicture();
-
-        [TearDown]
-        public void Release() => picture.Dispose();
+        readonly SurfacePicture picture = new SurfacePicture();
 
         [TestCase(12)]
         [TestCase(24)]
@@ -50,7 +44,7 @@ namespace Rill.Tests
         // From the surface of the same state with nothing before it. Lengths in d; height: from the trough to the crest.
         (double rms, double max, double crest, double height) DifferenceFromAFirstFrame(TestFluid fluid)
         {
-            float[] drawn = picture.Depth;
+            double[] drawn = picture.Depth;
             fluid.Solver.ReleaseSurface();
             picture.Draw(fluid);
             double squares = 0.0, max = 0.0, low = double.MaxValue, high = 0.0, drawnLow = double.MaxValue;

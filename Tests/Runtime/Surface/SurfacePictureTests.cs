@@ -6,46 +6,12 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>The surface on the picture against shapes that are known.</summary>
+    /// <summary>The surface as it is seen, against shapes that are known.</summary>
     public class SurfacePictureTests
     {
         const float Spacing = 0.05f;
 
-        SurfacePicture picture;
-
-        [SetUp]
-        public void Make() => picture = new SurfacePicture();
-
-        [TearDown]
-        public void Release() => picture.Dispose();
-
-        [TestCase(30f)]
-        [TestCase(-1f)]
-        public void A_single_particle_is_a_ball_of_its_volume(float size)
-        {
-            using (TestFluid fluid = Still(20).Add(new[] { new float3(0.5f) }))
-            {
-                fluid.Step();
-                picture.Look(new Vector3(0.5f, 0.5f, -2f), Vector3.one * 0.5f, size < 0f ? -0.1f : 3f, 128, 128).Draw(fluid, smoothing: 0f);
-                double radius = Spacing * Math.Pow(3.0 / (4.0 * Math.PI), 1.0 / 3.0), squares = 0.0;
-                int seen = 0, wrong = 0;
-                for (int y = 0; y < picture.Height; y++)
-                    for (int x = 0; x < picture.Width; x++)
-                    {
-                        picture.Ray(x, y, out float3 origin, out float3 direction);
-                        bool hits = HitSphere(origin, direction, 0.5, radius, out double depth);
-                        double drawn = picture.Depth[y * picture.Width + x];
-                        wrong += hits != drawn > 0.0 ? 1 : 0;
-                        if (!hits || drawn == 0.0)
-                            continue;
-                        seen++;
-                        squares += (drawn - depth) * (drawn - depth);
-                    }
-                Assert.That(seen, Is.GreaterThan(2000));
-                Assert.That(wrong, Is.LessThan(seen / 50));
-                Assert.That(Math.Sqrt(squares / seen) / Spacing, Is.LessThan(0.01));
-            }
-        }
+        readonly SurfacePicture picture = new SurfacePicture();
 
         [Test]
         public void A_ball_of_water_is_as_large_as_its_particles()
@@ -82,8 +48,8 @@ namespace Rill.Tests
                 double rms = Math.Sqrt(squares / both) / Spacing, overlap = (double)both / either;
                 TestContext.Out.WriteLine(
                     $"{inside.Length:N0} particles, R = {expected / Spacing:F2} d: depth RMSE {rms:F3} d, silhouette IoU {overlap:F4}");
-                Assert.That(overlap, Is.GreaterThanOrEqualTo(0.98));
-                Assert.That(rms, Is.LessThanOrEqualTo(0.2), "0.1 is aimed at");
+                Assert.That(overlap, Is.GreaterThanOrEqualTo(0.985));
+                Assert.That(rms, Is.LessThanOrEqualTo(0.11));
             }
         }
 
@@ -99,16 +65,16 @@ namespace Rill.Tests
                 for (int y = 0; y < picture.Height; y++)
                     for (int x = 0; x < picture.Width; x++)
                     {
-                        Assert.That(picture.Depth[y * picture.Width + x], Is.GreaterThan(0f), "no hole");
+                        Assert.That(picture.Depth[y * picture.Width + x], Is.GreaterThan(0.0), "no hole");
                         sum += picture.Point(x, y).y / Spacing - 10.0;
-                        double angle = Math.Acos(Math.Min(picture.Normals[y * picture.Width + x].y, 1f)) * 180.0 / Math.PI;
+                        double angle = Math.Acos(Math.Min(picture.Normals[y * picture.Width + x].y, 1.0)) * 180.0 / Math.PI;
                         tilt += angle * angle;
                     }
                 int pixels = picture.Depth.Length;
                 double mean = sum / pixels, rms = Math.Sqrt(tilt / pixels);
                 TestContext.Out.WriteLine($"pool of 10 layers: mean height error {mean:F3} d, normals {rms:F2} degrees rms");
-                Assert.That(Math.Abs(mean), Is.LessThanOrEqualTo(0.1));
-                Assert.That(rms, Is.LessThanOrEqualTo(2.5), "2 is aimed at: where the layer at the top has gaps it dips");
+                Assert.That(Math.Abs(mean), Is.LessThanOrEqualTo(0.03));
+                Assert.That(rms, Is.LessThanOrEqualTo(2.0));
             }
         }
 
@@ -121,7 +87,7 @@ namespace Rill.Tests
                 fluid.AddBlock(new float3(2f, 15f, 2f) * Spacing, new float3(28f, layers, 28f) * Spacing, jitter: 0.2f).Step();
                 picture.Look(new Vector3(16f * Spacing, 4f, 16f * Spacing), new Vector3(16f, 0f, 16f) * Spacing, -24f * Spacing, 360, 360)
                     .Draw(fluid);
-                double covered = picture.Depth.Count(depth => depth > 0f) / (double)picture.Depth.Length;
+                double covered = picture.Depth.Count(depth => depth > 0.0) / (double)picture.Depth.Length;
                 TestContext.Out.WriteLine($"sheet of {layers} layers: {100.0 * covered:F2} % covered");
                 Assert.That(covered, Is.GreaterThanOrEqualTo(0.995));
             }
@@ -135,12 +101,12 @@ namespace Rill.Tests
                 fluid.AddBlock(new float3(8f, 14f, 4f) * Spacing, new float3(12f, 12f, 8f) * Spacing)
                     .AddBlock(new float3(16f, 14f, 28f) * Spacing, new float3(12f, 12f, 8f) * Spacing).Step();
                 picture.Look(new Vector3(20f, 20f, -60f) * Spacing, new Vector3(20f, 20f, 20f) * Spacing, 25f, 320, 320)
-                    .Draw(fluid, smoothing: 2f, quality: SurfaceQuality.High);
+                    .Draw(fluid, cell: 0.5f);
                 int near = 0, far = 0;
                 for (int y = 0; y < picture.Height; y++)
                     for (int x = 0; x < picture.Width; x++)
                     {
-                        if (picture.Depth[y * picture.Width + x] == 0f)
+                        if (picture.Depth[y * picture.Width + x] == 0.0)
                             continue;
                         float z = picture.Point(x, y).z / Spacing;
                         near += z < 13f ? 1 : 0;
@@ -166,19 +132,7 @@ namespace Rill.Tests
                     200, 200).Draw(fluid);
                 double mean = picture.Thickness.Average() / Spacing;
                 TestContext.Out.WriteLine($"{layers} layers: thickness {mean:F2} d");
-                Assert.That(mean, Is.EqualTo(layers).Within(0.03 * layers));
-            }
-        }
-
-        [Test]
-        public void Water_behind_the_scene_adds_no_thickness()
-        {
-            using (TestFluid fluid = Still(24))
-            {
-                fluid.AddBlock(new float3(2f) * Spacing, new float3(20f) * Spacing).Step();
-                picture.Look(new Vector3(12f * Spacing, 4f, 12f * Spacing), new Vector3(12f, 0f, 12f) * Spacing, -10f * Spacing, 160, 160);
-                picture.SceneDepth = 4f - 12f * Spacing;        // half of the water is behind
-                Assert.That(picture.Draw(fluid).Thickness.Average() / Spacing, Is.EqualTo(10.0).Within(0.5));
+                Assert.That(mean, Is.EqualTo(layers).Within(0.25));
             }
         }
 

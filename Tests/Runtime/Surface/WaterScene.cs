@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>Still water in a box around the origin, drawn in screen space by a <see cref="FluidSurface"/> that mirrors nothing, under a
+    /// <summary>Still water in a box around the origin, drawn by a <see cref="FluidSurface"/> that mirrors nothing, under a
     /// camera that looks straight down. It is off until a test turns it on.</summary>
     sealed class WaterScene
     {
@@ -41,7 +41,6 @@ namespace Rill.Tests
             volume.transform.localPosition = new Vector3(0f, 0.5f * (depth - box.y), 0f);
             volume.Size = new Vector3(box.x, depth, box.z);
             Surface = Root.AddComponent<FluidSurface>();
-            Surface.Method = SurfaceMethod.ScreenSpace;
             Surface.ReflectionStrength = 0f;
             Surface.Ripples = 0f;
             Surface.Look = Absorbing(Left, 0.5f);
@@ -131,6 +130,24 @@ namespace Rill.Tests
             var material = Keep(new Material(Shader.Find("Unlit/Color")));
             material.color = Encoded(color);
             return NewPrimitive(type, material);
+        }
+
+        /// <param name="color">Linear; without light, and in depth textures.</param>
+        public GameObject NewSolid(PrimitiveType type, float3 color)
+        {
+            var material = Keep(new Material(Shader.Find("Rill/Solid")));
+            material.SetColor("_Color", Encoded(color));
+            material.SetColor("_Ambient", Color.white);
+            return NewPrimitive(type, material);
+        }
+
+        /// <summary>Adds a floor under the box, without light: rays that are bent a little end on it, and not far beyond the picture.</summary>
+        public void AddFloor(float3 color)
+        {
+            GameObject floor = NewSolid(PrimitiveType.Quad, color);
+            floor.transform.rotation = Quaternion.LookRotation(Vector3.down);
+            floor.transform.position = new Vector3(0f, -0.52f, 0f);
+            floor.transform.localScale = new Vector3(8f, 8f, 1f);
         }
 
         public GameObject NewPrimitive(PrimitiveType type, Material material)

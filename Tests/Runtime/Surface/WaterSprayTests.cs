@@ -79,7 +79,6 @@ namespace Rill.Tests
         public IEnumerator Foam_covers_as_much_of_the_picture_however_large_it_is([Values(0.3f, 0.6f, 0.9f)] float opacity)
         {
             scene = new WaterScene(48);
-            scene.Surface.Method = SurfaceMethod.Mesh;
             scene.Surface.CastShadows = ShadowCastingMode.Off;
             scene.Camera.backgroundColor = Color.black;
             scene.AddSun();
@@ -168,7 +167,6 @@ namespace Rill.Tests
             if (places.Length == 0)
                 places = new[] { new float3(-0.15f, 0f, -0.15f), new float3(0.15f, 0.1f, -0.15f), new float3(0.15f, -0.1f, 0.15f) };
             scene = new WaterScene(pixels, new Vector3(0.6f, 0.5f, 0.6f), 0f, 64);
-            scene.Surface.Method = SurfaceMethod.Mesh;
             scene.Surface.CastShadows = ShadowCastingMode.Off;
             scene.Camera.backgroundColor = Color.black;
             Light sun = scene.AddSun();

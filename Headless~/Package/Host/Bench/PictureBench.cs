@@ -15,7 +15,7 @@ using Object = UnityEngine.Object;
 namespace Host.Bench
 {
     /// <summary>
-    /// <c>bench picture</c>: what each way to draw the water adds to a frame with one step, over a dam that breaks before a camera of the Built-in
+    /// <c>bench picture</c>: what drawing the water adds to a frame with one step, over a dam that breaks before a camera of the Built-in
     /// pipeline: what is found once a frame, and what the camera draws.
     /// </summary>
     static class PictureBench
@@ -28,13 +28,8 @@ namespace Host.Bench
         static readonly (string Name, Action<FluidSurface> Set)[] Rows =
         {
             ("none", null),
-            ("screen space", surface => surface.Method = SurfaceMethod.ScreenSpace),
-            ("mesh", surface => surface.Method = SurfaceMethod.Mesh),
-            ("mesh without caustics", surface =>
-            {
-                surface.Method = SurfaceMethod.Mesh;
-                surface.Caustics = false;
-            }),
+            ("water", _ => { }),
+            ("water without caustics", surface => surface.Caustics = false),
             ("none again", null),
         };
 
@@ -51,24 +46,24 @@ namespace Host.Bench
             var foam = new Option<int>("--foam") { Description = "Foam particles, all of which are there soon; 0: none." };
             var settled = new Option<bool>("--settled") { Description = $"Frames {Settled.First} to {Settled.Last} instead of {Moving.First} to " +
                 $"{Moving.Last}." };
-            var methods = new Option<string[]>("--methods") {
+            var rows = new Option<string[]>("--rows") {
                 Description = $"{string.Join(", ", Rows.Select(row => row.Name))}: those that are measured.",
                 DefaultValueFactory = _ => Rows.Select(row => row.Name).ToArray(), AllowMultipleArgumentsPerToken = true };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("picture", "Measures what drawing the water adds to a frame, by each method.") {
-                particles, sizes, methods, quality, foam, stereo, settled, csv, shaders };
+            var command = new Command("picture", "Measures what drawing the water adds to a frame, with and without caustics.") {
+                particles, sizes, rows, quality, foam, stereo, settled, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 Player.Stereo = parsed.GetValue(stereo);
                 foreach (int count in parsed.GetValue(particles))
                     GivenNumber.CheckOption("--particles", count, ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
-                string unknown = parsed.GetValue(methods).FirstOrDefault(name => Rows.All(row => row.Name != name));
+                string unknown = parsed.GetValue(rows).FirstOrDefault(name => Rows.All(row => row.Name != name));
                 if (unknown != null)
-                    throw new HostException($"--methods {unknown}: give {string.Join(", ", Rows.Select(row => row.Name))}.");
+                    throw new HostException($"--rows {unknown}: give {string.Join(", ", Rows.Select(row => row.Name))}.");
                 Execute(parsed.GetValue(particles), parsed.GetValue(sizes).Select(ParseSize).ToArray(),
-                    Rows.Where(row => parsed.GetValue(methods).Contains(row.Name)).ToArray(), parsed.GetValue(quality),
+                    Rows.Where(row => parsed.GetValue(rows).Contains(row.Name)).ToArray(), parsed.GetValue(quality),
                     parsed.GetValue(foam), parsed.GetValue(settled) ? Settled : Moving, parsed.GetValue(csv), Console.Out);
                 return 0;
             });
@@ -87,7 +82,7 @@ namespace Host.Bench
             int foam, (string Name, int First, int Last) window, string csv, TextWriter output)
         {
             using var session = new Session(Session.Root());
-            var table = new ReportTable("particles", "window", "size", "eyes", "method", "sample", "median_ms", "p10_ms", "p90_ms", "frames")
+            var table = new ReportTable("particles", "window", "size", "eyes", "row", "sample", "median_ms", "p10_ms", "p90_ms", "frames")
             {
                 MeasuredOn = session.DescribeDevice(),
             };

@@ -14,8 +14,8 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>A played fluid whose surface is a mesh, as cameras and shadows show it.</summary>
-    public class MeshMethodTests
+    /// <summary>The surface of a played fluid, as cameras and shadows show it.</summary>
+    public class PlayedSurfaceTests
     {
         const int Pixels = 48;
 
@@ -42,34 +42,6 @@ namespace Rill.Tests
             float3 seen = new float3(color.r, color.g, color.b), expected = (1f - 0.0204f) * math.pow(Left, 0.25f / 0.5f);
             TestContext.Out.WriteLine($"seen {seen}, Fresnel, Beer and Lambert {expected}");
             Assert.That(math.cmax(math.abs(seen / expected - 1f)), Is.LessThan(0.05f));
-        }
-
-        [UnityTest]
-        public IEnumerator The_method_changes_while_the_fluid_runs_and_gives_back_the_mesh([Values] bool paused)
-        {
-            Make(new Vector3(0.6f, 0.5f, 0.6f), 0.2f, 800);
-            scene.Surface.Method = SurfaceMethod.ScreenSpace;
-            yield return scene.Settle(12);
-            scene.Fluid.Paused = paused;
-            PbfSolver solver = scene.Fluid.Solver;
-            Assert.That(solver.Mesh, Is.Null);
-            float before = scene.Mean().g;
-            for (int time = 0; time < 2; time++)
-            {
-                scene.Surface.Method = SurfaceMethod.Mesh;
-                yield return Frames(3);
-                Assert.That(scene.Mean().g, Is.EqualTo(before).Within(0.05f), "as a mesh");
-                SurfaceMesh mesh = solver.Mesh;
-                GraphicsBuffer[] buffers = { mesh.Vertices, mesh.Indices, mesh.Arguments, mesh.Drops, mesh.Top };
-                RenderTexture field = mesh.Field;
-                scene.Surface.Method = SurfaceMethod.ScreenSpace;
-                yield return Frames(3);
-                Assert.That(solver.Mesh, Is.Null);
-                Assert.That(buffers.Count(buffer => buffer.IsValid()), Is.Zero);
-                Assert.That(field == null);
-                Assert.That(scene.Mean().g, Is.EqualTo(before).Within(0.05f), "on the screen");
-            }
-            LogAssert.NoUnexpectedReceived();
         }
 
         [UnityTest]
@@ -252,7 +224,6 @@ namespace Rill.Tests
         void Make(Vector3 box, float depth, int capacity)
         {
             scene = new WaterScene(Pixels, box, depth, capacity);
-            scene.Surface.Method = SurfaceMethod.Mesh;
             scene.Surface.CastShadows = ShadowCastingMode.Off;
             if (depth <= 0f)
                 scene.Root.GetComponentInChildren<FluidVolume>(true).gameObject.SetActive(false);
