@@ -116,7 +116,7 @@ namespace Rill
             cmd.DrawProcedural(Matrix4x4.identity, material, 0, MeshTopology.Triangles, Vertices, 1, block);
         }
 
-        BoxOnPicture BoundsOn(in FluidViews camera) => BoxOnPicture.Of(camera, SurfaceFrame.BoxOf(fluid));
+        BoxOnPicture BoundsOn(in FluidViews camera) => BoxOnPicture.Of(camera, new FluidBox(fluid));
 
         // Probes are given to renderers alone: the draw takes what URP and the Built-in pipeline show where no probe is.
         void SetSky(MaterialPropertyBlock block)
