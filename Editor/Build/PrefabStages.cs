@@ -26,8 +26,8 @@ namespace Rill.Editor
             var missing = new List<string>();
             HashSet<string> files = Stored(path);
             if (files.Any(IsOfRuntime) && AssetDatabase.LoadAssetAtPath<GameObject>(path) is GameObject prefab && prefab != null)
-                foreach (IUsesStages user in prefab.GetComponentsInChildren<IUsesStages>(true))
-                    missing.AddRange(MissingOf(user.UsedStages, files).Except(missing));
+                foreach (IUsesFeatures user in prefab.GetComponentsInChildren<IUsesFeatures>(true))
+                    missing.AddRange(MissingOf(user.UsedFeatures, files).Except(missing));
             return missing;
         }
 
@@ -52,17 +52,17 @@ namespace Rill.Editor
                     "Preloaded Assets of the player settings, or copy the prefab into the project.");
                 return;
             }
-            foreach (IUsesStages user in prefab.GetComponentsInChildren<IUsesStages>(true))
-                if (MissingOf(user.UsedStages, Stored(path)).Any())
+            foreach (IUsesFeatures user in prefab.GetComponentsInChildren<IUsesFeatures>(true))
+                if (MissingOf(user.UsedFeatures, Stored(path)).Any())
                     Update(user);
             PrefabUtility.SavePrefabAsset(prefab);
             stored.Remove(path);
             report(path, true, $"now refers to the stages {stages}.");
         }
 
-        static void Update(IUsesStages user)
+        static void Update(IUsesFeatures user)
         {
-            user.StageReferences.Update(user.UsedStages);
+            user.StageReferences.Update(user.UsedFeatures);
             var component = (Component)user;
             EditorUtility.SetDirty(component);
             if (PrefabUtility.IsPartOfPrefabInstance(component))
@@ -80,11 +80,11 @@ namespace Rill.Editor
             return files;
         }
 
-        static IEnumerable<string> MissingOf(StageSet used, HashSet<string> files)
+        static IEnumerable<string> MissingOf(FeatureSet used, HashSet<string> files)
         {
-            for (int group = 1; group <= (int)used; group <<= 1)
-                for (int i = 0; ((int)used & group) != 0 && StageSets.StageAt((StageSet)group, i) is string stage; i++)
-                    if (!files.Contains(StageAssets.PathOf(stage)))
+            foreach (Feature feature in Features.All)
+                foreach (string stage in feature.Stages)
+                    if (used.Has(feature) && !files.Contains(StageAssets.PathOf(stage)))
                         yield return stage;
         }
 

@@ -17,8 +17,8 @@ namespace Rill.Editor
         public void OnProcessScene(Scene scene, BuildReport report)
         {
             foreach (GameObject root in scene.GetRootGameObjects())
-                foreach (IUsesStages user in root.GetComponentsInChildren<IUsesStages>(true))
-                    user.StageReferences.Update(user.UsedStages);
+                foreach (IUsesFeatures user in root.GetComponentsInChildren<IUsesFeatures>(true))
+                    user.StageReferences.Update(user.UsedFeatures);
         }
     }
 }

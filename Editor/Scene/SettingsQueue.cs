@@ -54,7 +54,7 @@ namespace Rill.Editor
 
         static void Apply(IAppliesSettings of)
         {
-            if (of is IUsesStages user && user.StageReferences.Update(user.UsedStages))
+            if (of is IUsesFeatures user && user.StageReferences.Update(user.UsedFeatures))
                 Store((Component)user);
             of.ApplySettings();
         }

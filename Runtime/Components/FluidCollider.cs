@@ -17,7 +17,7 @@ namespace Rill
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
-    public sealed class FluidCollider : MonoBehaviour, ISceneCollider, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public sealed class FluidCollider : MonoBehaviour, ISceneCollider, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
         [Tooltip("What the collider looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
@@ -339,9 +339,9 @@ namespace Rill
         // Any fluid whose box it reaches feels it.
         bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => true;
 
-        StageSet IUsesStages.UsedStages => StageSet.Colliders;
+        FeatureSet IUsesFeatures.UsedFeatures => Features.Colliders;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         void OnEnable()
         {
@@ -375,7 +375,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(StageSet.Colliders);
+            shaders.Follow(Features.Colliders);
         }
 
         string DescribeHeights(ref ColliderMotion motion, ref RigidPose pose)

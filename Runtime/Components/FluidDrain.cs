@@ -105,7 +105,7 @@ namespace Rill
             return true;
         }
 
-        private protected override StageSet UsedStages => StageSet.Drains;
+        private protected override FeatureSet UsedFeatures => Features.Drains;
 
         private protected override string ValidateValues()
         {

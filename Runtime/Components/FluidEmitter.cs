@@ -247,7 +247,7 @@ namespace Rill
         }
 
         // What takes particles out when their lifetime is over is the drains' stage.
-        private protected override StageSet UsedStages => lifetime > 0f ? StageSet.Emitters | StageSet.Drains : StageSet.Emitters;
+        private protected override FeatureSet UsedFeatures => lifetime > 0f ? Features.Emitters | Features.Drains : Features.Emitters;
 
         private protected override string ValidateValues()
         {

@@ -12,7 +12,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Follow"), Icon(PackagePaths.Icon), ManualPage("control.md")]
     [RequireComponent(typeof(FluidSimulation)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder - 10)]
-    public sealed class FluidFollow : MonoBehaviour, IHasProblems, IUsesStages, IAppliesSettings
+    public sealed class FluidFollow : MonoBehaviour, IHasProblems, IUsesFeatures, IAppliesSettings
     {
         const float DefaultDistance = 4f;
 
@@ -73,12 +73,12 @@ namespace Rill
         /// <summary>A volume that is filled again after each move, as far as there is room; null for none.</summary>
         public FluidVolume Refill { get => refill; set { refill = value; said = false; } }
 
-        StageSet IUsesStages.UsedStages => UsedStages;
+        FeatureSet IUsesFeatures.UsedFeatures => UsedFeatures;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
-        StageSet UsedStages => StageSet.ParticleEdits
-            | (leaving == LeavingParticles.Keep || handOverTo != null ? StageSet.Transfer : StageSet.None);
+        FeatureSet UsedFeatures => Features.ParticleEdits
+            | (leaving == LeavingParticles.Keep || handOverTo != null ? Features.Transfer : FeatureSet.None);
 
         FluidSimulation Fluid => fluid != null ? fluid : fluid = GetComponent<FluidSimulation>();
 
@@ -124,7 +124,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(UsedStages);
+            shaders.Follow(UsedFeatures);
         }
 
         void LateUpdate()

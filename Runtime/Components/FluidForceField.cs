@@ -124,7 +124,7 @@ namespace Rill
             }
         }
 
-        private protected override StageSet UsedStages => StageSet.ForceFields;
+        private protected override FeatureSet UsedFeatures => Features.ForceFields;
 
         private protected override string ValidateValues()
         {

@@ -19,7 +19,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Rigidbody))]
-    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IUsesStages, IAppliesSettings, ICarriedBody
+    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IUsesFeatures, IAppliesSettings, ICarriedBody
     {
         const float PatienceTime = 5f;          // s without a fluid before that is logged
 
@@ -124,15 +124,15 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(UsedStages);
+            shaders.Follow(UsedFeatures);
         }
 
         // The water is asked for its level where a body lies on the ground or is light.
-        const StageSet UsedStages = StageSet.Queries;
+        static FeatureSet UsedFeatures => Features.Queries;
 
-        StageSet IUsesStages.UsedStages => UsedStages;
+        FeatureSet IUsesFeatures.UsedFeatures => UsedFeatures;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         void IHasProblems.ListProblems(List<string> problems)
         {

@@ -19,7 +19,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidSimulation))]
-    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IBodySource, IHasProblems, IUsesStages, IRunsInEditMode,
+    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IBodySource, IHasProblems, IUsesFeatures, IRunsInEditMode,
         IAppliesSettings
     {
         const int FirstFound = 64, MaxFound = 4096;
@@ -187,11 +187,11 @@ namespace Rill
         bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;
 
         // The water is asked for its level where a body that it carries lies on the ground or is light.
-        StageSet UsedStages => floatingLayers != 0 ? StageSet.Colliders | StageSet.Queries : StageSet.Colliders;
+        FeatureSet UsedFeatures => floatingLayers != 0 ? Features.Colliders | Features.Queries : Features.Colliders;
 
-        StageSet IUsesStages.UsedStages => UsedStages;
+        FeatureSet IUsesFeatures.UsedFeatures => UsedFeatures;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         static string TooManyProblem
             => Invariant($"more than {MaxFound} colliders of its layers are near its box, and the rest is left out. Take objects out of ") +
@@ -245,7 +245,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(UsedStages);
+            shaders.Follow(UsedFeatures);
         }
 
         int Ask(Vector3 center, Quaternion rotation, Vector3 size, float spacing)

@@ -18,7 +18,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Playback"), Icon(PackagePaths.Icon), ManualPage("state.md")]
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
-    public sealed partial class FluidPlayback : MonoBehaviour, IFluidPlayback, IUsesStages, IHasProblems, IRunsInEditMode, IAppliesSettings
+    public sealed partial class FluidPlayback : MonoBehaviour, IFluidPlayback, IUsesFeatures, IHasProblems, IRunsInEditMode, IAppliesSettings
     {
         const float MaxSpeed = 100f;
         const double Tolerance = 1e-5;      // s: by which a time that is meant to be a frame's may fall short of it
@@ -146,9 +146,9 @@ namespace Rill
         /// <summary>Replaces Application.platform: for tests.</summary>
         internal RuntimePlatform? Platform { get; set; }
 
-        StageSet IUsesStages.UsedStages => StageSet.Recording;
+        FeatureSet IUsesFeatures.UsedFeatures => Features.Recording;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         /// <summary>Opens a recording at its first frame. It plays where Play On Enable is on, else call <see cref="Play"/> or set
         /// <see cref="Time"/>. One that was open is closed.</summary>
@@ -283,7 +283,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(StageSet.Recording);
+            shaders.Follow(Features.Recording);
         }
 
         string PathOf(string file)

@@ -20,7 +20,7 @@ namespace Rill
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public sealed class FluidRecorder : MonoBehaviour, IUsesStages, IHasProblems, IAppliesSettings
+    public sealed class FluidRecorder : MonoBehaviour, IUsesFeatures, IHasProblems, IAppliesSettings
     {
         const int MinBuffers = 4, MaxBuffers = 64, DefaultBuffers = 12;
         const float MaxRate = 1000f;
@@ -94,9 +94,9 @@ namespace Rill
         /// <summary>Replaces Application.platform: for tests.</summary>
         internal RuntimePlatform? Platform { get; set; }
 
-        StageSet IUsesStages.UsedStages => StageSet.Recording;
+        FeatureSet IUsesFeatures.UsedFeatures => Features.Recording;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         /// <summary>Starts to record into a file, with the next step. A file of that name is replaced.</summary>
         /// <param name="file">Its path; the folder has to be there.</param>
@@ -186,7 +186,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(StageSet.Recording);
+            shaders.Follow(Features.Recording);
         }
 
         void LateUpdate() => Check();

@@ -38,7 +38,7 @@ namespace Rill
         // What stands around the fluid is a frame to look at, not a thing.
         DomainRenderer() : base(ShadowCastingMode.Off) { }
 
-        private protected override StageSet Stage => StageSet.DomainRenderer;
+        private protected override Feature Drawn => Features.DomainRenderer;
         private protected override string ShaderFile => "Domain";
 
         private protected override void Draw()

@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Draws something of the <see cref="FluidSimulation"/> on the same object with a shader of the package.</summary>
     [RequireComponent(typeof(FluidSimulation))]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public abstract class FluidRenderer : MonoBehaviour, IDrawsFluid, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public abstract class FluidRenderer : MonoBehaviour, IDrawsFluid, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
@@ -31,15 +31,15 @@ namespace Rill
         /// <summary>Whether the shadow of the main light falls on it.</summary>
         public bool ReceiveShadows { get => receiveShadows; set => receiveShadows = value; }
 
-        /// <summary>The one whose asset holds the shader.</summary>
-        private protected abstract StageSet Stage { get; }
+        /// <summary>Feature whose first stage holds the shader.</summary>
+        private protected abstract Feature Drawn { get; }
 
-        /// <summary>Gets further stages that its settings ask for.</summary>
-        private protected virtual StageSet FurtherStages => StageSet.None;
+        /// <summary>Features that it makes a build contain.</summary>
+        private protected virtual FeatureSet UsedFeatures => Drawn;
 
-        StageSet IUsesStages.UsedStages => Stage | FurtherStages;
+        FeatureSet IUsesFeatures.UsedFeatures => UsedFeatures;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => TryGetComponent(out FluidSimulation own) && own == fluid;
 
@@ -174,7 +174,7 @@ namespace Rill
             {
                 if (DeviceGate.ProblemOfDraw(ShaderFile, DeviceLimits.Current) is string tooSmall)
                     throw new InvalidOperationException(tooSmall);
-                shaderMaterial = new Material(StageShader.Load(StageSets.StageAt(Stage, 0)).Shader) { hideFlags = HideFlags.HideAndDontSave };
+                shaderMaterial = new Material(StageShader.Load(Drawn.Stages[0]).Shader) { hideFlags = HideFlags.HideAndDontSave };
                 Begin();
             }
             catch (InvalidOperationException problem)
@@ -201,7 +201,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(Stage | FurtherStages);
+            shaders.Follow(UsedFeatures);
         }
 
         void LateUpdate()

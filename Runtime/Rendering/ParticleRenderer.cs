@@ -94,7 +94,7 @@ namespace Rill
 
         ParticleRenderer() : base(ShadowCastingMode.On) { }
 
-        private protected override StageSet Stage => StageSet.ParticleRenderer;
+        private protected override Feature Drawn => Features.ParticleRenderer;
         private protected override string ShaderFile => "Particles";
 
         private protected override void Draw()

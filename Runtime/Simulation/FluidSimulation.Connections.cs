@@ -57,7 +57,7 @@ namespace Rill
             {
                 FluidConnection connection = connections[number];
                 FluidSimulation other = connection != null ? connection.Other(this) : null;
-                if (other == null || other.pbf == null || other.playback != null || !HasStages(StageSet.Transfer))
+                if (other == null || other.pbf == null || other.playback != null || !HasBesideSteps(Features.Transfer))
                     continue;
                 if (!connection.CanFlow())
                     continue;

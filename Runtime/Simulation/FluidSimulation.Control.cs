@@ -84,7 +84,7 @@ namespace Rill
         /// in a pass of <see cref="BeforeStep"/>.</exception>
         public void RemoveInside(FluidShape shape)
         {
-            if (!IsReadyTo("removing particles") || !HasStages(StageSet.ParticleEdits))
+            if (!IsReadyTo("removing particles") || !HasBesideSteps(Features.ParticleEdits))
                 return;
             RoundedBox box = shape.box;
             GetPose(out Vector3 place, out Quaternion rotation);
@@ -117,7 +117,7 @@ namespace Rill
             CheckTag(phase, lifetime);
             if (!math.all(math.isfinite((float3)velocity)))
                 throw new ArgumentException(Invariant($"A fill with velocity {velocity} m/s: give finite numbers."), nameof(velocity));
-            if (!IsReadyTo("filling it") || !HasStages(StageSet.ParticleEdits))
+            if (!IsReadyTo("filling it") || !HasBesideSteps(Features.ParticleEdits))
                 return;
             using (NativeArray<float4> positions = Lattice(shape.box))
                 FillWhereFree(positions, velocity, phase, lifetime, "a shape");
@@ -138,7 +138,7 @@ namespace Rill
             if (volume == null)
                 throw new ArgumentNullException(nameof(volume));
             CheckTag(phase, lifetime);
-            if (!IsReadyTo("filling it") || !HasStages(StageSet.ParticleEdits))
+            if (!IsReadyTo("filling it") || !HasBesideSteps(Features.ParticleEdits))
                 return;
             using (NativeArray<float4> positions = volume.Fill(particleSpacing, seed))
                 FillWhereFree(positions, volume.Velocity, phase, lifetime, $"FluidVolume '{volume.name}'", volume);
@@ -202,7 +202,7 @@ namespace Rill
 
         uint TagFor(int phase, float lifetime)
         {
-            bool ends = lifetime > 0f && HasStages(StageSet.Drains);
+            bool ends = lifetime > 0f && Gate.IsLoaded(Features.Drains);
             return pbf.TagFor(phase, ends ? math.max((int)math.round(lifetime * stepRate), 1) : 0);
         }
 

@@ -17,7 +17,7 @@ namespace Rill
                     $"{failure ?? "it is disabled. Enable it first."}");
             if (StepCount == 0)
                 throw new InvalidOperationException($"FluidSimulation '{name}' has taken no step yet. Let a frame pass first.");
-            if (IsRefused(DeviceFeature.Statistics) || !HasStages(StageSet.Statistics))
+            if (!Has(Features.Statistics))
                 throw new InvalidOperationException($"FluidSimulation '{name}' cannot be measured: its statistics are not in this " +
                     $"build or not for this device. Set Shaders In Build to All Features.");
             pbf.CompleteStatistics();       // one that is pending is of an older state

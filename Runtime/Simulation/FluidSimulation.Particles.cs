@@ -61,7 +61,7 @@ namespace Rill
                 throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before asking for its particles.");
             if (isPending)
                 return false;
-            if (!HasStages(StageSet.ParticleAccess))
+            if (!Gate.IsLoaded(Features.ParticleAccess))
             {
                 readback.Fail();
                 return false;
@@ -96,7 +96,7 @@ namespace Rill
             isRecordingPasses = false;
             if (pbf != before)
                 return false;
-            input.removesKilled = HasStages(StageSet.ParticleAccess);
+            input.removesKilled = Gate.IsLoaded(Features.ParticleAccess);
             return true;
         }
 

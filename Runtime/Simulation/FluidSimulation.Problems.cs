@@ -21,13 +21,13 @@ namespace Rill
             }
             problems.AddIfAny(poseIsLost ? LostPoseProblem : null);
             problems.AddIfAny(colliders.LeftOutCount > 0 ? TooManyProblem : null);
-            problems.AddIfAny(missingProblem);
+            problems.AddIfAny(Gate.MissingProblem);
             problems.AddIfAny(StartStateProblem);
             problems.AddIfAny(pbf.RefusedOfScripts > 0 ? RefusedProblem : null);
             problems.AddIfAny(pbf.RefusedToKeep > 0 ? KeptFullProblem : null);
             problems.AddIfAny(pbf.RefusedToHandOver > 0 ? HandOverFullProblem : null);
             problems.AddIfAny(isTooViscous ? TooViscousProblem : null);
-            foreach ((DeviceFeature _, string refusal) in gate.Refusals)
+            foreach ((Feature _, string refusal) in Gate.Refusals)
                 problems.Add(refusal);
             for (ReadbackKinds lost = pbf.ReadbackErrors.Lost; ReadbackErrors.TryTake(ref lost, out ReadbackKinds kind);)
                 problems.Add(ReadbackErrors.Problem(kind));

@@ -81,7 +81,7 @@ namespace Rill
                 pbf.ReleaseQueries();
                 return -1;
             }
-            if (IsRefused(DeviceFeature.Queries) || !HasStages(StageSet.Queries))
+            if (!Has(Features.Queries))
                 return -1;
             Queries queries = pbf.MakeQueries();
             queries.Arrived ??= OnQueries;

@@ -29,7 +29,7 @@ namespace Rill
         // Whether there is anything to request.
         bool RecordBatches()
         {
-            if (!AsksBatches || IsRefused(DeviceFeature.Queries) || !HasStages(StageSet.Queries))
+            if (!AsksBatches || !Has(Features.Queries))
                 return false;
             QueryFrame state = BeginQueries(out DomainFrame frame, out float3 up);
             askedBatches.Clear();

@@ -40,7 +40,7 @@ namespace Rill
                 throw new ArgumentException(problem, nameof(handOverTo));
             bool isRunning = IsReadyTo("moving its box"), handsOver = isRunning && handOverTo != null && handOverTo.CanTake();
             bool keeps = leaving == LeavingParticles.Keep, shifts = isRunning && (keeps || pbf.KeepsParticles);
-            if (isRunning && !HasStages(StageSet.ParticleEdits) || (shifts || handsOver) && !HasStages(StageSet.Transfer))
+            if (isRunning && !HasBesideSteps(Features.ParticleEdits) || (shifts || handsOver) && !HasBesideSteps(Features.Transfer))
                 return;
             GetPose(out Vector3 before, out Quaternion rotation);
             transform.position = position;

@@ -35,7 +35,7 @@ namespace Rill
         }
 
         /// <summary>Whether the shaders of recordings are there, which is logged once where not.</summary>
-        internal bool CanRecord => HasStages(StageSet.Recording);
+        internal bool CanRecord => HasBesideSteps(Features.Recording);
 
         // Instead of the steps of a frame.
         void ShowRecording(float frameTime)
@@ -57,7 +57,7 @@ namespace Rill
             input = StillInput();
             NeedsDensity = false;
             NeedsFoam = null;
-            wanted = DeviceFeature.None;
+            wanted = FeatureSet.None;
             LimitToDevice();
             commands.Clear();
             try

@@ -97,7 +97,7 @@ namespace Rill
                 if (part == null)
                     continue;
                 sources.keepsDrains = true;
-                if (!HasStages(StageSet.Drains) || !((IDrain)part).TryGetStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo,
+                if (!Gate.IsLoaded(Features.Drains) || !((IDrain)part).TryGetStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo,
                     out DrainRegion region))
                     continue;
                 sources.Add(region);
@@ -109,15 +109,15 @@ namespace Rill
                 if (part == null)
                     continue;
                 sources.keepsEmitters = true;
-                if (HasStages(StageSet.Emitters) && ((IEmitter)part).TryGetStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo,
+                if (Gate.IsLoaded(Features.Emitters) && ((IEmitter)part).TryGetStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo,
                     (float)clock.FrameInterval, (targets >> part.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             }
             foreach (FluidPart part in fields)
-                if (part != null && part is IForceField field && !field.IsUniform && HasStages(StageSet.ForceFields)
+                if (part != null && part is IForceField field && !field.IsUniform && Gate.IsLoaded(Features.ForceFields)
                     && field.TryGetStep(frame, particleSpacing, out FieldRegion region))
                     sources.Add(region);
-            sources.needsLifetimes = sources.needsLifetimes && HasStages(StageSet.Drains);
+            sources.needsLifetimes = sources.needsLifetimes && Gate.IsLoaded(Features.Drains);
             return sources;
         }
 
@@ -128,7 +128,8 @@ namespace Rill
             Vector3 sum = Vector3.zero;
             if (partCount > 0)
                 foreach (FluidPart part in fields)
-                    if (part != null && part is IForceField { IsUniform: true } field && field.TryGetStep(frame, particleSpacing, out FieldRegion region))
+                    if (part != null && part is IForceField { IsUniform: true } field
+                        && field.TryGetStep(frame, particleSpacing, out FieldRegion region))
                         sum += (Vector3)(region.flow * region.strength * particleSpacing);
             return Vector3.ClampMagnitude(sum, ForceFields.MaxAcceleration);
         }

@@ -44,13 +44,9 @@ namespace Rill
             SetMesh();
             if (pbf.SurfaceIsCurrent)
                 return false;
-            if ((wanted & DeviceFeature.Surface) == 0)      // no step has asked yet
-            {
-                wanted |= DeviceFeature.Surface;
-                if (gate.Decide(wanted))
-                    LogRefusals();
-            }
-            if (IsRefused(DeviceFeature.Surface) || !HasStages(StageSet.SurfaceParticles) || meshCell > 0f && !HasStages(StageSet.SurfaceMesh))
+            wanted |= Features.SurfaceParticles;        // where no step has asked yet
+            Gate.Decide(wanted);
+            if (!Has(Features.SurfaceParticles) || meshCell > 0f && !Gate.IsLoaded(Features.SurfaceMesh))
                 return false;
             try
             {

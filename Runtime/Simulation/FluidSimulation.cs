@@ -309,7 +309,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(UsedStages);
+            shaders.Follow(UsedFeatures);
             if (!keepStateOnDisable)
                 ReleaseKept();
         }
@@ -419,7 +419,7 @@ namespace Rill
             pbf.RecordGhostRemoval(commands);
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending
-            && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
+            && Has(Features.Statistics);
             if (measures)
                 pbf.RecordStatistics(commands, input);
             else if (statisticsInterval <= 0)
@@ -486,13 +486,13 @@ namespace Rill
             };
             NeedsDensity = false;
             NeedsFoam = null;
-            LeaveOutMissing(ref input);
+            Gate.TurnOffMissing(pbf, ref input);
             if (IsConnected)
             {
                 input.settings.sleepSpeed = 0f;     // what sleeps does not feel what comes
                 input.connections = neighbors;
             }
-            wanted = DeviceFeature.None;
+            wanted = FeatureSet.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);
             CheckViscosity();

@@ -91,17 +91,17 @@ namespace Rill
 
         /// <summary>Replaces the present state by a snapshot, at once.</summary>
         /// <param name="contents">One that fits, see <see cref="ProblemOf"/>.</param>
-        /// <param name="stages">Those that may be made: the scene asks for them, and device and build have them.</param>
-        public void Restore(SnapshotContents contents, StageSet stages)
+        /// <param name="features">Those that may be made: the scene asks for them, and device and build have them.</param>
+        public void Restore(SnapshotContents contents, FeatureSet features)
         {
             Clear();
             Load(contents);
-            MakeStages(contents, stages);
+            MakeStages(contents, features);
             var state = new List<StateBuffer>();
             ListState(state);
             foreach (StateBuffer buffer in state)
                 Upload(buffer.Buffer, contents.Bytes(buffer.Section));
-            if (contents.Has(SnapshotSection.Reactions) && (stages & StageSet.Colliders) != 0)
+            if (contents.Has(SnapshotSection.Reactions) && features.Has(Features.Colliders))
                 colliders ??= new Colliders(Layout, ReadbackErrors);
             colliders?.LoadReactions(contents);
             hasLists = contents.Has(SnapshotSection.NeighborCounts) && implicitViscosity != null;
@@ -188,17 +188,17 @@ namespace Rill
         }
 
         // Those of which the snapshot has a state. What a step then does not need it gives back, as ever.
-        void MakeStages(SnapshotContents contents, StageSet stages)
+        void MakeStages(SnapshotContents contents, FeatureSet features)
         {
             if (contents.Has(SnapshotSection.Tags))
                 tags = new ParticleTags(Layout.Capacity);
-            hasLifetimes &= (stages & StageSet.Drains) != 0;
-            if (contents.Has(SnapshotSection.Rest) && (stages & StageSet.Sleep) != 0)
+            hasLifetimes &= features.Has(Features.Drains);
+            if (contents.Has(SnapshotSection.Rest) && features.Has(Features.Sleep))
             {
                 restingRegions ??= new RestingRegions(Layout);
                 restingRegions.Load(contents.Get<RestRecord>(SnapshotSection.Rest));
             }
-            if (contents.Has(SnapshotSection.Coarse) && (stages & StageSet.DeepWater) != 0)
+            if (contents.Has(SnapshotSection.Coarse) && features.Has(Features.DeepWater))
                 coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits)
                 {
                     FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
@@ -209,15 +209,15 @@ namespace Rill
                 velocityExtrapolation = new VelocityExtrapolation(Layout.Capacity);
                 velocityExtrapolation.Record = contents.Get<ExtrapolationRecord>(SnapshotSection.Extrapolation);
             }
-            if (contents.Has(SnapshotSection.Conformation) && (stages & StageSet.Viscoelasticity) != 0)
+            if (contents.Has(SnapshotSection.Conformation) && features.Has(Features.Elasticity))
                 viscoelasticity = new Viscoelasticity(Layout.Capacity);
-            if (contents.Has(SnapshotSection.NeighborCounts) && (stages & StageSet.ImplicitViscosity) != 0)
+            if (contents.Has(SnapshotSection.NeighborCounts) && features.Has(Features.Viscosity))
                 implicitViscosity = new ImplicitViscosity(Layout.Capacity);
-            if (contents.Has(SnapshotSection.EmitterStates) && (stages & StageSet.Emitters) != 0)
+            if (contents.Has(SnapshotSection.EmitterStates) && features.Has(Features.Emitters))
                 emitters ??= new Emitters(limits, ReadbackErrors);
-            if (contents.Has(SnapshotSection.DrainStates) && (stages & StageSet.Drains) != 0)
+            if (contents.Has(SnapshotSection.DrainStates) && features.Has(Features.Drains))
                 drains ??= new Drains(ReadbackErrors);
-            if (contents.Has(SnapshotSection.Fields) && (stages & StageSet.ForceFields) != 0)
+            if (contents.Has(SnapshotSection.Fields) && features.Has(Features.ForceFields))
             {
                 forceFields ??= new ForceFields();
                 forceFields.Last = contents.Values<FieldRegion>(SnapshotSection.Fields);

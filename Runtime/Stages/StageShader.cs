@@ -11,6 +11,9 @@ namespace Rill
     /// <remarks>A stage is found while something that is enabled refers to its asset; in the Editor always.</remarks>
     public sealed class StageShader : ScriptableObject
     {
+        /// <summary>The stage that bakes meshes, which no fluid brings along.</summary>
+        internal const string OfBaking = "MeshSdf";
+
         [SerializeField] ComputeShader compute;
         [SerializeField] Shader shader;
 
@@ -67,7 +70,7 @@ namespace Rill
         /// <summary>What is wrong and what to do where a stage is not there.</summary>
         internal static string MissingProblem(string stage)
         {
-            string byFluid = stage == StageSets.StageAt(StageSet.MeshBaking, 0) ? "Put" :
+            string byFluid = stage == OfBaking ? "Put" :
                 "Set Shaders In Build of a FluidSimulation in the scene to All Features, or put";
             return $"the shaders of the stage '{stage}' are not loaded: this build has no scene or prefab with a component that uses " +
                 $"them, or the component was added by a script. {byFluid} the package's asset FluidShaders " +

@@ -130,6 +130,6 @@ namespace Rill.Editor.Tests
             serialized.ApplyModifiedProperties();
         }
 
-        static string[] Stored(IUsesStages user) => Array.ConvertAll(user.StageReferences.Stages, stage => stage.name);
+        static string[] Stored(IUsesFeatures user) => Array.ConvertAll(user.StageReferences.Stages, stage => stage.name);
     }
 }

@@ -76,7 +76,7 @@ namespace Rill.Editor.Tests
             SettingsQueue.Apply();
         }
 
-        static string[] Stored(IUsesStages user) => Array.ConvertAll(user.StageReferences.Stages, stage => stage.name);
+        static string[] Stored(IUsesFeatures user) => Array.ConvertAll(user.StageReferences.Stages, stage => stage.name);
 
         [TestCase("ParticleRenderer")]
         [TestCase("DomainRenderer")]

@@ -150,7 +150,7 @@ namespace Host.Tests
             LogAssert.Expect(LogType.Log, "Rill: the prefab Assets/Tap.prefab now refers to the stages Emitters, Drains.");
             Update();
             Assert.That(PrefabUtility.Saved, Is.EqualTo(new[] { Prefab }));
-            IUsesStages emitter = project.LoadAtPath<FluidEmitter>(Prefab);
+            IUsesFeatures emitter = project.LoadAtPath<FluidEmitter>(Prefab);
             Assert.That(emitter.StageReferences.Stages.Select(stage => stage.name), Is.EqualTo(new[] { "Emitters", "Drains" }));
         }
 

@@ -54,8 +54,7 @@ namespace Host.Tests
 
         /// <summary>The names of all groups' stages.</summary>
         internal static IEnumerable<string> Stages
-            => Enumerable.Range(0, 31).Select(bit => (StageSet)(1 << bit)).Where(group => (group & StageSet.All) != 0)
-            .SelectMany(group => Enumerable.Range(0, 99).Select(i => StageSets.StageAt(group, i)).TakeWhile(stage => stage != null));
+            => Features.All.SelectMany(feature => feature.Stages);
 
         /// <summary>The package's custom inspectors, by what they inspect.</summary>
         internal static IEnumerable<(Type inspected, Type editor)> Inspectors

@@ -18,7 +18,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Deforming Mesh"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider))]
-    public sealed class FluidDeformingMesh : MonoBehaviour, IDeformingShape, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public sealed class FluidDeformingMesh : MonoBehaviour, IDeformingShape, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
         /// <summary>Fewest and most voxels along the longest side.</summary>
         public const int MinResolution = 16, MaxResolution = 64;
@@ -189,9 +189,9 @@ namespace Rill
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => true;
 
-        StageSet IUsesStages.UsedStages => StageSet.MeshBaking;
+        FeatureSet IUsesFeatures.UsedFeatures => Features.Baking;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         void OnEnable()
         {
@@ -230,7 +230,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(StageSet.MeshBaking);
+            shaders.Follow(Features.Baking);
         }
 
         // Of this frame: a bake goes on, or begins where the mesh has moved.

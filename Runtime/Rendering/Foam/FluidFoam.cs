@@ -62,7 +62,7 @@ namespace Rill
 
         FluidFoam() : base(ShadowCastingMode.Off) { }
 
-        private protected override StageSet Stage => StageSet.Foam;
+        private protected override Feature Drawn => Features.Foam;
         private protected override string ShaderFile => "FoamParticles";
 
         /// <summary>The newest counts, a few frames old; false before the first since a restart, and where the simulation measures nothing

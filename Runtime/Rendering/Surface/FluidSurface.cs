@@ -129,8 +129,8 @@ namespace Rill
         /// <summary>The light of this frame that has come through the surface; null without caustics.</summary>
         internal CausticMap CausticMap => causticMap;
 
-        private protected override StageSet Stage => StageSet.Surface;
-        private protected override StageSet FurtherStages => StageSet.SurfaceParticles | StageSet.SurfaceMesh;
+        private protected override Feature Drawn => Features.Surface;
+        private protected override FeatureSet UsedFeatures => Features.Surface | Features.SurfaceParticles | Features.SurfaceMesh;
         private protected override string ShaderFile => "Water";
 
         /// <summary>Before anything else of the surface for this camera and frame.</summary>

@@ -16,9 +16,9 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Surface Mesh"), Icon(PackagePaths.Icon), ManualPage("surface.md")]
     [RequireComponent(typeof(FluidSimulation), typeof(MeshFilter), typeof(MeshRenderer)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public sealed class FluidSurfaceMesh : MonoBehaviour, IDrawsFluid, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public sealed class FluidSurfaceMesh : MonoBehaviour, IDrawsFluid, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
-        const StageSet Stages = StageSet.SurfaceParticles | StageSet.SurfaceMesh | StageSet.RenderedMesh;
+        static FeatureSet UsedFeatures => Features.SurfaceParticles | Features.SurfaceMesh | Features.RenderedMesh;
 
         [Tooltip("How fine the mesh is: distance of its nodes 1, 0.75 or 0.5 particle spacings. With Low, sheets of one particle tear.")]
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
@@ -44,9 +44,9 @@ namespace Rill
         /// outgrown it. Its vertices and triangles are on the GPU alone.</summary>
         public Mesh Mesh => rendered?.Mesh;
 
-        StageSet IUsesStages.UsedStages => Stages;
+        FeatureSet IUsesFeatures.UsedFeatures => UsedFeatures;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;
 
@@ -115,7 +115,7 @@ namespace Rill
 
         void IAppliesSettings.CheckSettings() => hiddenWalls &= BoxWalls.All;
 
-        void IAppliesSettings.ApplySettings() => shaders.Follow(Stages);
+        void IAppliesSettings.ApplySettings() => shaders.Follow(UsedFeatures);
 
         // Who looks at it is not known: shadows of any light and probes may show what no camera sees.
         bool IsWanted => failure == null && meshRenderer != null && meshRenderer.enabled && ScaleProblem == null;

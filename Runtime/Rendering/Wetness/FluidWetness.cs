@@ -17,9 +17,9 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Wetness"), Icon(PackagePaths.Icon), ManualPage("wetness.md")]
     [RequireComponent(typeof(FluidSimulation)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public sealed class FluidWetness : MonoBehaviour, IDrawsFluid, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public sealed class FluidWetness : MonoBehaviour, IDrawsFluid, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
-        const StageSet Stages = StageSet.Wetness;
+        static FeatureSet UsedFeatures => Features.Wetness;
         const string File = "Wetness";
         const float MinDryingTime = 0.01f, MaxDryingTime = 10000f;
         const float DefaultDryingTime = 8f, DefaultDarkening = 0.4f, DefaultSmoothness = 0.7f;
@@ -66,9 +66,9 @@ namespace Rill
         /// range is clamped with a warning.</summary>
         public float Smoothness { get => smoothness; set { smoothness = value; ChangedSettings.Apply(this); } }
 
-        StageSet IUsesStages.UsedStages => Stages;
+        FeatureSet IUsesFeatures.UsedFeatures => UsedFeatures;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;
 
@@ -202,7 +202,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(Stages);
+            shaders.Follow(UsedFeatures);
         }
 
         void LateUpdate() => DrawFrame();

@@ -14,7 +14,7 @@ namespace Rill
     /// and lifetime, and gets a new id. Where the capacity of its new fluid is full, it stays where it is and waits.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Connection"), Icon(PackagePaths.Icon), ManualPage("control.md")]
-    public sealed class FluidConnection : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public sealed class FluidConnection : MonoBehaviour, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
         /// <summary>Spacings that the boxes overlap by at least: two support radii, for what is felt of the other fluid.</summary>
         public const float MinOverlap = 4f;
@@ -65,9 +65,9 @@ namespace Rill
 
         FluidSimulation SecondNow => attachedSecond != null ? attachedSecond : second;
 
-        StageSet IUsesStages.UsedStages => StageSet.Transfer;
+        FeatureSet IUsesFeatures.UsedFeatures => Features.Transfer;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => fluid != null && (fluid == first || fluid == second);
 
@@ -120,7 +120,7 @@ namespace Rill
 
         void IAppliesSettings.ApplySettings()
         {
-            shaders.Follow(StageSet.Transfer);
+            shaders.Follow(Features.Transfer);
             if (attachedFirst != first || attachedSecond != second)
                 Attach();
         }

@@ -8,7 +8,7 @@ namespace Rill
 {
     /// <summary>Something in the scene that acts on one <see cref="FluidSimulation"/> while it is enabled.</summary>
     /// <remarks>On the simulation's object, below it, or anywhere with a reference to it. Follows position and rotation.</remarks>
-    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode, IAppliesSettings
+    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
         [Tooltip("Fluid that this acts on. None: the one on this object or the nearest above it.")]
         [SerializeField] FluidSimulation simulation;
@@ -53,11 +53,11 @@ namespace Rill
         private protected abstract void ListOwnProblems(FluidSimulation fluid, List<string> problems);
 
         /// <summary>The stages that a part of this kind makes a fluid use.</summary>
-        private protected abstract StageSet UsedStages { get; }
+        private protected abstract FeatureSet UsedFeatures { get; }
 
-        StageSet IUsesStages.UsedStages => UsedStages;
+        FeatureSet IUsesFeatures.UsedFeatures => UsedFeatures;
 
-        StageReferences IUsesStages.StageReferences => shaders;
+        StageReferences IUsesFeatures.StageReferences => shaders;
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => Wanted == fluid;
 
@@ -160,7 +160,7 @@ namespace Rill
         void IAppliesSettings.ApplySettings()
         {
             clamped.Log(this);
-            shaders.Follow(UsedStages);
+            shaders.Follow(UsedFeatures);
             if (attached != null && simulation != null && simulation != attached)
                 Reattach();
         }

@@ -26,6 +26,6 @@ namespace Rill
         /// <summary>Fluid time from then to the current frame, s.</summary>
         private protected float AgeOf(double time) => (float)(Simulation.FrameTime - time);
 
-        private protected sealed override StageSet UsedStages => StageSet.Queries;
+        private protected sealed override FeatureSet UsedFeatures => Features.Queries;
     }
 }

@@ -15,7 +15,8 @@ namespace Rill
         /// <param name="frameTime">Time in which it came from where it was at the last frame's steps, s, above 0.</param>
         /// <param name="isTarget">Whether a drain gives it particles.</param>
         /// <returns>Whether it does anything.</returns>
-        bool TryGetStep(in DomainFrame frame, float spacing, float step, float from, float to, float frameTime, bool isTarget, out EmitterStep result);
+        bool TryGetStep(in DomainFrame frame, float spacing, float step, float from, float to, float frameTime, bool isTarget,
+            out EmitterStep result);
 
         /// <summary>Logs once what keeps it from letting in what is due.</summary>
         void ReportRefused();

@@ -73,7 +73,7 @@ namespace Rill
                 throw new ArgumentException($"The snapshot does not fit FluidSimulation '{name}': {problem}", nameof(snapshot));
 
             resampling = null;
-            pbf.Restore(snapshot.Contents, StagesFor(snapshot.Contents));
+            pbf.Restore(snapshot.Contents, FeaturesFor(snapshot.Contents));
             LoadScene(snapshot.Contents, bodies);
         }
 
@@ -91,7 +91,7 @@ namespace Rill
                 return false;
             }
             SnapshotContents contents = startState.Snapshot.Contents;
-            pbf.Restore(contents.Fluid(), StagesFor(contents));
+            pbf.Restore(contents.Fluid(), FeaturesFor(contents));
             return true;
         }
 
@@ -109,31 +109,29 @@ namespace Rill
             }
         }
 
-        // The stages that the scene asks for, as far as the build and the device have them.
-        StageSet StagesFor(SnapshotContents contents)
+        // Those that the scene asks for, as far as the build and the device have them.
+        FeatureSet FeaturesFor(SnapshotContents contents)
         {
             var still = new StepInput { settings = solver, material = material };
-            StageSet stages = StageSet.None;
+            FeatureSet features = FeatureSet.None;
             if (contents.Has(SnapshotSection.Rest) && RestingRegions.IsNeeded(still))
-                stages |= Available(StageSet.Sleep, DeviceFeature.Sleep);
+                features = features.With(Features.Sleep, Has(Features.Sleep));
             if (contents.Has(SnapshotSection.Coarse) && solver.deepWater != DeepWater.Off)
-                stages |= Available(StageSet.DeepWater, DeviceFeature.DeepWater);
+                features = features.With(Features.DeepWater, Has(Features.DeepWater));
             if (contents.Has(SnapshotSection.Conformation) && Viscoelasticity.IsNeeded(still))
-                stages |= Available(StageSet.Viscoelasticity, DeviceFeature.Elasticity);
+                features = features.With(Features.Elasticity, Has(Features.Elasticity));
             if (contents.Has(SnapshotSection.NeighborCounts) && ImplicitViscosity.IsNeeded(still))
-                stages |= Available(StageSet.ImplicitViscosity, DeviceFeature.DynamicViscosity);
+                features = features.With(Features.Viscosity, Has(Features.Viscosity));
             if (contents.Has(SnapshotSection.EmitterStates) && HasAny(emitters))
-                stages |= Available(StageSet.Emitters, DeviceFeature.Emitters);
+                features = features.With(Features.Emitters, Has(Features.Emitters));
             if (contents.Has(SnapshotSection.DrainStates) || contents.Has(SnapshotSection.Tags))
-                stages |= Available(StageSet.Drains, DeviceFeature.Drains);
+                features = features.With(Features.Drains, Has(Features.Drains));
             if (contents.Has(SnapshotSection.Fields) && HasAny(fields))
-                stages |= Available(StageSet.ForceFields, DeviceFeature.None);
+                features = features.With(Features.ForceFields, Has(Features.ForceFields));
             if (contents.Has(SnapshotSection.Colliders) && (SceneColliders.Enabled.Count > 0 || ColliderSource != null))
-                stages |= Available(StageSet.Colliders, DeviceFeature.Colliders);
-            return stages;
+                features = features.With(Features.Colliders, Has(Features.Colliders));
+            return features;
         }
-
-        StageSet Available(StageSet group, DeviceFeature feature) => HasStages(group) && (gate.Refused & feature) == 0 ? group : StageSet.None;
 
         static bool HasAny(FluidPart[] parts)
         {
@@ -275,7 +273,7 @@ namespace Rill
             bool areAllThere = colliders.Load(records, frame, SamePlace, GatherOwnColliders(), this);
             if (!box.IsTurned)
                 colliders.LoadForces(this, contents, box.Shift);
-            if (records.Length > 0 && areAllThere && HasStages(StageSet.Colliders))
+            if (records.Length > 0 && areAllThere && Gate.IsLoaded(Features.Colliders))
             {
                 if (!box.IsTurned)
                     pbf.AdoptColliders(colliders.Set);

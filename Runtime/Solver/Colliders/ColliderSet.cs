@@ -30,6 +30,13 @@ namespace Rill
             }
         }
 
+        /// <summary>Takes out what the fluid does to them.</summary>
+        public void LeaveOutReactions()
+        {
+            for (int i = 0; i < Count; i++)
+                Items[i].reacts = false;
+        }
+
         /// <summary>Whether one wants to know how much of it is wet.</summary>
         public bool TellsWettedArea
         {

@@ -61,5 +61,31 @@ namespace Rill
             fields[fieldCount++] = field;
             hasWind |= field.kind == (uint)ForceFieldKind.Wind;
         }
+
+        /// <summary>Takes out what emitters do.</summary>
+        public void LeaveOutEmitters()
+        {
+            emitterCount = 0;
+            goneEmitters = 0;
+            keepsEmitters = needsTags = needsLifetimes = recycles = false;
+        }
+
+        /// <summary>Takes out phases and lifetimes of emitted particles.</summary>
+        public void LeaveOutTags() => needsTags = needsLifetimes = false;
+
+        /// <summary>Takes out what drains do.</summary>
+        public void LeaveOutDrains()
+        {
+            drainCount = 0;
+            goneDrains = 0;
+            keepsDrains = recycles = limitsDrains = false;
+        }
+
+        /// <summary>Takes out force fields.</summary>
+        public void LeaveOutFields()
+        {
+            fieldCount = 0;
+            hasWind = false;
+        }
     }
 }

@@ -70,7 +70,7 @@ namespace Rill.Tests
             FluidSimulation fluid = Fluid();
             var shaders = ScriptableObject.CreateInstance<FluidShaders>();
             made.Add(shaders);
-            shaders.Stages = All(StageSet.Core | StageSet.DeepWater | StageSet.Statistics);
+            shaders.Stages = All(Features.Core | Features.DeepWater | Features.Statistics);
             fluid.gameObject.SetActive(true);
             yield return Frames(3);
             Assert.That(fluid.StepCount, Is.EqualTo(3));
@@ -154,27 +154,27 @@ namespace Rill.Tests
             FluidSimulation fluid = Fluid();
             fluid.StatisticsInterval = 0;
             fluid.Settings = With(fluid.Settings, DeepWater.Off, 0f);
-            Assert.That(Used(fluid), Is.EqualTo(StageSet.Core));
+            Assert.That(Used(fluid), Is.EqualTo((FeatureSet)Features.Core));
             fluid.StatisticsInterval = 5;
-            Assert.That(Used(fluid), Is.EqualTo(StageSet.Core | StageSet.Statistics));
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics));
             fluid.Settings = With(fluid.Settings, DeepWater.Automatic, 0.1f);
-            Assert.That(Used(fluid), Is.EqualTo(StageSet.Core | StageSet.Statistics | StageSet.DeepWater | StageSet.Sleep));
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Sleep));
             FluidMaterial material = fluid.Material;
             material.shearModulus = 100f;
             material.dynamicViscosity = 1f;
             material.vorticity = 1f;        // nothing sleeps beside it
             fluid.Material = material;
-            Assert.That(Used(fluid), Is.EqualTo(StageSet.Core | StageSet.Statistics | StageSet.DeepWater | StageSet.ImplicitViscosity
-                | StageSet.Viscoelasticity | StageSet.Vorticity));
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Viscosity
+                | Features.Elasticity | Features.Vorticity));
         }
 
         [Test]
         public void An_emitter_refers_to_the_drains_stage_only_where_its_particles_have_a_lifetime()
         {
             var emitter = Off<FluidEmitter>("Emitter");
-            Assert.That(Used(emitter), Is.EqualTo(StageSet.Emitters));
+            Assert.That(Used(emitter), Is.EqualTo((FeatureSet)Features.Emitters));
             emitter.Lifetime = 2f;
-            Assert.That(Used(emitter), Is.EqualTo(StageSet.Emitters | StageSet.Drains));
+            Assert.That(Used(emitter), Is.EqualTo(Features.Emitters | Features.Drains));
         }
 
         [Test]
@@ -192,7 +192,7 @@ namespace Rill.Tests
             Assert.That(StageShader.Find("Colliders"), Is.Null);
         }
 
-        static StageSet Used(IUsesStages user) => user.UsedStages;
+        static FeatureSet Used(IUsesFeatures user) => user.UsedFeatures;
 
         static SolverSettings With(SolverSettings settings, DeepWater deepWater, float sleepSpeed)
         {
@@ -235,17 +235,18 @@ namespace Rill.Tests
         void Build(GameObject gameObject)
         {
             StageShader.EditorFind = editorFind;
-            foreach (IUsesStages user in gameObject.GetComponents<IUsesStages>())
-                user.StageReferences.Update(user.UsedStages);
+            foreach (IUsesFeatures user in gameObject.GetComponents<IUsesFeatures>())
+                user.StageReferences.Update(user.UsedFeatures);
             StageShader.EditorFind = null;
         }
 
-        StageShader[] All(StageSet groups)
+        StageShader[] All(FeatureSet features)
         {
             var stages = new List<StageShader>();
-            for (int bit = 1; bit <= (int)groups; bit <<= 1)
-                for (int i = 0; ((int)groups & bit) != 0 && StageSets.StageAt((StageSet)bit, i) is string name; i++)
-                    stages.Add(editorFind(name));
+            foreach (Feature feature in Features.All)
+                foreach (string name in feature.Stages)
+                    if (features.Has(feature))
+                        stages.Add(editorFind(name));
             return stages.ToArray();
         }
 

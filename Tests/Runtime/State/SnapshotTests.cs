@@ -88,7 +88,7 @@ namespace Rill.Tests
                 foreach (TestFluid other in new[] { one, again })
                 {
                     Assert.That(other.Solver.ProblemOf(contents), Is.Null);
-                    other.Solver.Restore(contents, StageSet.ImplicitViscosity);
+                    other.Solver.Restore(contents, Features.Viscosity);
                     TestFluid.AssertSame(other.Step(4).Read(), expected);
                 }
             }

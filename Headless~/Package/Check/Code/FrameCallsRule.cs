@@ -22,6 +22,7 @@ namespace Host.Check
             ("AsyncGPUReadbackRequest", "WaitForCompletion", "waits for the GPU"),
             ("AsyncGPUReadback", "WaitAllRequests", "waits for the GPU, and for every readback of the game"),
             ("Readback", "Complete", "waits for the GPU"),
+            ("IPendingReadback", "Complete", "waits for the GPU"),
             ("ReadbackRing", "Complete", "waits for the GPU"),
             ("CommandBuffer", "WaitAllAsyncReadbackRequests", "waits for the GPU"),
             ("Texture2D", "ReadPixels", "waits for the GPU; use AsyncGPUReadback"),

@@ -18,7 +18,7 @@ namespace Host.Check
         const string KeptBetweenPlays = "KeptBetweenPlaysAttribute";
         const int SubsystemRegistration = 4;        // of UnityEngine.RuntimeInitializeLoadType
         // Read-only statics of these hold no state; of other classes they may (a list, a buffer).
-        static readonly HashSet<string> Immutable = new() { "String", "ProfilerMarker", "Type", "GpuMarker" };
+        static readonly HashSet<string> Immutable = new() { "String", "ProfilerMarker", "Type", "GpuMarker", "Feature", "Feature[]" };
 
         public override string Name => "code: statics are reset when play mode begins without a domain reload";
 

@@ -42,7 +42,7 @@ namespace Host.Commands
         {
             output.WriteLine();
             output.WriteLine("A build of this scene contains");
-            var users = components.OfType<IUsesStages>()
+            var users = components.OfType<IUsesFeatures>()
                 .SelectMany(user => user.StageReferences.Stages.Where(stage => stage != null)
                 .Select(stage => (stage, user: (MonoBehaviour)user))).ToList();
             foreach (var use in users.GroupBy(use => use.stage).OrderBy(use => use.Key.name, System.StringComparer.Ordinal))

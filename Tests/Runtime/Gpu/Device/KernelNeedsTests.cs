@@ -9,22 +9,6 @@ namespace Rill.Tests
         const int SmallThreads = 256, SmallGroupshared = 16384;
 
         [Test]
-        public void Every_row_belongs_to_a_feature_or_to_every_fluid()
-        {
-            foreach (KernelNeed need in KernelNeeds.OfKernels)
-                Assert.That(() => KernelNeeds.FeaturesOf(need), Throws.Nothing, $"{need.File} {need.Kernel} {need.Defines}");
-        }
-
-        [TestCase("Unknown", "")]
-        [TestCase("ParticleUpload", "RILL_UNKNOWN")]
-        public void A_file_or_define_that_no_feature_has_is_named(string file, string defines)
-        {
-            var need = new KernelNeed(file, "Kernel", defines, 64, 0, 1, 1, 0);
-            Assert.That(() => KernelNeeds.FeaturesOf(need),
-                Throws.ArgumentException.With.Message.Contains(defines.Length > 0 ? defines : file).And.Message.Contains("feature"));
-        }
-
-        [Test]
         public void Of_each_kernel_the_variant_without_keywords_comes_first()
         {
             foreach (IGrouping<(string, string), KernelNeed> kernel in KernelNeeds.OfKernels.GroupBy(need => (need.File, need.Kernel)))

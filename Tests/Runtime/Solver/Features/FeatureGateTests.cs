@@ -8,16 +8,20 @@ using UnityEngine;
 namespace Rill.Tests
 {
     /// <summary>What a scene may have on a device that is too small for all of it.</summary>
-    public class DeviceGateTests
+    public class FeatureGateTests
     {
-        const DeviceFeature Everything = DeviceFeature.Colliders | DeviceFeature.DeepWater | DeviceFeature.Viscosity
-            | DeviceFeature.Emitters | DeviceFeature.Tags | DeviceFeature.Drains
-            | DeviceFeature.ForceFields | DeviceFeature.DynamicViscosity | DeviceFeature.Elasticity | DeviceFeature.Vorticity
-            | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics
-            | DeviceFeature.Surface | DeviceFeature.Queries | DeviceFeature.ParticleAccess;
+        static readonly FeatureSet Everything = Features.Colliders | Features.DeepWater | Features.VelocitySmoothing
+            | Features.Emitters | Features.Tags | Features.Drains
+            | Features.ForceFields | Features.Viscosity | Features.Elasticity | Features.Vorticity
+            | Features.Reactions | Features.Sleep | Features.Extrapolation | Features.Foam | Features.Statistics
+            | Features.SurfaceParticles | Features.Queries | Features.ParticleAccess;
 
-        static DeviceGate With(int buffers, int threads = 256, int groupshared = 16384)
-            => new DeviceGate(new DeviceLimits(buffers, buffers, threads, groupshared), null);
+        static FeatureGate With(int buffers, int threads = 256, int groupshared = 16384)
+        {
+            var gate = new FeatureGate();
+            gate.Begin(new DeviceLimits(buffers, buffers, threads, groupshared), null);
+            return gate;
+        }
 
         [TestCase(false, true, true, true, "has no compute shaders (SystemInfo.supportsComputeShaders)")]
         [TestCase(true, false, true, true, "has no indirect arguments (SystemInfo.supportsIndirectArgumentsBuffer)")]
@@ -37,33 +41,33 @@ namespace Rill.Tests
         [TestCase(128)]
         public void Fourteen_storage_buffers_or_more_hold_every_feature_at_once(int buffers)
         {
-            DeviceGate gate = With(buffers);
-            Assert.That(gate.ProblemOf(DeviceFeature.TwoLists), Is.Null);
-            gate.Decide(Everything | DeviceFeature.TwoLists);
-            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None), string.Join("\n", gate.Refusals));
+            FeatureGate gate = With(buffers);
+            Assert.That(gate.ProblemOf(Features.TwoLists), Is.Null);
+            gate.Decide(Everything | Features.TwoLists);
+            Assert.That(gate.Refused, Is.EqualTo(FeatureSet.None), string.Join("\n", gate.Refusals));
             Assert.That(gate.Refusals, Is.Empty);
         }
 
         [Test]
         public void Eight_storage_buffers_hold_deep_viscous_water_with_emitters_drains_and_fields()
         {
-            DeviceGate gate = With(8);
-            Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
-            gate.Decide(DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Drains
-                | DeviceFeature.ForceFields | DeviceFeature.Vorticity | DeviceFeature.Extrapolation | DeviceFeature.Foam
-                | DeviceFeature.Statistics | DeviceFeature.Queries | DeviceFeature.ParticleAccess);
-            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None), string.Join("\n", gate.Refusals));
+            FeatureGate gate = With(8);
+            Assert.That(gate.ProblemOf(FeatureSet.None), Is.Null);
+            gate.Decide(Features.DeepWater | Features.VelocitySmoothing | Features.Emitters | Features.Drains
+                | Features.ForceFields | Features.Vorticity | Features.Extrapolation | Features.Foam
+                | Features.Statistics | Features.Queries | Features.ParticleAccess);
+            Assert.That(gate.Refused, Is.EqualTo(FeatureSet.None), string.Join("\n", gate.Refusals));
         }
 
-        [TestCase(nameof(DeviceFeature.Colliders), "colliders", "disable the colliders in its box")]
-        [TestCase(nameof(DeviceFeature.Elasticity), "elasticity", "set the shear modulus to 0")]
-        [TestCase(nameof(DeviceFeature.Sleep), "sleep", "set the sleep speed to 0")]
-        public void With_eight_a_feature_that_takes_more_is_refused_by_name(string wanted, string name, string remedy)
+        [TestCase("colliders", "disable the colliders in its box")]
+        [TestCase("elasticity", "set the shear modulus to 0")]
+        [TestCase("sleep", "set the sleep speed to 0")]
+        public void With_eight_a_feature_that_takes_more_is_refused_by_name(string name, string remedy)
         {
-            var feature = (DeviceFeature)Enum.Parse(typeof(DeviceFeature), wanted);
-            DeviceGate gate = With(8);
+            Feature feature = Array.Find(Features.All, one => one.Name == name);
+            FeatureGate gate = With(8);
             gate.Decide(feature);
-            Assert.That(gate.Refused, Is.EqualTo(feature));
+            Assert.That(gate.Refused, Is.EqualTo((FeatureSet)feature));
             Assert.That(gate.Refusals.Single().problem,
                 Does.Match(
                 $@"^goes on without {name}: kernel '\w+' of \w+\.compute takes \d+ storage buffers, and this device has 8 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on .*, or {Regex.Escape(remedy)}\.$"));
@@ -72,19 +76,19 @@ namespace Rill.Tests
         [Test]
         public void A_device_without_storage_buffers_refuses_each_feature_by_name()
         {
-            DeviceGate gate = With(0);
+            FeatureGate gate = With(0);
             gate.Decide(Everything);
-            Assert.That(gate.Refused, Is.EqualTo(Everything & ~DeviceFeature.Reactions), "forces on colliders go with the colliders");
+            Assert.That(gate.Refused, Is.EqualTo(Everything.Without(Features.Reactions)), "forces on colliders go with the colliders");
             Assert.That(gate.Refusals.Select(refusal => refusal.problem), Has.All.StartsWith("goes on without "));
         }
 
         [Test]
         public void With_eight_the_surface_of_a_fluid_with_two_lists_is_refused_by_name_and_that_with_one_is_not()
         {
-            DeviceGate gate = With(8);
-            gate.Decide(DeviceFeature.Surface);
+            FeatureGate gate = With(8);
+            gate.Decide(Features.SurfaceParticles);
             Assert.That(gate.Refusals, Is.Empty);
-            gate.Decide(DeviceFeature.Surface | DeviceFeature.TwoLists);
+            gate.Decide(Features.SurfaceParticles | Features.TwoLists);
             Assert.That(gate.Refusals.Single().problem,
                 Does.Match(
                 @"^goes on without the water's surface: kernel '\w+' of SurfaceParticles\.compute takes \d+ storage buffers, and this device has 8 .* or draw it with a ParticleRenderer\.$"));
@@ -93,7 +97,7 @@ namespace Rill.Tests
         [Test]
         public void Fewer_than_eight_storage_buffers_are_refused_with_the_kernel_and_the_limit()
         {
-            Assert.That(With(7).ProblemOf(DeviceFeature.None),
+            Assert.That(With(7).ProblemOf(FeatureSet.None),
                 Does.Match(
                 @"^kernel '\w+' of \w+\.compute takes 8 storage buffers, and this device has 7 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on "));
         }
@@ -101,32 +105,32 @@ namespace Rill.Tests
         [Test]
         public void Groups_of_fewer_than_256_threads_are_refused()
         {
-            Assert.That(With(16, threads: 128).ProblemOf(DeviceFeature.None),
+            Assert.That(With(16, threads: 128).ProblemOf(FeatureSet.None),
                 Does.Contain("has groups of 256 threads, and this device's have at most 128"));
         }
 
         [Test]
         public void A_fluid_whose_lists_are_two_buffers_takes_no_more_than_eight_either()
         {
-            Assert.That(With(8).ProblemOf(DeviceFeature.TwoLists), Is.Null);
+            Assert.That(With(8).ProblemOf(Features.TwoLists), Is.Null);
         }
 
         [Test]
         public void The_more_important_of_two_features_is_kept_where_both_are_too_much()
         {
-            DeviceGate gate = With(13);
-            gate.Decide(DeviceFeature.Colliders | DeviceFeature.Sleep);
-            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.Sleep), string.Join("\n", gate.Refusals));
-            gate.Decide(DeviceFeature.Sleep);
-            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None));
+            FeatureGate gate = With(13);
+            gate.Decide(Features.Colliders | Features.Sleep);
+            Assert.That(gate.Refused, Is.EqualTo((FeatureSet)Features.Sleep), string.Join("\n", gate.Refusals));
+            gate.Decide(Features.Sleep);
+            Assert.That(gate.Refused, Is.EqualTo(FeatureSet.None));
         }
 
         [Test]
         public void What_is_wanted_still_is_not_decided_again()
         {
-            DeviceGate gate = With(8);
-            Assert.That(gate.Decide(DeviceFeature.Sleep), Is.True);
-            Assert.That(gate.Decide(DeviceFeature.Sleep), Is.False);
+            FeatureGate gate = With(8);
+            Assert.That(gate.Decide(Features.Sleep), Is.True);
+            Assert.That(gate.Decide(Features.Sleep), Is.False);
             Assert.That(gate.Refusals.Count, Is.EqualTo(1));
         }
 
@@ -134,15 +138,16 @@ namespace Rill.Tests
         public void Shaders_of_features_that_no_one_wants_are_not_loaded()
         {
             var loaded = new HashSet<string>();
-            var gate = new DeviceGate(DeviceLimits.Current, stage =>
+            var gate = new FeatureGate();
+            gate.Begin(DeviceLimits.Current, stage =>
             {
                 loaded.Add(stage);
                 return TestShaders.Load(stage);
             });
-            Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
+            Assert.That(gate.ProblemOf(FeatureSet.None), Is.Null);
             Assert.That(loaded, Is.EquivalentTo(new[] { "Clear", "DensityConstraint", "ParticleUpload", "NeighborSearch", "PrefixSum",
                 "VelocityUpdate" }));
-            gate.Decide(DeviceFeature.Drains);
+            gate.Decide(Features.Drains);
             Assert.That(loaded, Has.Member("Drains").And.No.Member("Emitters"));
         }
 

@@ -10,7 +10,7 @@ namespace Rill
         [SerializeField] StageShader[] stages = Array.Empty<StageShader>();
 
         [NonSerialized] StageShader[] held;
-        [NonSerialized] StageSet followed;
+        FeatureSet followed;
 
         /// <summary>What is stored; an element is null where its asset is gone.</summary>
         public StageShader[] Stages => stages;
@@ -34,8 +34,8 @@ namespace Rill
             held = null;
         }
 
-        /// <summary>Of changed settings: <see cref="Update"/> where other groups are wanted than at the last call.</summary>
-        public void Follow(StageSet wanted)
+        /// <summary>Of changed settings: <see cref="Update"/> where other features are wanted than at the last call.</summary>
+        public void Follow(FeatureSet wanted)
         {
             if (wanted == followed)
                 return;
@@ -43,9 +43,9 @@ namespace Rill
             Update(wanted);
         }
 
-        /// <summary>In the Editor: refers to the stages of these groups and no others. In a player it leaves all as it is.</summary>
+        /// <summary>In the Editor: refers to the stages of these features and no others. In a player it leaves all as it is.</summary>
         /// <returns>Whether anything changed.</returns>
-        public bool Update(StageSet wanted)
+        public bool Update(FeatureSet wanted)
         {
             if (StageShader.EditorFind == null || !TryFindAll(wanted, null, out int count, out bool isSame) || isSame)
                 return false;
@@ -58,15 +58,15 @@ namespace Rill
         }
 
         // False while an asset has yet to be imported: what is stored then stays.
-        bool TryFindAll(StageSet wanted, StageShader[] into, out int count, out bool isSame)
+        bool TryFindAll(FeatureSet wanted, StageShader[] into, out int count, out bool isSame)
         {
             count = 0;
             isSame = true;
-            for (int bit = 1; bit <= (int)wanted; bit <<= 1)
+            foreach (Feature feature in Features.All)
             {
-                if (((int)wanted & bit) == 0)
+                if (!wanted.Has(feature))
                     continue;
-                for (int i = 0; StageSets.StageAt((StageSet)bit, i) is string name; i++, count++)
+                foreach (string name in feature.Stages)
                 {
                     StageShader stage = StageShader.EditorFind(name);
                     if (stage == null)
@@ -74,6 +74,7 @@ namespace Rill
                     isSame &= count < stages.Length && ReferenceEquals(stages[count], stage);
                     if (into != null)
                         into[count] = stage;
+                    count++;
                 }
             }
             isSame &= count == stages.Length;
