@@ -66,7 +66,8 @@ namespace Rill
         /// <param name="box">d.</param>
         public bool IsOf(float3 box) => math.all(box == domainSize);
 
-        /// <summary>Marks where the water is, at once; nothing where it was marked at that time already. As time goes back, all dries first.</summary>
+        /// <summary>Marks where the water is, at once; does nothing where it was marked at that time already. As time goes back, all dries
+        /// first.</summary>
         /// <param name="time">Of the solver's newest state, s.</param>
         public void Mark(PbfSolver solver, double time)
         {

@@ -328,7 +328,8 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator The_film_mirrors_the_sky_by_Fresnel_and_not_under_water([Values(0f, 60f, 75f)] float angle, [Values(0f, 0.5f, 1f)] float smoothness)
+        public IEnumerator The_film_mirrors_the_sky_by_Fresnel_and_not_under_water([Values(0f, 60f, 75f)] float angle,
+            [Values(0f, 0.5f, 1f)] float smoothness)
         {
             var sky = new float3(4f, 2f, 0f);
             Cubemap cube = scene.Keep(new Cubemap(1, TextureFormat.RGBAHalf, false));
