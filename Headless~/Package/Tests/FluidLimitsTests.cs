@@ -98,6 +98,25 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_surface_whose_mesh_no_texture_can_hold_is_off_by_name_and_the_fluid_goes_on()
+        {
+            Player.Limits = new ApiLimits { Title = "a device without halves to write", Type = ApiLimits.Mobile.Type, WritesSmallTexels = false,
+                Threads = 1024, ThreadsZ = 64, GroupsharedBytes = 32768 };
+            FluidSimulation simulation = FluidSceneTests.Build("everything off");
+            const string why = " '.*' is off: this device \\(.*, Vulkan\\) has no textures of the format RHalf that kernels write .*Particle Renderer";
+            LogAssert.Expect(LogType.Error, new Regex("FluidSurface" + why));
+            LogAssert.Expect(LogType.Error, new Regex("FluidSurfaceMesh" + why));
+            var surface = simulation.gameObject.AddComponent<FluidSurface>();
+            var mesh = simulation.gameObject.AddComponent<FluidSurfaceMesh>();
+            for (int frame = 0; frame < 3; frame++)
+                PlayerLoop.Frame(FrameTime);
+            Assert.That(surface.enabled, Is.False);
+            Assert.That(mesh.enabled, Is.False);
+            Assert.That(simulation.Solver.Surface, Is.Null);
+            Assert.That(simulation.StepCount, Is.GreaterThan(0));
+        }
+
+        [Test]
         public void What_is_switched_on_later_is_refused_when_it_comes()
         {
             Player.Limits = ApiLimits.WebGpu;

@@ -47,7 +47,7 @@ namespace Host.Tests
         [TestCase("14", 60, Bar)]
         [TestCase("17", 45, Bar)]
         [TestCase("17", 144, Bar)]
-        [TestCase("17", 30, Bar + 0.1f)]
+        [TestCase("17", 30, Bar + 0.15f)]
         public void Falling_water_moves_by_what_it_fell(string version, int rate, float bar)
         {
             BuildFor(version);

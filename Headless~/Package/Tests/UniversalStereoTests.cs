@@ -44,6 +44,8 @@ namespace Host.Tests
         int UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(Action build)
         {
             build();
+            // The same mesh with both.
+            simulation.AskForSurface += () => simulation.NeedMesh(FluidSurface.CellOf(SurfaceQuality.Medium), BoxWalls.All);
             FieldInfo scale = pipeline["Unity.RenderPipelines.Core.Runtime"].GetType("UnityEngine.Experimental.Rendering.XRPass")
                 .GetField("TextureScale", BindingFlags.Static | BindingFlags.NonPublic);
             scale.SetValue(null, 0.5f);

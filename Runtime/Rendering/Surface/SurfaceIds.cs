@@ -3,7 +3,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the passes of a camera's picture of the surface have in common: properties of SurfaceView.hlsl, a thread for each texel.</summary>
+    /// <summary>What the passes of a camera's picture of the surface have in common: properties of SurfaceView.hlsl, a thread for each
+    /// texel.</summary>
     static class SurfaceIds
     {
         public static readonly int Constants = Shader.PropertyToID("RillSurfaceView");

@@ -41,6 +41,7 @@ namespace Rill
             Release();
             tiles = GpuBuffer.Structured<uint>("Rill.Water.Tiles", count);
             arguments = GpuBuffer.Raw("Rill.Water.TileArguments", Lists * Words, GraphicsBuffer.Target.IndirectArguments);
+            arguments.SetData(start);       // no vertices: a camera whose commands do not run draws nothing
         }
 
         /// <summary>Empties both lists.</summary>
