@@ -58,7 +58,7 @@ namespace Rill
         /// <summary>At once, or when the last request that reads it has ended.</summary>
         public static void Release(ref GraphicsBuffer buffer)
         {
-            if (buffer != null && !HeldBuffers.Keep(buffer))
+            if (buffer != null && !PendingReadbacks.Takes(buffer))
                 buffer.Release();
             buffer = null;
         }

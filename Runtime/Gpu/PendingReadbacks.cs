@@ -18,6 +18,11 @@ namespace Rill
         static List<Readback> resumed = new List<Readback>();       // in the order of their requests
         static bool ending;
 
+        // Buffers of snapshots that are pending, once for each, and those of them that their owners have given up: whether Unity brings back a
+        // buffer that is gone it does not say, so they are released with the last snapshot.
+        static List<GraphicsBuffer> held = new List<GraphicsBuffer>();
+        static List<GraphicsBuffer> released = new List<GraphicsBuffer>();
+
         /// <summary>How many there are.</summary>
         public static int Count => items.Count;
 
@@ -43,6 +48,27 @@ namespace Rill
                     i = -1;         // listeners may have changed the list
         }
 
+        /// <summary>Keeps a buffer until <see cref="LetGo"/>, whatever its owner does.</summary>
+        public static void Hold(GraphicsBuffer buffer) => held.Add(buffer);
+
+        /// <summary>Takes one <see cref="Hold"/> back.</summary>
+        public static void LetGo(GraphicsBuffer buffer)
+        {
+            held.Remove(buffer);
+            if (!held.Contains(buffer) && released.Remove(buffer))
+                buffer.Release();
+        }
+
+        /// <summary>Called by the owner of a buffer, which gives it up.</summary>
+        /// <returns>Whether it is held, so that it is released later.</returns>
+        public static bool Takes(GraphicsBuffer buffer)
+        {
+            if (!held.Contains(buffer))
+                return false;
+            released.Add(buffer);
+            return true;
+        }
+
         /// <summary>Waits for all of these, and from now on for each that is added.</summary>
         public static void End()
         {
@@ -57,7 +83,8 @@ namespace Rill
             End();
             items = new List<IPendingReadback>();
             resumed = new List<Readback>();
-            HeldBuffers.Begin();
+            held = new List<GraphicsBuffer>();
+            released = new List<GraphicsBuffer>();
             ending = false;
             Application.quitting -= End;
             Application.quitting += End;

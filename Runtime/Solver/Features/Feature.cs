@@ -15,7 +15,8 @@ namespace Rill
         /// <summary>Name in messages, as in "goes on without vorticity confinement".</summary>
         public readonly string Name;
 
-        /// <summary>What a user can do where the device does not hold it, as in "set vorticity to 0"; null where no device is asked about it.</summary>
+        /// <summary>What a user can do where the device does not hold it, as in "set vorticity to 0"; null where no device is
+        /// asked about it.</summary>
         public readonly string Remedy;
 
         /// <summary>Assets of Runtime/Stages that it needs.</summary>

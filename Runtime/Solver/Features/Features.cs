@@ -100,7 +100,8 @@ namespace Rill
         // A device that does not hold a part of the surface does not get any.
         public static readonly Feature SurfaceParticles = new Feature("the water's surface", "draw it with a ParticleRenderer",
             stages: new[] { "SurfaceParticles" },
-            kernels: new[] { "SurfaceParticles", "SurfaceMesh", "RenderedMesh", "Caustics", "WaterPhases", "WaterRays", "WaterSpray", "WaterShadow" });
+            kernels: new[] { "SurfaceParticles", "SurfaceMesh", "RenderedMesh", "Caustics", "WaterPhases", "WaterRays", "WaterSpray",
+                "WaterShadow" });
 
         public static readonly Feature Queries = new Feature("probes and detectors", "disable its probes and detectors",
             stages: new[] { "Queries" });

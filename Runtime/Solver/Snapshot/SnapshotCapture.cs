@@ -79,7 +79,7 @@ namespace Rill
                 if (part.bytes == 0)
                     continue;
                 coming++;
-                HeldBuffers.Hold(part.state.Buffer);
+                PendingReadbacks.Hold(part.state.Buffer);
                 part.request = AsyncGPUReadback.Request(part.state.Buffer, part.bytes, 0, arrived => OnRead(part, arrived));
             }
             if (coming > 1)
@@ -108,7 +108,7 @@ namespace Rill
             failed |= arrived.hasError;
             if (!arrived.hasError)
                 part.data = arrived.GetData<byte>().ToArray();
-            HeldBuffers.LetGo(part.state.Buffer);
+            PendingReadbacks.LetGo(part.state.Buffer);
             CountDown();
         }
 
