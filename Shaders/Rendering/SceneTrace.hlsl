@@ -4,6 +4,7 @@
 
 static const uint kTraceRefinements = 6;
 static const float kEdgePixels = 4.0;
+static const float kMirroredPart = 0.3;
 static const float kTraceSlack = 0.01;      // of the depth: as thick as this the scene is taken to be at least
 
 struct SceneTrace
@@ -12,7 +13,7 @@ struct SceneTrace
     bool open;              // nothing hides its end, which is on the picture
     bool hidden;            // something nearer hides where it would meet it
     float reach;            // part of the ray up to there; else 1
-    float2 picture;         // where the scene is met, else the last point of the ray that nothing hides; may be beyond, see below
+    float2 picture;         // where the scene is met; where that is hidden, beside what hides it
 };
 
 // A ray on the picture: points of it are linear there, and so is the device's depth.
@@ -45,7 +46,7 @@ float ExtendedSceneDepth(float2 picture)
 }
 
 // From a point of the world along a path, m, in at most so many steps. border: how far it is followed, of half the picture; beyond 1 the scene is
-// a guess, and `picture` mirrored at the border.
+// a guess, and `picture` at the border.
 SceneTrace TraceScene(float3 from, float3 path, uint maxSteps, float border)
 {
     SceneTrace result;
@@ -141,8 +142,12 @@ SceneTrace TraceScene(float3 from, float3 path, uint maxSteps, float border)
     result.open = !result.found && !wasBehind && last == 1.0 && shortened == 1.0;
     result.hidden = !result.found && wasBehind;
     float ends = result.found ? high : last;
-    float2 at = OnPicture(r, result.found ? high : seen).xy;
-    result.picture = abs(at) > 1.0 ? 2.0 * sign(at) - at : at;
+    float shown = result.found ? high : seen;
+    // In place of what is hidden that beside it is seen, mirrored at the edge of what hides it, and drawn out, so that little is seen twice.
+    if (result.hidden)
+        shown = max(0.0, seen - kMirroredPart * (last - seen));
+    // Beyond the picture nothing is known: its border is seen.
+    result.picture = clamp(OnPicture(r, shown).xy, -1.0, 1.0);
     result.reach = shortened * ends * r.fromW / max(lerp(r.toW, r.fromW, ends), 1e-9);
     return result;
 }
