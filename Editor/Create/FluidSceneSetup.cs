@@ -22,7 +22,7 @@ namespace Rill.Editor
         /// <param name="parent">Null for the root of the scene, in front of the scene view.</param>
         public static GameObject Create(GameObject parent)
         {
-            bool needsCamera = IsMissing<Camera>(), needsLight = IsMissing<Light>(), needsListener = IsMissing<AudioListener>();
+            bool needsCamera = IsMissing<Camera>(), needsLight = IsMissing<Light>();
             var root = new GameObject("Fluid Scene");
             root.SetActive(false);
             SceneSetup.Adopt(root, parent);
@@ -37,7 +37,7 @@ namespace Rill.Editor
             MakeBall(root, fluid);
             BasinSetup.Box(root, "Ground", new Vector3(-20f, -0.1f, -20f), new Vector3(20f, 0f, 20f), "Paving");
             if (needsCamera)
-                MakeCamera(root, needsListener);
+                MakeCamera(root);
             if (needsLight)
                 fluid.GetComponent<FluidSurface>().Sun = MakeLight(root);
             return SceneSetup.FinishInView(root, "Fluid Scene", fluid);
@@ -92,15 +92,13 @@ namespace Rill.Editor
             Float(ball, fluid);
         }
 
-        static void MakeCamera(GameObject root, bool withListener)
+        static void MakeCamera(GameObject root)
         {
             GameObject made = BasinSetup.Child(root, "Main Camera");
             made.tag = "MainCamera";
             var camera = made.AddComponent<Camera>();
             camera.fieldOfView = 40f;
             camera.nearClipPlane = 0.1f;
-            if (withListener)
-                made.AddComponent<AudioListener>();
             var eye = new Vector3(-1.5f, 1.65f, -2.6f);
             made.transform.localPosition = eye;
             made.transform.localRotation = Quaternion.LookRotation(new Vector3(0.05f, 0.4f, 0f) - eye);

@@ -55,15 +55,17 @@ namespace Rill.Editor.Tests
         [TestCase(true)]
         public void A_fluid_scene_brings_the_camera_and_the_light_that_a_scene_lacks(bool hasThem)
         {
+            Light light = null;
             if (hasThem)
             {
                 scene.Keep(new GameObject("Mine")).AddComponent<Camera>();
-                scene.Keep(new GameObject("Sun")).AddComponent<Light>().type = LightType.Directional;
+                light = scene.Keep(new GameObject("Sun")).AddComponent<Light>();
+                light.type = LightType.Directional;
             }
             GameObject made = scene.Keep(FluidSceneSetup.Create(null));
             Assert.That(made.GetComponentsInChildren<Camera>().Length, Is.EqualTo(hasThem ? 0 : 1));
             Assert.That(made.GetComponentsInChildren<Light>().Length, Is.EqualTo(hasThem ? 0 : 1));
-            Assert.That(made.GetComponentInChildren<FluidSurface>().Sun, Is.Not.Null.And.SameAs(Object.FindObjectOfType<Light>()));
+            Assert.That(made.GetComponentInChildren<FluidSurface>().Sun, Is.Not.Null.And.SameAs(hasThem ? light : made.GetComponentInChildren<Light>()));
             Assert.That(Selection.activeGameObject, Is.SameAs(made));
             Assert.That(ProblemList.Of(made.GetComponentsInChildren<MonoBehaviour>()), Is.Empty);
             Assert.That(made.GetComponentInChildren<FluidDrain>().RecycleTo, Is.SameAs(made.GetComponentInChildren<FluidEmitter>()));
