@@ -5,7 +5,7 @@
 //   _Positions       [kAlive]  in   float4, xyz position, d
 //   _StartPositions  [kMoved]  in   float4, xyz position at the start of the last substep, d
 //   _Velocities      [kAlive]  in   float4, xyz velocity, d/s; w density relative to rest
-//   _Counters        [16]      in   uint, see Generated/Counters.hlsl
+//   _Counters        [kCounterCount] in   uint, see Generated/Counters.hlsl
 #ifndef RILL_DRAWN_PARTICLES_INCLUDED
 #define RILL_DRAWN_PARTICLES_INCLUDED
 

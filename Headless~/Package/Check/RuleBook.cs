@@ -33,6 +33,7 @@ namespace Host.Check
             new ReloadFieldsRule(),
             new UnsafeMomentsRule(),
             new LineLengthRule(),
+            new HeaderSizesRule(),
             new CultureRule(),
             new ModulesRule(),
             new UnityMembersRule(),
