@@ -20,7 +20,7 @@ namespace Rill.Editor
         static readonly Vector3 DefaultBox = new Vector3(2f, 1.2f, 1f);
         const float DefaultSpacing = 0.03f;
         const int DefaultCapacity = 50000;
-        const float DropRadius = 0.22f, DropHeight = 0.9f;      // m; of its middle above the floor
+        const float DropRadius = 0.22f, DropHeight = 0.9f;      // m; of its center above the floor
 
         /// <summary>A basin of water, and a large drop that falls into it.</summary>
         /// <param name="parent">Null for the root of the scene, in front of the scene view.</param>
@@ -267,7 +267,7 @@ namespace Rill.Editor
             made.transform.localScale = new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
         }
 
-        /// <summary>Where the scene view looks; the origin while there is none.</summary>
+        /// <summary>Point that the scene view looks at, world space, m; the origin while there is none.</summary>
         public static Vector3 ScenePivot => SceneView.lastActiveSceneView != null ? SceneView.lastActiveSceneView.pivot : Vector3.zero;
 
         /// <summary>The first active component of a kind in the open scenes, or in the prefab that is open.</summary>

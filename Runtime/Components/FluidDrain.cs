@@ -70,9 +70,9 @@ namespace Rill
 
         DrainRecord IDrain.Save(in DomainFrame frame) => new DrainRecord { part = SavePart(frame), budget = budget };
 
-        void IDrain.Load(in DrainRecord record, in DomainFrame frame, float samePlace)
+        void IDrain.Load(in DrainRecord record, in DomainFrame frame, float tolerance)
         {
-            LoadPart(record.part, frame, samePlace);
+            LoadPart(record.part, frame, tolerance);
             budget = record.budget;
         }
 

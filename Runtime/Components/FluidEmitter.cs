@@ -164,9 +164,9 @@ namespace Rill
         EmitterRecord IEmitter.Save(in DomainFrame frame)
             => new EmitterRecord { part = SavePart(frame), clock = clock.Record, isOn = isOn ? 1u : 0u, saysLast = saysLast ? 1u : 0u };
 
-        void IEmitter.Load(in EmitterRecord record, in DomainFrame frame, float samePlace)
+        void IEmitter.Load(in EmitterRecord record, in DomainFrame frame, float tolerance)
         {
-            LoadPart(record.part, frame, samePlace);
+            LoadPart(record.part, frame, tolerance);
             clock.Record = record.clock;
             isOn = record.isOn != 0;
             saysLast = record.saysLast != 0;

@@ -12,10 +12,10 @@ namespace Rill
         /// <summary>Half sides of the box around it, in its own frame.</summary>
         public float3 Extent => half + radius;
 
-        /// <param name="place">In its own frame, from its center.</param>
-        public bool Contains(float3 place)
+        /// <param name="position">In its own frame, from its center.</param>
+        public bool Contains(float3 position)
         {
-            float3 beyond = math.max(math.abs(place) - half, 0f);
+            float3 beyond = math.max(math.abs(position) - half, 0f);
             return math.dot(beyond, beyond) <= radius * radius * 1.0001f;
         }
     }

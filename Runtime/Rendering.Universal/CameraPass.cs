@@ -34,7 +34,7 @@ namespace Rill.Universal
             IsReady = true;
         }
 
-        /// <summary>Where it is ready and not in the queue yet.</summary>
+        /// <summary>Puts it into the queue where it is ready and not there yet.</summary>
         public void Enqueue()
         {
             if (!IsReady || IsEnqueued)

@@ -46,7 +46,7 @@ namespace Rill
         /// <summary>The shader's file, without its extension.</summary>
         private protected abstract string ShaderFile { get; }
 
-        /// <summary>Of the shader; null while it is off.</summary>
+        /// <summary>Material with the shader; null while it is off.</summary>
         private protected Material ShaderMaterial => shaderMaterial;
 
         [field: NonSerialized] private protected FluidSimulation Simulation { get; private set; }

@@ -65,7 +65,8 @@ namespace Rill.Editor.Tests
             GameObject made = scene.Keep(FluidSceneSetup.Create(null));
             Assert.That(made.GetComponentsInChildren<Camera>().Length, Is.EqualTo(hasThem ? 0 : 1));
             Assert.That(made.GetComponentsInChildren<Light>().Length, Is.EqualTo(hasThem ? 0 : 1));
-            Assert.That(made.GetComponentInChildren<FluidSurface>().Sun, Is.Not.Null.And.SameAs(hasThem ? light : made.GetComponentInChildren<Light>()));
+            light = hasThem ? light : made.GetComponentInChildren<Light>();
+            Assert.That(made.GetComponentInChildren<FluidSurface>().Sun, Is.Not.Null.And.SameAs(light));
             Assert.That(Selection.activeGameObject, Is.SameAs(made));
             Assert.That(ProblemList.Of(made.GetComponentsInChildren<MonoBehaviour>()), Is.Empty);
             Assert.That(made.GetComponentInChildren<FluidDrain>().RecycleTo, Is.SameAs(made.GetComponentInChildren<FluidEmitter>()));

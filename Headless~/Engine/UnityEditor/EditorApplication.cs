@@ -108,7 +108,7 @@ namespace UnityEditor
         public static SceneView lastActiveSceneView { get; internal set; }
         public Vector3 pivot { get; set; }
 
-        /// <summary>What it was last told to show.</summary>
+        /// <summary>Bounds that it was last told to show.</summary>
         internal Bounds Framed { get; private set; }
 
         public bool Frame(Bounds bounds, bool instant = true)

@@ -138,7 +138,8 @@ namespace Host.Tests
         [Test]
         public void A_reference_to_a_guid_that_nothing_has_is_named_with_its_line() => copy.Catches(new ReferencesRule(), () =>
         {
-            string script = copy["Runtime/Simulation/Filling/FluidVolume.cs.meta"].Split('\n').First(line => line.StartsWith("guid: ")).Substring(6).Trim();
+            string script = copy["Runtime/Simulation/Filling/FluidVolume.cs.meta"].Split('\n').First(line => line.StartsWith("guid: "))
+                .Substring(6).Trim();
             copy.Replace(Scene, script, "0123456789abcdef0123456789abcdef");
         }, "DamBreak.unity(", "0123456789abcdef0123456789abcdef");
 

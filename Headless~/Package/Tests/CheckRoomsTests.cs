@@ -36,7 +36,8 @@ namespace Host.Tests
         {
             Write("Low/A.cs", $"namespace Rill\n{{\n    {source}\n}}");
             Write("High/C.cs", "namespace Rill { class C { internal const int One = 1; } }");
-            Assert.That(Examine().Faults, Has.Count.EqualTo(1).And.Some.Contains("Runtime/Low/A.cs(3): room Low does not compile").And.Some.Contains("'C'"));
+            Assert.That(Examine().Faults, Has.Count.EqualTo(1)
+                .And.Some.Contains("Runtime/Low/A.cs(3): room Low does not compile").And.Some.Contains("'C'"));
         }
 
         [Test]

@@ -10,7 +10,7 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>What GameObject > Rill makes looks like water, without touching a field. Where the environment's RILL_PICTURES names a
+    /// <summary>Objects of the menu GameObject > Rill look like water, without touching a field. Where the environment's RILL_PICTURES names a
     /// folder, the pictures are left there as PPM files to look at.</summary>
     public class CreateMenuPictureTests : InspectorFixture
     {
@@ -58,7 +58,7 @@ namespace Host.Tests
             Assert.That(camera.clearFlags, Is.EqualTo(CameraClearFlags.Skybox));
         }
 
-        // As the scene view after F, from where it looks in a new project.
+        // Looks as the scene view does after F, from where it looks in a new project.
         static Camera LookAt(FluidSimulation fluid)
         {
             var camera = new GameObject("Camera").AddComponent<Camera>();

@@ -102,7 +102,7 @@ namespace Host.Tests
             }
         }
 
-        // What the drain takes comes back through the spout, so the water stays what it was at the start.
+        // All that the drain takes comes back through the spout, so the water stays what it was at the start.
         [Test]
         public void A_fluid_scene_goes_round_and_its_ball_floats()
         {

@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Says what a device lacks of what every fluid needs.</summary>
     static class DeviceGate
     {
-        /// <summary>What helps where a device is too small.</summary>
+        /// <summary>Remedy in messages about a device that is too small.</summary>
         public const string Remedy = "Run on Direct3D 11 or 12, Vulkan or Metal";
 
         /// <summary>Whether the player has no graphics at all: a dedicated server, or -nographics.</summary>

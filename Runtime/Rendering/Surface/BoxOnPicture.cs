@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Where the box of a fluid lies on a camera's picture, for all eyes together.</summary>
+    /// <summary>Rectangle of a fluid's box on a camera's picture, for all eyes together.</summary>
     readonly struct BoxOnPicture
     {
         /// <summary>Lowest x and y, highest x and y, -1 to 1; the whole picture where a corner is not in front of the camera.</summary>

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What a camera sees in a frame, as the adapter of a render pipeline hands it to <see cref="FluidSurface"/>: one eye,
+    /// <summary>Views of a camera in a frame, as the adapter of a render pipeline hands it to <see cref="FluidSurface"/>: one eye,
     /// or two in one pass.</summary>
     struct FluidViews
     {

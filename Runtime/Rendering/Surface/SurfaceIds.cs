@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the passes of a camera's picture of the surface have in common: properties of SurfaceView.hlsl, a thread for each
+    /// <summary>Common parts of the passes of a camera's picture of the surface: properties of SurfaceView.hlsl, a thread for each
     /// texel.</summary>
     static class SurfaceIds
     {

@@ -130,11 +130,11 @@ namespace Rill
         }
 
         /// <summary>Goes on as it came there, if it is where it was.</summary>
-        /// <param name="samePlace">Distance within which it is, d.</param>
-        private protected void LoadPart(in PartRecord record, in DomainFrame frame, float samePlace)
+        /// <param name="tolerance">Distance within which it is, d.</param>
+        private protected void LoadPart(in PartRecord record, in DomainFrame frame, float tolerance)
         {
             follows = record.follows != 0 && Limit.IsPose(transform.position, transform.rotation)
-                && record.now.IsAt(frame.Pose(transform.position, transform.rotation), samePlace);
+                && record.now.IsAt(frame.Pose(transform.position, transform.rotation), tolerance);
             lastPose = record.last.Pose;
         }
 

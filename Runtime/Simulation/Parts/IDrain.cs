@@ -14,7 +14,7 @@ namespace Rill
 
         DrainRecord Save(in DomainFrame frame);
 
-        /// <param name="samePlace">Distance within which it is where it was, d.</param>
-        void Load(in DrainRecord record, in DomainFrame frame, float samePlace);
+        /// <param name="tolerance">Distance within which it is where it was, d.</param>
+        void Load(in DrainRecord record, in DomainFrame frame, float tolerance);
     }
 }

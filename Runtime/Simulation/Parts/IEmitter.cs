@@ -26,7 +26,7 @@ namespace Rill
 
         EmitterRecord Save(in DomainFrame frame);
 
-        /// <param name="samePlace">Distance within which it is where it was, d.</param>
-        void Load(in EmitterRecord record, in DomainFrame frame, float samePlace);
+        /// <param name="tolerance">Distance within which it is where it was, d.</param>
+        void Load(in EmitterRecord record, in DomainFrame frame, float tolerance);
     }
 }

@@ -14,7 +14,7 @@ namespace UnityEngine
 
         internal static IReadOnlyList<ReflectionProbe> Active => active;
 
-        /// <summary>What is mirrored where no probe is: the sky's cube, or the scene's own.</summary>
+        /// <summary>Cube map that is mirrored beside all probes: the sky's, or the scene's own.</summary>
         public static Texture defaultTexture => EnvironmentLighting.DefaultCube;
         public static Vector4 defaultTextureHDRDecodeValues => EnvironmentLighting.DefaultDecode;
 

@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
@@ -9,7 +10,7 @@ namespace Host.Check
     sealed class HeaderSizesRule : Rule
     {
         // "//   _Name   [16]" and "[256 * 13]"; "[1]" says that there is one.
-        static readonly Regex Size = new(@"^//\s+(_\w+)\s+\[([\d\s*+]+)(\s\w+)?\]", RegexOptions.Compiled);
+        static readonly Regex Size = new(@"^//\s+(_\w+)\s+\[([\d\s*+]+)(\swords)?\]", RegexOptions.Compiled);
 
         public override string Name => "code: headers of shaders give sizes by name";
 
@@ -17,12 +18,12 @@ namespace Host.Check
         {
             var findings = new Findings();
             int sizes = 0;
-            foreach (string file in package.Visible.Where(IsShader))
+            foreach (string file in package.Visible.Where(file => file.StartsWith("Shaders/", StringComparison.Ordinal) && IsShader(file)))
             {
                 string[] lines = package.Read(file).Split('\n');
                 for (int i = 0; i < lines.Length; i++)
                 {
-                    sizes += lines[i].StartsWith("//   _") && lines[i].Contains('[') ? 1 : 0;
+                    sizes += lines[i].StartsWith("//   _", StringComparison.Ordinal) && lines[i].Contains('[') ? 1 : 0;
                     Match match = Size.Match(lines[i]);
                     if (match.Success && match.Groups[2].Value.Trim() != "1")
                         findings.Fault($"{file}({i + 1}): the size of {match.Groups[1].Value} is the number {match.Groups[2].Value.Trim()}: " +

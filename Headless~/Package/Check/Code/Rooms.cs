@@ -11,7 +11,7 @@ namespace Host.Check
     /// <remarks>Unity and the host compile all of them as one assembly, since scenes and events store its name.</remarks>
     sealed class Rooms
     {
-        /// <summary>Of the package, from the lowest to the highest.</summary>
+        /// <summary>Rooms of the package, from the lowest to the highest.</summary>
         public static readonly IReadOnlyList<string> OfRill = new[]
         {
             "Core", "Stages", "Gpu", "Gpu/Device", "Baking", "Solver", "Simulation", "Components", "Rendering", "Recording",

@@ -38,7 +38,7 @@ namespace Host.Check
             return rooms;
         }
 
-        // What Unity's compiler sees: .NET Standard, and the host's stand-ins.
+        // Unity's compiler sees .NET Standard; for Unity stand the host's assemblies.
         static IEnumerable<MetadataReference> References(PackageTree package)
         {
             using (Stream netStandard = typeof(RoomsRule).Assembly.GetManifestResourceStream("netstandard.dll"))
