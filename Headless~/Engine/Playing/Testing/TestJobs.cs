@@ -25,6 +25,10 @@ namespace Host.Testing
         /// <summary>Seconds without a word after which a worker counts as stuck: no fixture takes half as long on two busy cores.</summary>
         public const int DefaultLimit = 1200;
 
+        /// <summary>Bytes from which on a worker gets no further fixture, and another takes its place: what lavapipe has compiled stays in a process,
+        /// and two that run all fixtures would take 12 GB each.</summary>
+        const long MaxMemory = 4L << 30;
+
         const string DeviceThreads = "LP_NUM_THREADS";      // how many lavapipe starts
 
         readonly object key = new();
@@ -88,11 +92,11 @@ namespace Host.Testing
             }
         }
 
-        /// <returns>The worker came to its end.</returns>
+        /// <returns>The worker came to its end, and was not replaced for its memory.</returns>
         bool Serve(int deviceThreads, bool alone, out int taken)
         {
             string name = "rill-test-" + Guid.NewGuid().ToString("N"), current = null;
-            bool ended = false, isStuck = false;
+            bool ended = false, isStuck = false, isFull = false;
             taken = 0;
             using var pipe = new NamedPipeServerStream(name, PipeDirection.InOut, 1, PipeTransmissionMode.Byte, PipeOptions.Asynchronous);
             using Process process = Start(name, deviceThreads, alone);
@@ -113,6 +117,7 @@ namespace Host.Testing
                     {
                         WorkerMessage message = JsonSerializer.Deserialize<WorkerMessage>(line);
                         clock.Change(1000L * limit, Timeout.Infinite);
+                        isFull |= message.Claim != null && taken > 0 && MemoryOf(process) > MaxMemory;
                         lock (key)
                         {
                             if (message.Report != null)
@@ -121,7 +126,7 @@ namespace Host.Testing
                                 current = null;
                             if (message.Facts != null)
                                 Facts.Add(message.Facts);
-                            if (message.Claim != null && open.Remove(message.Claim))
+                            if (message.Claim != null && !isFull && open.Remove(message.Claim))
                             {
                                 current = message.Claim;
                                 taken++;
@@ -142,7 +147,7 @@ namespace Host.Testing
             {
                 running.Remove(process);
                 if (isStopped || ended && process.ExitCode == 0)
-                    return ended;
+                    return ended && !isFull;
                 string ending = isStuck ? $"was ended after {limit} s" : Ending(process.ExitCode);
                 if (current != null)
                     tally.Add(new FixtureReport { Assembly = current.Split(' ')[0], Failed = 1,
@@ -176,6 +181,12 @@ namespace Host.Testing
                 running.Add(process);
                 return process;
             }
+        }
+
+        static long MemoryOf(Process process)
+        {
+            process.Refresh();
+            return process.HasExited ? 0 : process.WorkingSet64;
         }
 
         static bool IsConnected(NamedPipeServerStream pipe, Process process)
