@@ -56,7 +56,7 @@ namespace Rill
                 Buffers.Add((name, (long)buffer.count * buffer.stride));
         }
 
-        // Of a texel: depth has none of these formats, and 4.
+        // Bytes of a texel. A depth format is none of these, and has 4.
         static int BytesOf(GraphicsFormat format) => format == GraphicsFormat.R32G32B32A32_SFloat ? 16
             : format == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;
     }

@@ -125,7 +125,7 @@ namespace Host.Tests
             Assert.That(along, Is.EqualTo(0f).Within(0.03f * Depth * (1f - slope)));
         }
 
-        // Of water, without polarization.
+        // Reflectance of water for light without polarization.
         static float Fresnel(float degrees)
         {
             float cosine = Mathf.Cos(degrees * Mathf.Deg2Rad), within = Mathf.Sqrt(1f - (1f - cosine * cosine) / (1.333f * 1.333f));

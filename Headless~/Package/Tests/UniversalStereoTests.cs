@@ -44,7 +44,7 @@ namespace Host.Tests
         int UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(Action build)
         {
             build();
-            // The same mesh with both.
+            // Both asks get one mesh.
             simulation.AskForSurface += () => simulation.NeedMesh(FluidSurface.CellOf(SurfaceQuality.Medium), BoxWalls.All);
             FieldInfo scale = pipeline["Unity.RenderPipelines.Core.Runtime"].GetType("UnityEngine.Experimental.Rendering.XRPass")
                 .GetField("TextureScale", BindingFlags.Static | BindingFlags.NonPublic);
