@@ -67,22 +67,24 @@ namespace Rill
         public const int DirectCapacity = 1 << 18;
 
         readonly int capacity;
+        readonly BufferSet buffers = new BufferSet();
+        GraphicsBuffer positions, predicted, ids, sortedIds;
 
         /// <summary>float4 [capacity], xyz position: the state between substeps, until the sort has read it.</summary>
-        public GraphicsBuffer Positions { get; private set; }
+        public GraphicsBuffer Positions => positions;
         /// <summary>float4 [capacity], sorted, in the memory of <see cref="Positions"/> from the sort to the end of the substep: xyz the position
         /// that a particle's multiplier was found at, w the multiplier.</summary>
         public GraphicsBuffer Multipliers => Positions;
         /// <summary>float4 [capacity], the same, sorted.</summary>
         public GraphicsBuffer Start { get; }
         /// <summary>float4 [capacity], sorted: predicted, then corrected position.</summary>
-        public GraphicsBuffer Predicted { get; private set; }
+        public GraphicsBuffer Predicted => predicted;
         /// <summary>float4 [capacity], xyz velocity, d/s; w density relative to rest, 1 where no stage sums it.</summary>
         public GraphicsBuffer Velocities { get; }
         /// <summary>uint [capacity].</summary>
-        public GraphicsBuffer Ids { get; private set; }
+        public GraphicsBuffer Ids => ids;
         /// <summary>uint [capacity], the ids in this step's order.</summary>
-        public GraphicsBuffer SortedIds { get; private set; }
+        public GraphicsBuffer SortedIds => sortedIds;
         /// <summary>uint [<see cref="CounterCount"/>], by <see cref="ParticleCounter"/>.</summary>
         public GraphicsBuffer Counters { get; }
         /// <summary>Arguments for the particles alive at the start of a step, and to draw them.</summary>
@@ -93,15 +95,26 @@ namespace Rill
         public ParticleBuffers(int capacity)
         {
             this.capacity = capacity;
-            Positions = GpuBuffer.Structured<float4>("Rill.PositionsA", capacity);
-            Start = GpuBuffer.Structured<float4>("Rill.StartPositions", capacity);
-            Predicted = GpuBuffer.Structured<float4>("Rill.PositionsB", capacity);
-            Velocities = GpuBuffer.Structured<float4>("Rill.Velocities", capacity);
-            Ids = GpuBuffer.Structured<uint>("Rill.IdsA", capacity);
-            SortedIds = GpuBuffer.Structured<uint>("Rill.IdsB", capacity);
-            Counters = GpuBuffer.Structured<uint>("Rill.Counters", CounterCount);
-            AliveArguments = GpuBuffer.Arguments("Rill.AliveArguments");
-            SortedArguments = GpuBuffer.Arguments("Rill.SortedArguments");
+            positions = buffers.Structured<float4>("Rill.PositionsA", capacity, "_Positions");
+            Start = buffers.Structured<float4>("Rill.StartPositions", capacity);
+            predicted = buffers.Structured<float4>("Rill.PositionsB", capacity, "_Predicted");
+            Velocities = buffers.Structured<float4>("Rill.Velocities", capacity);
+            ids = buffers.Structured<uint>("Rill.IdsA", capacity, "_Ids");
+            sortedIds = buffers.Structured<uint>("Rill.IdsB", capacity, "_SortedIds");
+            Counters = buffers.Structured<uint>("Rill.Counters", CounterCount);
+            AliveArguments = buffers.Arguments("Rill.AliveArguments");
+            SortedArguments = buffers.Arguments("Rill.SortedArguments");
+        }
+
+        /// <summary>Records the state as what a kernel reads and writes: positions, those at the start of the substep, velocities, ids and
+        /// counters. What a kernel finds elsewhere is recorded after this.</summary>
+        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, positions);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.StartPositions, Start);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Ids, ids);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, Counters);
         }
 
         /// <summary>The same as a set that transfers give to and take from.</summary>
@@ -131,33 +144,25 @@ namespace Rill
         public void Advance()
         {
             SwapPasses();
-            (Ids, SortedIds) = (SortedIds, Ids);
+            buffers.Swap(ref ids, ref sortedIds);
         }
 
         /// <summary>What a pass has left in the memory of the multipliers is the corrected position.</summary>
-        public void SwapPasses() => (Positions, Predicted) = (Predicted, Positions);
+        public void SwapPasses() => buffers.Swap(ref positions, ref predicted);
 
-        public void Dispose()
-        {
-            foreach (GraphicsBuffer buffer in new[] { Positions, Start, Predicted, Velocities, Ids, SortedIds, Counters, AliveArguments,
-                SortedArguments })
-            {
-                GraphicsBuffer released = buffer;
-                GpuBuffer.Release(ref released);
-            }
-        }
+        public void Dispose() => buffers.Dispose();
 
-        public void Describe(StageDescription stage)
-        {
-            stage.Buffer("Rill.PositionsA", Positions);
-            stage.Buffer("Rill.StartPositions", Start);
-            stage.Buffer("Rill.PositionsB", Predicted);
-            stage.Buffer("Rill.Velocities", Velocities);
-            stage.Buffer("Rill.IdsA", Ids);
-            stage.Buffer("Rill.IdsB", SortedIds);
-            stage.Buffer("Rill.Counters", Counters);
-            stage.Buffer("Rill.AliveArguments", AliveArguments);
-            stage.Buffer("Rill.SortedArguments", SortedArguments);
-        }
+        public void Describe(StageDescription stage) => buffers.Describe(stage);
+    }
+
+    /// <summary>Properties of the particles' buffers in all shaders.</summary>
+    static class ParticleIds
+    {
+        public static readonly int Positions = Shader.PropertyToID("_Positions");
+        public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+        public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+        public static readonly int Ids = Shader.PropertyToID("_Ids");
+        public static readonly int Counters = Shader.PropertyToID("_Counters");
+        public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
     }
 }

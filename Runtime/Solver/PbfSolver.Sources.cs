@@ -4,39 +4,35 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What comes and goes while the fluid runs: each stage is made when first needed.
+    // What comes and goes while the fluid runs.
     partial class PbfSolver
     {
-        Emitters emitters;
-        Drains drains;
-        ForceFields forceFields;
-        ParticleTags tags;
         bool hasLifetimes;
 
         /// <summary>uint [capacity], see ParticleTags.hlsl; null while no emitter gives its particles a phase or a lifetime.</summary>
-        public GraphicsBuffer Tags => tags?.Current;
+        public GraphicsBuffer Tags => ParticleTags?.Current;
 
         /// <summary>What the emitters have done; null while there are none.</summary>
-        public EmitterStates EmitterStates => emitters?.States;
+        public EmitterStates EmitterStates => Emitters?.States;
 
         /// <summary>Particles that a drain has removed, as far as it has come back.</summary>
-        public int DrainedBy(int number) => drains?.Drained(number) ?? 0;
+        public int DrainedBy(int number) => Drains?.Drained(number) ?? 0;
 
         /// <summary>Starts the readback of what emitters and drains have done.</summary>
         public void RequestSourceCounts()
         {
-            emitters?.States.Request();
-            drains?.Request();
+            Emitters?.States.Request();
+            Drains?.Request();
         }
 
         /// <summary>Waits for what <see cref="RequestSourceCounts"/> asked for, and for nothing else.</summary>
         public void CompleteSourceCounts()
         {
-            emitters?.States.Complete();
-            drains?.Complete();
+            Emitters?.States.Complete();
+            Drains?.Complete();
         }
 
-        ParticleTags TagsWithLifetimes => hasLifetimes ? tags : null;
+        ParticleTags TagsWithLifetimes => hasLifetimes ? ParticleTags : null;
 
         // Makes what the sources of this step need and gives back what they no longer do.
         void PrepareSources(in StepInput input)
@@ -44,24 +40,17 @@ namespace Rill
             StepSources sources = input.sources;
             PreparePhases(input);
             if (sources != null && sources.needsTags)
-                tags ??= new ParticleTags(Layout.Capacity);
+                NeedTags();
             hasLifetimes |= sources != null && sources.needsLifetimes;
             if (Emitters.IsNeeded(sources))
-                emitters ??= new Emitters(limits, ReadbackErrors);
-            else if (emitters != null && (sources == null || !sources.keepsEmitters))
-                ReleaseEmitters();
+                NeedEmitters();
+            else if (sources == null || !sources.keepsEmitters)
+                Release(Features.Emitters);
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
-                drains ??= new Drains(ReadbackErrors);
-            else if (drains != null && (sources == null || !sources.keepsDrains))
-                ReleaseDrains();
-            drains?.Remove(sources?.goneDrains ?? 0);
-            if (ForceFields.IsNeeded(sources))
-                forceFields ??= new ForceFields();
-            else if (forceFields != null)
-            {
-                restingRegions?.Wake();
-                ReleaseFields();
-            }
+                NeedDrains();
+            else if (sources == null || !sources.keepsDrains)
+                Release(Features.Drains);
+            Drains?.Remove(sources?.goneDrains ?? 0);
             for (int e = 0; e < (sources?.emitterCount ?? 0); e++)
             {
                 maxParticles += sources.emitters[e].due;
@@ -73,25 +62,15 @@ namespace Rill
         void RecordDrains(in StepContext step)
         {
             StepSources sources = step.Input.sources;
-            drains?.RecordForgotten(step.Commands);
+            Drains?.RecordForgotten(step.Commands);
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
-                drains.Record(step, lastSubsteps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes);
-        }
-
-        // Fields that change or come wake what rests, as those that go do.
-        ForceFields FieldsFor(CommandBuffer cmd, in StepInput input)
-        {
-            if (!ForceFields.IsNeeded(input.sources))
-                return null;
-            if (forceFields.Upload(cmd, input.sources))
-                restingRegions?.Wake();
-            return forceFields;
+                Drains.Record(step, lastSubsteps, sources != null && sources.recycles ? Emitters.States : null, TagsWithLifetimes);
         }
 
         void RecordEmission(in StepContext step, int substep)
         {
             if (Emitters.IsNeeded(step.Input.sources))
-                emitters.Record(step, substep, stepIndex, tags);
+                Emitters.Record(step, substep, stepIndex, ParticleTags);
         }
 
         // How deep the water gets is as far as an emitter lies above where gravity takes what it lets in.
@@ -104,43 +83,27 @@ namespace Rill
             maxAdded = math.max(maxAdded, math.clamp(math.max(high, high + down), 0f, Layout.DomainSize));
         }
 
-        void ClearSources()
+        void NeedEmitters()
         {
-            emitters?.States.Clear();
-            drains?.Clear();
-            ReleaseTags();
+            if (Emitters == null)
+                Keep(Features.Emitters, new Emitters(limits, ReadbackErrors));
         }
 
-        void ReleaseSources()
+        void NeedDrains()
         {
-            ReleaseEmitters();
-            ReleaseDrains();
-            ReleaseFields();
-            ReleaseTags();
+            if (Drains == null)
+                Keep(Features.Drains, new Drains(ReadbackErrors));
         }
 
-        void ReleaseEmitters()
+        void NeedTags()
         {
-            emitters?.Dispose();
-            emitters = null;
-        }
-
-        void ReleaseDrains()
-        {
-            drains?.Dispose();
-            drains = null;
-        }
-
-        void ReleaseFields()
-        {
-            forceFields?.Dispose();
-            forceFields = null;
+            if (ParticleTags == null)
+                Keep(Features.Tags, new ParticleTags(Layout.Capacity));
         }
 
         void ReleaseTags()
         {
-            tags?.Dispose();
-            tags = null;
+            Release(Features.Tags);
             hasLifetimes = false;
         }
     }

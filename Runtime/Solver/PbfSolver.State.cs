@@ -30,7 +30,7 @@ namespace Rill
                 capture.Add(buffer, most);
             if (neighborSearch.IsSorted)
                 capture.Add(new StateBuffer(SnapshotSection.CellStarts, neighborSearch.CellStarts, StateExtent.All), most);
-            if (hasLists && implicitViscosity != null)
+            if (hasLists && Viscosity != null)
             {
                 NeighborLists lists = densityConstraint.Lists;
                 capture.Add(new StateBuffer(SnapshotSection.NeighborCounts, lists.Counts, StateExtent.Moved), most);
@@ -45,7 +45,7 @@ namespace Rill
         /// <param name="record">What is known of what is pending besides.</param>
         public void CaptureReactions(SnapshotCapture capture, SnapshotContents contents, ColliderSet set, in ReactionsRecord record)
         {
-            if (colliders != null && colliders.HasSumsOf(set))
+            if (Colliders != null && Colliders.HasSumsOf(set))
                 Reactions.Save(capture, contents, record);
         }
 
@@ -61,8 +61,8 @@ namespace Rill
             capture.Add(new StateBuffer(SnapshotSection.Positions, particles.Positions, StateExtent.Particles), most);
             capture.Add(new StateBuffer(SnapshotSection.Velocities, particles.Velocities, StateExtent.Particles), most);
             capture.Add(new StateBuffer(SnapshotSection.Ids, particles.Ids, StateExtent.Particles), most);
-            if (tags != null)
-                capture.Add(new StateBuffer(SnapshotSection.Tags, tags.Current, StateExtent.Particles), most);
+            if (ParticleTags != null)
+                capture.Add(new StateBuffer(SnapshotSection.Tags, ParticleTags.Current, StateExtent.Particles), most);
             return capture;
         }
 
@@ -102,9 +102,9 @@ namespace Rill
             foreach (StateBuffer buffer in state)
                 Upload(buffer.Buffer, contents.Bytes(buffer.Section));
             if (contents.Has(SnapshotSection.Reactions) && features.Has(Features.Colliders))
-                colliders ??= new Colliders(Layout, ReadbackErrors);
-            colliders?.LoadReactions(contents);
-            hasLists = contents.Has(SnapshotSection.NeighborCounts) && implicitViscosity != null;
+                NeedColliders();
+            Colliders?.LoadReactions(contents);
+            hasLists = contents.Has(SnapshotSection.NeighborCounts) && Viscosity != null;
             if (hasLists)
                 densityConstraint.Lists.Upload(Layout, contents.Values<uint>(SnapshotSection.Neighbors),
                     contents.Values<uint>(SnapshotSection.NeighborCounts));
@@ -121,10 +121,9 @@ namespace Rill
         /// <summary>What the colliders of the next step were to what rests: no change.</summary>
         public void AdoptColliders(ColliderSet set)
         {
-            if (restingRegions == null && Reactions == null)
+            if (Resting == null && Reactions == null)
                 return;
-            colliders ??= new Colliders(Layout, ReadbackErrors);
-            colliders.Adopt(set);
+            NeedColliders().Adopt(set);
         }
 
         // The buffers that the next step depends on, but for the neighbor lists.
@@ -135,16 +134,11 @@ namespace Rill
             state.Add(new StateBuffer(SnapshotSection.Velocities, particles.Velocities, StateExtent.Particles));
             state.Add(new StateBuffer(SnapshotSection.Ids, particles.Ids, StateExtent.Particles));
             state.Add(new StateBuffer(SnapshotSection.StartPositions, particles.Start, StateExtent.Moved));
-            tags?.ListState(state);
-            restingRegions?.ListState(state);
-            coarseCorrection?.ListState(state);
-            velocityExtrapolation?.ListState(state);
-            viscoelasticity?.ListState(state);
-            emitters?.States.ListState(state);
-            drains?.ListState(state);
+            foreach (Stage stage in stages)
+                stage?.ListState(state);
         }
 
-        // All that is no buffer.
+        // All that is not a buffer.
         void Save(SnapshotContents contents, int most)
         {
             contents.Set(SnapshotSection.Solver, new SolverRecord
@@ -160,17 +154,17 @@ namespace Rill
                     | (HasMarked ? SolverRecord.HasMarked : 0u),
                 hasLifetimes = hasLifetimes ? 1u : 0u,
             });
-            if (restingRegions != null)
-                contents.Set(SnapshotSection.Rest, restingRegions.Save());
-            if (coarseCorrection != null)
+            if (Resting != null)
+                contents.Set(SnapshotSection.Rest, Resting.Save());
+            if (Coarse != null)
             {
-                contents.Set(SnapshotSection.Coarse, new CoarseRecord { wantedSize = coarseCorrection.Grid.WantedSize });
-                contents.Set(SnapshotSection.FlowTime, coarseCorrection.FlowTime);
+                contents.Set(SnapshotSection.Coarse, new CoarseRecord { wantedSize = Coarse.Grid.WantedSize });
+                contents.Set(SnapshotSection.FlowTime, Coarse.FlowTime);
             }
-            if (velocityExtrapolation != null)
-                contents.Set(SnapshotSection.Extrapolation, velocityExtrapolation.Record);
-            if (forceFields != null)
-                contents.SetValues(SnapshotSection.Fields, forceFields.Last);
+            if (Extrapolation != null)
+                contents.Set(SnapshotSection.Extrapolation, Extrapolation.Record);
+            if (Fields != null)
+                contents.SetValues(SnapshotSection.Fields, Fields.Last);
         }
 
         void Load(SnapshotContents contents)
@@ -191,44 +185,42 @@ namespace Rill
         void MakeStages(SnapshotContents contents, FeatureSet features)
         {
             if (contents.Has(SnapshotSection.Tags))
-                tags = new ParticleTags(Layout.Capacity);
+                NeedTags();
             hasLifetimes &= features.Has(Features.Drains);
             if (contents.Has(SnapshotSection.Rest) && features.Has(Features.Sleep))
             {
-                restingRegions ??= new RestingRegions(Layout);
-                restingRegions.Load(contents.Get<RestRecord>(SnapshotSection.Rest));
+                RestingRegions resting = Resting ?? Keep(Features.Sleep, new RestingRegions(Layout));
+                resting.Load(contents.Get<RestRecord>(SnapshotSection.Rest));
             }
             if (contents.Has(SnapshotSection.Coarse) && features.Has(Features.DeepWater))
-                coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits)
-                {
-                    FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
-                    IsFirst = false,
-                };
+                Keep(Features.DeepWater,
+                    new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits)
+                    {
+                        FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
+                        IsFirst = false,
+                    });
             if (contents.Has(SnapshotSection.Extrapolation))
-            {
-                velocityExtrapolation = new VelocityExtrapolation(Layout.Capacity);
-                velocityExtrapolation.Record = contents.Get<ExtrapolationRecord>(SnapshotSection.Extrapolation);
-            }
+                Keep(Features.Extrapolation, new VelocityExtrapolation(Layout.Capacity)).Record
+                    = contents.Get<ExtrapolationRecord>(SnapshotSection.Extrapolation);
             if (contents.Has(SnapshotSection.Conformation) && features.Has(Features.Elasticity))
-                viscoelasticity = new Viscoelasticity(Layout.Capacity);
+                Keep(Features.Elasticity, new Viscoelasticity(Layout.Capacity));
             if (contents.Has(SnapshotSection.NeighborCounts) && features.Has(Features.Viscosity))
-                implicitViscosity = new ImplicitViscosity(Layout.Capacity);
+                Keep(Features.Viscosity, new ImplicitViscosity(Layout.Capacity));
             if (contents.Has(SnapshotSection.EmitterStates) && features.Has(Features.Emitters))
-                emitters ??= new Emitters(limits, ReadbackErrors);
+                NeedEmitters();
             if (contents.Has(SnapshotSection.DrainStates) && features.Has(Features.Drains))
-                drains ??= new Drains(ReadbackErrors);
+                NeedDrains();
             if (contents.Has(SnapshotSection.Fields) && features.Has(Features.ForceFields))
-            {
-                forceFields ??= new ForceFields();
-                forceFields.Last = contents.Values<FieldRegion>(SnapshotSection.Fields);
-            }
+                (Fields ?? Keep(Features.ForceFields, new ForceFields())).Last = contents.Values<FieldRegion>(SnapshotSection.Fields);
             else
             {
                 if (contents.Has(SnapshotSection.Fields))
-                    restingRegions?.Wake();     // they have gone
-                ReleaseFields();        // what the scene has then counts as come
+                    Resting?.Wake();     // they have gone
+                Release(Features.ForceFields);        // what the scene has then counts as come
             }
         }
+
+        Colliders NeedColliders() => Colliders ?? Keep(Features.Colliders, new Colliders(Layout, ReadbackErrors));
 
         bool CoarseFits(SnapshotContents contents)
         {

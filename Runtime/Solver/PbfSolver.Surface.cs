@@ -3,19 +3,14 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What is drawn of the water: made when first needed, from the state that the last step left.
+    // What is drawn of the water, from the state that the last step left.
     partial class PbfSolver
     {
         readonly SurfaceWorkspace surfaceWorkspace = new SurfaceWorkspace();
-        SurfaceParticles surface;
-        SurfaceMesh mesh;
         float meshCell;
         int meshWalls = 63;
         int substepsSinceSurface;
         bool hasNew;        // particles that the last step did not move
-
-        /// <summary>What has to be drawn of the water's surface; null while nothing draws it.</summary>
-        public SurfaceParticles Surface => surface;
 
         /// <summary>Distance of the nodes of the surface's mesh, d, 0.25 to 2; 0 where the surface is drawn as ellipsoids.</summary>
         public float MeshCell
@@ -35,14 +30,11 @@ namespace Rill
             get => meshWalls;
             set
             {
-                if (value != meshWalls && mesh != null)
+                if (value != meshWalls && Mesh != null)
                     SurfaceIsCurrent = false;
                 meshWalls = value;
             }
         }
-
-        /// <summary>The water's surface as a mesh; null while nothing draws it, or not as a mesh.</summary>
-        public SurfaceMesh Mesh => mesh;
 
         /// <summary>Whether <see cref="Surface"/> is that of the current state.</summary>
         public bool SurfaceIsCurrent { get; private set; }
@@ -54,18 +46,19 @@ namespace Rill
         /// <exception cref="ArgumentOutOfRangeException">Its buffers are more than the device can bind.</exception>
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {
-            surface ??= new SurfaceParticles(Layout, surfaceWorkspace);
-            if (mesh != null && mesh.Cell != MeshCell)
+            if (Surface == null)
+                Keep(Features.SurfaceParticles, new SurfaceParticles(Layout, surfaceWorkspace));
+            if (Mesh != null && Mesh.Cell != MeshCell)
                 ReleaseMesh();
-            if (MeshCell > 0f)
-                mesh ??= new SurfaceMesh(Layout, surfaceWorkspace, MeshCell);
+            if (MeshCell > 0f && Mesh == null)
+                Keep(Features.SurfaceMesh, new SurfaceMesh(Layout, surfaceWorkspace, MeshCell));
             bool hasSteps = lastSubsteps > 0 && !isRestored && !HasMarked;       // the neighbor lists do not know which particles are gone
             StepInput last = input;
             last.settings.substeps = Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
             StepContext step = Context(cmd, last, hasSteps);
-            surface.Record(step, hasSteps, hasNew, SurfaceVersion, substepsSinceSurface, hasGhosts, mesh != null);
-            if (mesh != null)
+            Surface.Record(step, hasSteps, hasNew, SurfaceVersion, substepsSinceSurface, hasGhosts, Mesh != null);
+            if (Mesh != null)
                 RecordMesh(step, hasSteps);
             SurfaceIsCurrent = true;
             substepsSinceSurface = 0;
@@ -76,7 +69,7 @@ namespace Rill
         /// <exception cref="ArgumentOutOfRangeException">It is more than the device can bind.</exception>
         public void FollowMeshSize()
         {
-            if (mesh != null && mesh.Follow())
+            if (Mesh != null && Mesh.Follow())
                 SurfaceIsCurrent = false;
         }
 
@@ -84,7 +77,7 @@ namespace Rill
         {
             if (lastSubsteps == 0)
                 UploadConstants(step.Commands, step.Input);
-            mesh.Record(step, surface, hasSteps, meshWalls);
+            Mesh.Record(step, Surface, hasSteps, meshWalls);
         }
 
         // What comes next has nothing to do with what was drawn before.
@@ -97,16 +90,14 @@ namespace Rill
         /// <summary>Gives back what the surface needs, where nothing draws it any more.</summary>
         public void ReleaseSurface()
         {
-            surface?.Dispose();
-            surface = null;
+            Release(Features.SurfaceParticles);
             SurfaceIsCurrent = false;
             ReleaseMesh();
         }
 
         void ReleaseMesh()
         {
-            mesh?.Dispose();
-            mesh = null;
+            Release(Features.SurfaceMesh);
             surfaceWorkspace.Dispose();      // which had room for the mesh
         }
     }

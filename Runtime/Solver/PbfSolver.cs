@@ -14,10 +14,9 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// Positions and velocities on the GPU are in particle spacings and in the domain's frame, whose lowest corner is 0;
-    /// see <see cref="ParticleBuffers"/>. A study of other methods derives from it and overrides the protected members; the order of
-    /// the step is the same for all.
+    /// see <see cref="ParticleBuffers"/>.
     /// </remarks>
-    partial class PbfSolver : IDisposable
+    sealed partial class PbfSolver : IDisposable
     {
         readonly DeviceLimits limits;
         readonly ParticleBuffers particles;
@@ -25,15 +24,6 @@ namespace Rill
         readonly NeighborSearch neighborSearch;
         readonly DensityConstraint densityConstraint;
         readonly VelocityUpdate velocityUpdate;
-        CoarseCorrection coarseCorrection;
-        Colliders colliders;
-        ImplicitViscosity implicitViscosity;
-        Viscoelasticity viscoelasticity;
-        VelocityExtrapolation velocityExtrapolation;
-        VorticityConfinement vorticityConfinement;
-        RestingRegions restingRegions;
-        Foam foam;
-        StatisticsPass statistics;
 
         GraphicsBuffer constants;
         // copied as it is recorded, as Unity's own ConstantBuffer relies on
@@ -72,6 +62,9 @@ namespace Rill
 
         public SolverLayout Layout { get; }
 
+        /// <summary>Limits of the device, by which kernels that have stand-ins are chosen.</summary>
+        public DeviceLimits Limits => limits;
+
         /// <summary>Results that the graphics device gave an error for.</summary>
         public ReadbackErrors ReadbackErrors { get; } = new ReadbackErrors();
 
@@ -99,20 +92,8 @@ namespace Rill
         /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for the particles alive.</summary>
         public GraphicsBuffer DrawArguments => particles.AliveArguments;
 
-        /// <summary>What carries the pressure of deep water; null while no step has needed it.</summary>
-        public CoarseCorrection Coarse => coarseCorrection;
-
-        /// <summary>What an elastic fluid remembers of its stretch; null while it is not elastic.</summary>
-        public Viscoelasticity Viscoelasticity => viscoelasticity;
-
-        /// <summary>What lets water at rest sleep; null while the settings do without.</summary>
-        public RestingRegions Resting => restingRegions;
-
-        /// <summary>The colliders that the fluid meets; null without any.</summary>
-        public Colliders Colliders => colliders;
-
         /// <summary>What the fluid does to colliders; null where none wants to know.</summary>
-        public ColliderReactions Reactions => colliders?.Reactions;
+        public ColliderReactions Reactions => Colliders?.Reactions;
 
         /// <summary>Records how much of the colliders is wet after a step, where one wants to know.</summary>
         public void RecordWettedAreas(CommandBuffer cmd)
@@ -120,11 +101,8 @@ namespace Rill
             if (Reactions == null || !Reactions.HasWettedAreas)
                 return;
             PrepareConstants();
-            colliders.RecordWettedAreas(BetweenSteps(cmd));
+            Colliders.RecordWettedAreas(BetweenSteps(cmd));
         }
-
-        /// <summary>Foam, spray and bubbles; null while nothing asks for them.</summary>
-        public Foam Foam => foam;
 
         /// <summary>Removes all particles and resets the counters, at once.</summary>
         public void Clear()
@@ -135,20 +113,11 @@ namespace Rill
             maxParticles = 0;
             InvalidateSurface();
             InvalidateParticles(true);
-            statistics?.Invalidate();
-            queries?.Invalidate();
-            foam?.Clear();
-            ReleaseCoarse();        // whether the next water is deep is decided again
-            ReleaseViscosity();
-            ReleaseViscoelasticity();       // the next fluid is not stretched
-            ReleaseExtrapolation();
-            ClearSources();
-            transfer?.Clear();
-            hasGhosts = false;
+            ReleaseWhatEnds(ParticleChange.Restarted);
+            hasLifetimes = hasGhosts = false;
             ReleaseKept();
             refusals?.Clear();
             markedAfter = 0;
-            restingRegions?.Wake();
             minAdded = float.MaxValue;
             maxAdded = float.MinValue;
             using (var cmd = new CommandBuffer { name = "Rill.Clear" })
@@ -162,8 +131,8 @@ namespace Rill
         public void ContinueFrom(PbfSolver before)
         {
             stepIndex = before.stepIndex;
-            if (before.tags != null)
-                tags ??= new ParticleTags(Layout.Capacity);
+            if (before.ParticleTags != null)
+                NeedTags();
             hasLifetimes = before.hasLifetimes;
         }
 
@@ -194,7 +163,7 @@ namespace Rill
         /// <param name="tag">Of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high, uint tag = 0)
         {
-            particleUpload.Append(particles, Layout.Capacity, positions, velocities, tags, tag);
+            particleUpload.Append(particles, Layout.Capacity, positions, velocities, ParticleTags, tag);
             NoteAdded(positions.Length, low, high);
             if (lastSubsteps > 0)
                 particleUpload.TrimLarge();
@@ -214,35 +183,28 @@ namespace Rill
             UploadConstants(cmd, input);
             PrepareSources(input);
             PrepareConnections(input);
-            CoarseFor(input);
-            RestingFor(input);
-            CollidersFor(input);
-            ForceFields fields = FieldsFor(cmd, input);
-            ImplicitViscosity viscous = ViscosityFor(input);
-            Viscoelasticity elastic = ViscoelasticityFor(input);
-            ExtrapolationFor(input);
-            VorticityFor(input);
+            UpdateStages(cmd, input);
             StepContext step = Context(cmd, input);
             RecordKills(step);
             RecordDrains(step);
             RecordConnections(step);
             for (int substep = 0; substep < step.Substeps; substep++)
             {
-                restingRegions?.Record(step);
-                fields?.Record(step);
-                colliders?.RecordSubstep(step, substep);
+                Resting?.Record(step);
+                Fields?.Record(step);
+                Colliders?.RecordSubstep(step, substep);
                 RecordStart(step);
-                coarseCorrection?.RecordColliders(step);
-                coarseCorrection?.RecordProjection(step);
-                bool solvesViscosity = viscous != null && hasLists;      // which adds the projection to the velocities
+                Coarse?.RecordColliders(step);
+                Coarse?.RecordProjection(step);
+                bool solvesViscosity = Viscosity != null && hasLists;      // which adds the projection to the velocities
                 if (solvesViscosity)
-                    viscous.Record(step);
-                neighborSearch.RecordSort(step, takesProjection: coarseCorrection != null && !solvesViscosity, elastic?.PreviousIndices);
-                tags?.RecordSort(step);
-                RecordCorrection(step);
+                    Viscosity.Record(step);
+                neighborSearch.RecordSort(step, takesProjection: Coarse != null && !solvesViscosity, Viscoelasticity?.PreviousIndices);
+                ParticleTags?.RecordSort(step);
+                densityConstraint.Record(step);
                 velocityUpdate.Record(step);
-                elastic?.Record(step);
-                step.Vorticity?.Record(step);
+                Viscoelasticity?.Record(step);
+                Vorticity?.Record(step);
                 hasLists = true;
                 particles.Advance();
                 if (substep < step.Substeps - 1)
@@ -251,7 +213,7 @@ namespace Rill
             lastSubsteps = step.Substeps;
             isRestored = false;
             substepsSinceSurface += lastSubsteps;
-            FoamFor(input)?.Record(step, WaterDepth(input.gravity));
+            Foam?.Record(step, WaterDepth(input.gravity));
             RecordEmission(step, step.Substeps - 1);
             hasNew = Emitters.IsNeeded(input.sources);
         }
@@ -259,40 +221,40 @@ namespace Rill
         void RecordStart(in StepContext step)
         {
             if (isStart)
-                colliders?.RecordLeaveOut(step);
+                Colliders?.RecordLeaveOut(step);
             isStart = false;
         }
 
         /// <summary>Records the measuring of the current state; <see cref="RequestStatistics"/> then fetches it.</summary>
         public void RecordStatistics(CommandBuffer cmd, in StepInput input)
         {
-            statistics ??= new StatisticsPass(Layout.Capacity, ReadbackErrors);
+            StatisticsPass statistics = Statistics ?? Keep(Features.Statistics, new StatisticsPass(Layout.Capacity, ReadbackErrors));
             UploadConstants(cmd, input);
             StepContext step = Context(cmd, input);
-            colliders?.RecordBoundaryAtRest(step);
+            Colliders?.RecordBoundaryAtRest(step);
             statistics.Record(step);
         }
 
         /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
         public bool IsDeep(in StepInput input)
-            => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity), coarseCorrection != null);
+            => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity), Coarse != null);
 
         /// <summary>Starts the readback of what was measured last; at most one is pending.</summary>
-        public void RequestStatistics() => statistics.Request();
+        public void RequestStatistics() => Statistics.Request();
 
         /// <summary>Waits for the statistics that are pending, and for nothing else.</summary>
-        public void CompleteStatistics() => statistics?.Complete();
+        public void CompleteStatistics() => Statistics?.Complete();
 
         /// <summary>Whether a readback of statistics is pending.</summary>
-        public bool StatisticsPending => statistics != null && statistics.IsPending;
+        public bool StatisticsPending => Statistics != null && Statistics.IsPending;
 
         /// <summary>The newest statistics that have come back since the last <see cref="Clear"/>.</summary>
         public bool TryGetStatistics(in StepInput input, out FluidStatistics result)
         {
             result = default;
-            if (statistics == null || !statistics.HasResult)
+            if (Statistics == null || !Statistics.HasResult)
                 return false;
-            result = FluidStatistics.From(statistics.Latest, Layout, input.material.density, input.gravity, input.timeStep);
+            result = FluidStatistics.From(Statistics.Latest, Layout, input.material.density, input.gravity, input.timeStep);
             if (!Rill.ImplicitViscosity.IsNeeded(input))
                 result.viscosityChange = 0f;
             return true;
@@ -309,53 +271,42 @@ namespace Rill
             return new List<StageDescription>
             {
                 state,
-                ParticleAccess.Describe(access, step, noTags),
-                Drains.Describe(drains, step, TagsWithLifetimes),
-                ParticleTransfer.Describe(transfer, input.connections?.count ?? 0, tags != null, kept),
-                RestingRegions.Describe(restingRegions, input),
-                ForceFields.Describe(forceFields, input),
-                CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
-                Rill.Colliders.Describe(colliders, input),
-                Rill.ImplicitViscosity.Describe(implicitViscosity, step),
-                neighborSearch.Describe(step, coarseCorrection != null && implicitViscosity == null),
-                ParticleTags.Describe(tags, step),
+                ParticleAccess.Describe(Access, step, noTags),
+                Drains.Describe(Drains, step, TagsWithLifetimes),
+                ParticleTransfer.Describe(Transfer, input.connections?.count ?? 0, ParticleTags != null, kept),
+                RestingRegions.Describe(Resting, input),
+                ForceFields.Describe(Fields, input),
+                CoarseCorrection.Describe(Coarse, input, WaterDepth(input.gravity)),
+                Colliders.Describe(Colliders, input),
+                ImplicitViscosity.Describe(Viscosity, step),
+                neighborSearch.Describe(step, Coarse != null && Viscosity == null),
+                ParticleTags.Describe(ParticleTags, step),
                 densityConstraint.Describe(step),
                 velocityUpdate.Describe(step),
-                VelocityExtrapolation.Describe(velocityExtrapolation, step),
-                Rill.Viscoelasticity.Describe(viscoelasticity, step),
-                VorticityConfinement.Describe(vorticityConfinement, step),
-                Rill.Foam.Describe(foam, step),
-                Emitters.Describe(emitters, step, tags),
-                SurfaceParticles.Describe(surface, step, mesh != null),
-                SurfaceMesh.Describe(mesh),
-                Rill.Queries.Describe(queries, queried, tags),
-                FramePacking.Describe(packing),
-                StatisticsPass.Describe(statistics, step, statisticsInterval),
+                VelocityExtrapolation.Describe(Extrapolation, step),
+                Viscoelasticity.Describe(Viscoelasticity, step),
+                VorticityConfinement.Describe(Vorticity, step),
+                Foam.Describe(Foam, step),
+                Emitters.Describe(Emitters, step, ParticleTags),
+                SurfaceParticles.Describe(Surface, step, Mesh != null),
+                SurfaceMesh.Describe(Mesh),
+                Queries.Describe(Queries, queried, ParticleTags),
+                FramePacking.Describe(Packing),
+                StatisticsPass.Describe(Statistics, step, statisticsInterval),
             };
         }
 
-        public virtual void Dispose()
+        public void Dispose()
         {
             particles?.Dispose();
             particleUpload?.Dispose();
             neighborSearch?.Dispose();
             densityConstraint?.Dispose();
-            ReleaseResting();
-            ReleaseCoarse();
-            ReleaseColliders();
-            ReleaseViscosity();
-            ReleaseViscoelasticity();
-            ReleaseExtrapolation();
-            ReleaseVorticity();
-            ReleaseFoam();
-            ReleaseSources();
-            ReleaseConnections();
+            ReleaseStages();
             ReleaseKept();
-            ReleaseStatistics();
-            ReleaseQueries();
-            ReleaseSurface();
-            ReleaseEdits();
-            ReleasePacking();
+            surfaceWorkspace.Dispose();
+            refusals?.Dispose();
+            refusals = null;
             GpuBuffer.Release(ref noTags);
             GpuBuffer.Release(ref constants);
         }
@@ -363,11 +314,10 @@ namespace Rill
         /// <summary>Gives back what measuring needs, where it is no longer wanted.</summary>
         public void ReleaseStatistics()
         {
-            if (statistics == null)
+            if (Statistics == null)
                 return;
-            statistics.Dispose();
-            statistics = null;
-            if (access == null)     // what a script has bound it keeps
+            Release(Features.Statistics);
+            if (Access == null)     // what a script has bound it keeps
                 neighborSearch.ReleaseAtRest();
         }
 
@@ -382,147 +332,17 @@ namespace Rill
         /// <param name="hasSteps">False leaves out what the last step would have left.</param>
         StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true)
             => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
-            hasSteps ? coarseCorrection : null, hasSteps ? restingRegions : null, colliders, velocityExtrapolation, vorticityConfinement);
+            hasSteps ? Coarse : null, hasSteps ? Resting : null, Colliders, Extrapolation, Vorticity?.Unconfined);
 
         // For what looks at the particles as the last step left them, or edits them: there is no input.
         StepContext BetweenSteps(CommandBuffer cmd) => Context(cmd, default);
 
-        /// <summary>Records what makes the corrected positions of a substep of the predicted ones.</summary>
-        protected virtual void RecordCorrection(in StepContext step) => densityConstraint.Record(step);
-
         /// <summary>Side of a coarse cell, d, that a step with this input wants.</summary>
-        protected virtual float CoarseCellSize(in StepInput input)
+        public float CoarseCellSize(in StepInput input)
         {
             float substep = input.SubstepTime;
             return CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep,
-                WaterDepth(input.gravity), coarseCorrection?.Grid.WantedSize ?? 0f);
-        }
-
-        /// <summary>Makes what carries the pressure of deep water, with cells of so many d.</summary>
-        protected virtual CoarseCorrection MakeCoarse(float cellSize) => new CoarseCorrection(Layout, cellSize, limits);
-
-        // Made when first needed, and again for another size of its cells; null where the scene does without. So are the other stages.
-        void CoarseFor(in StepInput input)
-        {
-            if (!IsDeep(input))
-            {
-                ReleaseCoarse();
-                return;
-            }
-            float cellSize = CoarseCellSize(input);
-            if (coarseCorrection != null && coarseCorrection.Grid.WantedSize != cellSize)
-                ReleaseCoarse();
-            coarseCorrection ??= MakeCoarse(cellSize);
-        }
-
-        void RestingFor(in StepInput input)
-        {
-            if (RestingRegions.IsNeeded(input))
-                restingRegions ??= new RestingRegions(Layout);
-            else
-                ReleaseResting();
-        }
-
-        void CollidersFor(in StepInput input)
-        {
-            if (!Rill.Colliders.IsNeeded(input))
-            {
-                if (colliders != null)
-                    restingRegions?.Wake();
-                ReleaseColliders();
-                return;
-            }
-            colliders ??= new Colliders(Layout, ReadbackErrors);
-            if (colliders.ConsumeChanges(input.colliders))
-                restingRegions?.Wake();
-        }
-
-        ImplicitViscosity ViscosityFor(in StepInput input)
-        {
-            if (Rill.ImplicitViscosity.IsNeeded(input))
-                return implicitViscosity ??= new ImplicitViscosity(Layout.Capacity);
-            ReleaseViscosity();
-            return null;
-        }
-
-        void ReleaseViscosity()
-        {
-            implicitViscosity?.Dispose();
-            implicitViscosity = null;
-        }
-
-        Viscoelasticity ViscoelasticityFor(in StepInput input)
-        {
-            if (Rill.Viscoelasticity.IsNeeded(input))
-                return viscoelasticity ??= new Viscoelasticity(Layout.Capacity);
-            ReleaseViscoelasticity();
-            return null;
-        }
-
-        void ReleaseViscoelasticity()
-        {
-            viscoelasticity?.Dispose();
-            viscoelasticity = null;
-        }
-
-        void ExtrapolationFor(in StepInput input)
-        {
-            if (VelocityExtrapolation.IsNeeded(input))
-                velocityExtrapolation ??= new VelocityExtrapolation(Layout.Capacity);
-            else
-                ReleaseExtrapolation();
-        }
-
-        void ReleaseExtrapolation()
-        {
-            velocityExtrapolation?.Dispose();
-            velocityExtrapolation = null;
-        }
-
-        void VorticityFor(in StepInput input)
-        {
-            if (VorticityConfinement.IsNeeded(input))
-                vorticityConfinement ??= new VorticityConfinement(Layout.Capacity);
-            else
-                ReleaseVorticity();
-        }
-
-        // Another budget is other buffers: what floated is gone.
-        Foam FoamFor(in StepInput input)
-        {
-            if (foam != null && foam.Budget != input.foam.budget)
-                ReleaseFoam();
-            return Rill.Foam.IsNeeded(input) ? foam ??= new Foam(Layout, input.foam.budget, ReadbackErrors) : null;
-        }
-
-        void ReleaseFoam()
-        {
-            foam?.Dispose();
-            foam = null;
-        }
-
-        void ReleaseColliders()
-        {
-            colliders?.Dispose();
-            colliders = null;
-        }
-
-        void ReleaseResting()
-        {
-            restingRegions?.Dispose();
-            restingRegions = null;
-        }
-
-        void ReleaseCoarse()
-        {
-            coarseCorrection?.Dispose();
-            coarseCorrection = null;
-        }
-
-        void ReleaseVorticity()
-        {
-            vorticityConfinement?.Dispose();
-            vorticityConfinement = null;
+                WaterDepth(input.gravity), Coarse?.Grid.WantedSize ?? 0f);
         }
 
         void UploadConstants(CommandBuffer cmd, in StepInput input)

@@ -27,13 +27,15 @@ namespace Rill
         public readonly Colliders Colliders;
         /// <summary>Null where velocities are those of a first-order step.</summary>
         public readonly VelocityExtrapolation Extrapolation;
-        /// <summary>Null without vorticity confinement.</summary>
-        public readonly VorticityConfinement Vorticity;
+        /// <summary>Where the stages after the constraint leave the velocities: the particles' own buffer, or another from which a later stage
+        /// fills it.</summary>
+        public readonly GraphicsBuffer NewVelocities;
 
+        /// <param name="newVelocities">Null for the particles' own buffer.</param>
         public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search,
             NeighborLists lists, SolverLayout layout, in StepInput input,
             CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null,
-            VorticityConfinement vorticity = null)
+            GraphicsBuffer newVelocities = null)
         {
             Commands = commands;
             Constants = constants;
@@ -47,12 +49,8 @@ namespace Rill
             Resting = resting;
             Colliders = colliders;
             Extrapolation = extrapolation;
-            Vorticity = vorticity;
+            NewVelocities = newVelocities ?? particles.Velocities;
         }
-
-        /// <summary>Where the stages after the constraint leave the velocities: the particles' own buffer, or what the vorticity confinement
-        /// starts from.</summary>
-        public GraphicsBuffer NewVelocities => Vorticity != null ? Vorticity.Unconfined : Particles.Velocities;
 
         public int Substeps => Input.settings.substeps;
 

@@ -21,7 +21,8 @@ namespace Rill
         int seen = -1;
         bool recorded;
         Colliders volume;
-        GraphicsBuffer raw, open, centers, flow;
+        readonly BufferSet buffers = new BufferSet();
+        readonly GraphicsBuffer raw, open, centers, flow;
 
         public CoarseColliders(CoarseGrid grid)
         {
@@ -29,10 +30,10 @@ namespace Rill
             openCells = new Kernel(shader, "OpenCells");
             linkCells = new Kernel(shader, "LinkCells");
             deforming = new LocalKeyword(shader, Rill.Colliders.DeformingKeyword);
-            raw = GpuBuffer.Structured<uint2>("Rill.Coarse.RawOpenFractions", grid.Total);
-            open = GpuBuffer.Structured<uint2>("Rill.Coarse.OpenFractions", grid.Total);
-            centers = GpuBuffer.Structured<uint4>("Rill.Coarse.OpenCenters", grid.Total);
-            flow = GpuBuffer.Structured<float4>("Rill.Coarse.ColliderFlow", grid.Total);
+            raw = buffers.Structured<uint2>("Rill.Coarse.RawOpenFractions", grid.Total, "_RawCells");
+            open = buffers.Structured<uint2>("Rill.Coarse.OpenFractions", grid.Total);
+            centers = buffers.Structured<uint4>("Rill.Coarse.OpenCenters", grid.Total);
+            flow = buffers.Structured<float4>("Rill.Coarse.ColliderFlow", grid.Total);
         }
 
         /// <summary>uint2 [cells], see PackFaces and PackOpen in CoarseColliders.hlsl.</summary>
@@ -61,22 +62,17 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, openCells, Ids.CellCenters, centers);
             cmd.SetComputeBufferParam(shader, openCells, Ids.CellFlow, flow);
             ThreadGroups.Dispatch(cmd, shader, openCells, (grid.Total + OpenCellsPerGroup - 1) / OpenCellsPerGroup);
-            cmd.SetComputeBufferParam(shader, linkCells, Ids.RawCells, raw);
+            buffers.Bind(cmd, shader, linkCells);
             cmd.SetComputeBufferParam(shader, linkCells, Ids.OpenCells, open);
             CoarseGrid.Dispatch(cmd, shader, linkCells, grid.Total);
             cmd.EndSample(Marker);
         }
 
         /// <summary>Records what a kernel of the coarse grid reads.</summary>
-        public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel)
-        {
-            cmd.SetComputeBufferParam(reader, kernel, Ids.OpenFractions, open);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.OpenCenters, centers);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderFlow, flow);
-        }
+        public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => buffers.Bind(cmd, reader, kernel);
 
         /// <summary>Records how much of the domain the colliders leave, as a kernel reads it.</summary>
-        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => volume.BindVolume(cmd, reader, kernel);
+        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => volume.Bind(cmd, reader, kernel);
 
         /// <summary>Sums the pressure on the solids; null where none wants to know.</summary>
         public Colliders Reacting { get; private set; }
@@ -89,29 +85,16 @@ namespace Rill
                 description.Kernel(openCells, substeps, variant);
                 description.Kernel(linkCells, substeps, variant);
             }
-            description.Buffer("Rill.Coarse.RawOpenFractions", raw);
-            description.Buffer("Rill.Coarse.OpenFractions", open);
-            description.Buffer("Rill.Coarse.OpenCenters", centers);
-            description.Buffer("Rill.Coarse.ColliderFlow", flow);
+            buffers.Describe(description);
         }
 
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref raw);
-            GpuBuffer.Release(ref open);
-            GpuBuffer.Release(ref centers);
-            GpuBuffer.Release(ref flow);
-        }
+        public void Dispose() => buffers.Dispose();
 
         static class Ids
         {
             public static readonly int OpenCells = Shader.PropertyToID("_OpenCells");
-            public static readonly int RawCells = Shader.PropertyToID("_RawCells");
             public static readonly int CellCenters = Shader.PropertyToID("_CellCenters");
             public static readonly int CellFlow = Shader.PropertyToID("_CellFlow");
-            public static readonly int OpenFractions = Shader.PropertyToID("_OpenFractions");
-            public static readonly int OpenCenters = Shader.PropertyToID("_OpenCenters");
-            public static readonly int ColliderFlow = Shader.PropertyToID("_ColliderFlow");
         }
     }
 }

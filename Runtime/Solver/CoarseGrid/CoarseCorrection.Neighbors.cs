@@ -61,11 +61,11 @@ namespace Rill
 
         static class NeighborIds
         {
-            public static readonly int Potential = Shader.PropertyToID("_NeighborPotential");
             public static readonly int Offset = Shader.PropertyToID("_NeighborOffset");
             public static readonly int InverseSize = Shader.PropertyToID("_NeighborInverseSize");
             public static readonly int Counts = Shader.PropertyToID("_NeighborCounts");
             public static readonly int OwnSide = Shader.PropertyToID("_OwnSide");
+            public static readonly int Potential = Shader.PropertyToID("_NeighborPotential");
         }
     }
 }

@@ -17,7 +17,7 @@ namespace Rill
     /// Twice a substep: the projection, on the flow before the prediction, and the density correction, on the errors that
     /// the first multipliers find. Both potentials start from the last substep's.
     /// </remarks>
-    sealed partial class CoarseCorrection : IDisposable
+    sealed partial class CoarseCorrection : Stage
     {
         /// <summary>words of a cell in _Bins</summary>
         [GenerateHlsl("CoarseBins")] const int BinStride = 8;
@@ -29,7 +29,7 @@ namespace Rill
         readonly KernelVariants binFlow, findSurface, findDivergence, displaceFlow, findErrors, displaceErrors;        // with colliders
         readonly Kernel extendDisplacements, reactToFlow, reactToErrors;
         CoarseColliders coarseColliders;
-        GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
+        readonly GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize) : this(layout, cellSize, DeviceLimits.Current) { }
@@ -51,18 +51,18 @@ namespace Rill
             CoarseSolverPath path = CoarseSolverPath.For(limits);
             Grid = new CoarseGrid(layout.DomainSize, cellSize, path.TailCells);
             Solver = new CoarseSolver(Grid, path);
-            Bins = GpuBuffer.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
-            flow = GpuBuffer.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
-            fill = GpuBuffer.Structured<float>("Rill.Coarse.Fill", Grid.Total);
-            surface = GpuBuffer.Structured<uint>("Rill.Coarse.Surface", Grid.Total);
-            weightedCounts = GpuBuffer.Structured<uint>("Rill.Coarse.WeightedCounts", Grid.Total);
-            source = GpuBuffer.Structured<float>("Rill.Coarse.Source", Grid.Total);
-            lastErrors = GpuBuffer.Structured<float>("Rill.Coarse.LastErrors", Grid.Total);
-            diagonal = GpuBuffer.Structured<float>("Rill.Coarse.Diagonal", Grid.Total);
-            flowPotential = GpuBuffer.Structured<float>("Rill.Coarse.FlowPotential", Grid.Total);
-            errorPotential = GpuBuffer.Structured<float>("Rill.Coarse.ErrorPotential", Grid.Total);
-            Displacements = GpuBuffer.Structured<float4>("Rill.Coarse.Displacements", Grid.Total);
-            Constants = GpuBuffer.Constants<CoarseConstants>("Rill.Coarse.Constants");
+            Bins = Buffers.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
+            flow = Buffers.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
+            fill = Buffers.Structured<float>("Rill.Coarse.Fill", Grid.Total);
+            surface = Buffers.Structured<uint>("Rill.Coarse.Surface", Grid.Total);
+            weightedCounts = Buffers.Structured<uint>("Rill.Coarse.WeightedCounts", Grid.Total);
+            source = Buffers.Structured<float>("Rill.Coarse.Source", Grid.Total);
+            lastErrors = Buffers.Structured<float>("Rill.Coarse.LastErrors", Grid.Total);
+            diagonal = Buffers.Structured<float>("Rill.Coarse.Diagonal", Grid.Total);
+            flowPotential = Buffers.Structured<float>("Rill.Coarse.FlowPotential", Grid.Total);
+            errorPotential = Buffers.Structured<float>("Rill.Coarse.ErrorPotential", Grid.Total);
+            Displacements = Buffers.Structured<float4>("Rill.Coarse.Displacements", Grid.Total, "_CellDisplacements");
+            Constants = Buffers.Constants<CoarseConstants>("Rill.Coarse.Constants", "RillCoarse");
             Constants.SetData(new[] { CoarseConstants.For(Grid) });
             BufferClear.Now(Bins, lastErrors, surface, weightedCounts, flowPotential, errorPotential);       // the first substep has no past
         }
@@ -75,13 +75,13 @@ namespace Rill
         public bool IsFirst { get; set; } = true;
 
         /// <summary><see cref="CoarseConstants"/>, which do not change.</summary>
-        public GraphicsBuffer Constants { get; private set; }
+        public GraphicsBuffer Constants { get; }
 
         /// <summary>float4 [cells], xyz displacement at a cell's center, d.</summary>
-        public GraphicsBuffer Displacements { get; private set; }
+        public GraphicsBuffer Displacements { get; }
 
         /// <summary>uint [cells, 8], see CoarseBins.hlsl; the density constraint sums its errors there.</summary>
-        public GraphicsBuffer Bins { get; private set; }
+        public GraphicsBuffer Bins { get; }
 
         /// <summary>uint [cells], bits: where the water's surface is; see CoarseGrid.compute.</summary>
         public GraphicsBuffer Surface => surface;
@@ -91,14 +91,17 @@ namespace Rill
             GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
             => (flow, fill, surface, source, lastErrors, diagonal, flowPotential, errorPotential);
 
-        /// <summary>Lists what the next step depends on.</summary>
-        public void ListState(List<StateBuffer> state)
+        public override void ListState(List<StateBuffer> state)
         {
             state.Add(new StateBuffer(SnapshotSection.CoarseSurface, surface, StateExtent.All));
             state.Add(new StateBuffer(SnapshotSection.CoarseErrors, lastErrors, StateExtent.All));
             state.Add(new StateBuffer(SnapshotSection.FlowPotential, flowPotential, StateExtent.All));
             state.Add(new StateBuffer(SnapshotSection.ErrorPotential, errorPotential, StateExtent.All));
         }
+
+        public override bool Survives(ParticleChange change) => false;
+
+        public override bool Fits(PbfSolver solver, in StepInput step) => Grid.WantedSize == solver.CoarseCellSize(step);
 
         /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
         /// <param name="layers">Depth of the water, d.</param>
@@ -133,23 +136,17 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(ProjectionMarker);
-            BindConstants(step);
+            step.BindConstants(shader);
             int bin = binFlow.For(WithColliders);
             coarseColliders?.Bind(cmd, shader, bin);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, step.Particles.Velocities);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Counters, step.Particles.Counters);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Surface, surface);
-            cmd.SetComputeBufferParam(shader, bin, Ids.WeightedCounts, weightedCounts);
-            cmd.SetComputeBufferParam(shader, bin, CoarseIds.Bins, Bins);
+            step.Particles.Bind(cmd, shader, bin);
+            Buffers.Bind(cmd, shader, bin);
             step.Particles.DispatchAlive(cmd, shader, bin);
 
             int find = findSurface.For(WithColliders);
             BindCells(cmd, find, flowPotential);
             coarseColliders?.BindVolume(cmd, shader, find);
-            cmd.SetComputeBufferParam(shader, find, Ids.WeightedCounts, weightedCounts);
-            cmd.SetComputeBufferParam(shader, find, Ids.Source, source);
-            cmd.SetComputeBufferParam(shader, find, Ids.Counters, step.Particles.Counters);
+            cmd.SetComputeBufferParam(shader, find, ParticleIds.Counters, step.Particles.Counters);
             Dispatch(cmd, find);
 
             RecordNeighbors(step, ofFlow: true);
@@ -166,7 +163,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(DensityMarker);
-            BindConstants(step);
+            step.BindConstants(shader);
             RecordNeighbors(step, ofFlow: false);
             RecordSource(step, findErrors, errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders, IsFirst);
@@ -176,26 +173,12 @@ namespace Rill
             cmd.EndSample(DensityMarker);
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             Solver.Dispose();
             coarseColliders?.Dispose();
             coarseColliders = null;
-            GpuBuffer.Release(ref flow);
-            GpuBuffer.Release(ref fill);
-            GpuBuffer.Release(ref surface);
-            GpuBuffer.Release(ref weightedCounts);
-            GpuBuffer.Release(ref source);
-            GpuBuffer.Release(ref lastErrors);
-            GpuBuffer.Release(ref diagonal);
-            GpuBuffer.Release(ref flowPotential);
-            GpuBuffer.Release(ref errorPotential);
-            Displacements?.Release();
-            Displacements = null;
-            Bins?.Release();
-            Bins = null;
-            Constants?.Release();
-            Constants = null;
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -224,37 +207,16 @@ namespace Rill
             if (neighbors > 0)
                 description.Kernel(stage.takePotential, 2 * substeps * neighbors);
             stage.Solver.Describe(description, 2 * substeps, stage.WithColliders);
-            description.Buffer("Rill.Coarse.Bins", stage.Bins);
-            description.Buffer("Rill.Coarse.Flow", stage.flow);
-            description.Buffer("Rill.Coarse.Fill", stage.fill);
-            description.Buffer("Rill.Coarse.Surface", stage.surface);
-            description.Buffer("Rill.Coarse.WeightedCounts", stage.weightedCounts);
-            description.Buffer("Rill.Coarse.Source", stage.source);
-            description.Buffer("Rill.Coarse.LastErrors", stage.lastErrors);
-            description.Buffer("Rill.Coarse.Diagonal", stage.diagonal);
-            description.Buffer("Rill.Coarse.FlowPotential", stage.flowPotential);
-            description.Buffer("Rill.Coarse.ErrorPotential", stage.errorPotential);
-            description.Buffer("Rill.Coarse.Displacements", stage.Displacements);
-            description.Buffer("Rill.Coarse.Constants", stage.Constants);
+            stage.Buffers.Describe(description);
             return description;
         }
 
         bool WithColliders => coarseColliders != null;
 
-        void BindConstants(in StepContext step)
-        {
-            step.BindConstants(shader);
-            step.Commands.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Constants, 0, Constants.stride);
-        }
-
-        // What a kernel does not use is bound in vain and costs nothing.
         void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
             coarseColliders?.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Bins, Bins);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Flow, flow);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Fill, fill);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
+            Buffers.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
@@ -264,10 +226,7 @@ namespace Rill
             int kernel = variants.For(WithColliders);
             BindCells(cmd, kernel, potential);
             coarseColliders?.BindVolume(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.LastErrors, lastErrors);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Diagonal, diagonal);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, step.Particles.Counters);
             Dispatch(cmd, kernel);
         }
 
@@ -275,9 +234,8 @@ namespace Rill
         {
             int kernel = variants.For(WithColliders);
             BindCells(cmd, kernel, potential);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
             Dispatch(cmd, kernel);
-            cmd.SetComputeBufferParam(shader, extendDisplacements, Ids.CellDisplacements, Displacements);
+            Buffers.Bind(cmd, shader, extendDisplacements);
             Dispatch(cmd, extendDisplacements);
         }
 
@@ -286,7 +244,6 @@ namespace Rill
             if (coarseColliders?.Reacting == null)
                 return;
             BindCells(cmd, kernel, potential);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
             coarseColliders.Reacting.BindShapes(cmd, shader, kernel);
             coarseColliders.Reacting.Reactions.Bind(cmd, shader, kernel);
             Dispatch(cmd, kernel);
@@ -296,26 +253,15 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Flow = Shader.PropertyToID("_Flow");
-            public static readonly int Surface = Shader.PropertyToID("_Surface");
-            public static readonly int WeightedCounts = Shader.PropertyToID("_WeightedCounts");
-            public static readonly int Fill = Shader.PropertyToID("_Fill");
-            public static readonly int Source = Shader.PropertyToID("_Source");
-            public static readonly int LastErrors = Shader.PropertyToID("_LastErrors");
-            public static readonly int Diagonal = Shader.PropertyToID("_Diagonal");
             public static readonly int Potential = Shader.PropertyToID("_Potential");
-            public static readonly int CellDisplacements = Shader.PropertyToID("_CellDisplacements");
         }
     }
 
     /// <summary>Properties of CoarseGrid.hlsl, CoarseDisplacement.hlsl and CoarseBins.hlsl.</summary>
     static class CoarseIds
     {
-        public static readonly int Constants = Shader.PropertyToID("RillCoarse");
         public static readonly int Displacements = Shader.PropertyToID("_Displacements");
+        public static readonly int Constants = Shader.PropertyToID("RillCoarse");
         public static readonly int Bins = Shader.PropertyToID("_Bins");
     }
 }

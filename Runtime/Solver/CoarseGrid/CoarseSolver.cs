@@ -22,7 +22,8 @@ namespace Rill
         readonly CoarseSolverPath path;
         readonly KernelVariants smooth, restrictGrid, correctAndSmooth;     // with colliders
         readonly Kernel smoothLevel, correctAndSmoothLevel, restrictLevel, solveCoarseLevels;
-        GraphicsBuffer smoothed, couplings, residuals, errors, corrections;
+        readonly BufferSet buffers = new BufferSet();
+        readonly GraphicsBuffer smoothed;
 
         /// <param name="grid">With the tail of the path.</param>
         public CoarseSolver(CoarseGrid grid, CoarseSolverPath path)
@@ -36,11 +37,11 @@ namespace Rill
             correctAndSmoothLevel = new Kernel(shader, path.Tiled("CorrectAndSmoothLevel"));
             solveCoarseLevels = new Kernel(shader, path.CoarseLevels);
             correctAndSmooth = new KernelVariants(shader, path.Tiled("CorrectAndSmooth"), path.Tiled("CorrectAndSmoothWithColliders"));
-            smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
-            couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
-            residuals = GpuBuffer.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
-            errors = GpuBuffer.Structured<float>("Rill.Coarse.Errors", grid.LevelCells);
-            corrections = GpuBuffer.Structured<float>("Rill.Coarse.Corrections", grid.LevelCells);
+            smoothed = buffers.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
+            buffers.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
+            buffers.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
+            buffers.Structured<float>("Rill.Coarse.Errors", grid.LevelCells);
+            buffers.Structured<float>("Rill.Coarse.Corrections", grid.LevelCells);
         }
 
         // V-cycles of a solve without a past. With one, deep water began with a fall and swung up and down.
@@ -73,24 +74,23 @@ namespace Rill
             coarseColliders?.Bind(cmd, shader, restrict);
             coarseColliders?.Bind(cmd, shader, last);
             RecordSmooth(cmd, first, source, diagonal, potential, smoothed);
+            buffers.Bind(cmd, shader, restrict);
             BindGrid(cmd, restrict, source, diagonal, smoothed);
-            BindLevels(cmd, restrict);
             CoarseGrid.Dispatch(cmd, shader, restrict, Children * grid.Cells(1));
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
                 RecordSmoothLevel(cmd, smoothLevel, level);
                 cmd.SetComputeIntParam(shader, Ids.Level, level + 1);
-                BindLevels(cmd, restrictLevel);
+                buffers.Bind(cmd, shader, restrictLevel);
                 CoarseGrid.Dispatch(cmd, shader, restrictLevel, Children * grid.Cells(level + 1));
             }
-            BindLevels(cmd, solveCoarseLevels);
+            buffers.Bind(cmd, shader, solveCoarseLevels);
             cmd.DispatchCompute(shader, solveCoarseLevels, 1, 1, 1);
             for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
                 RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
 
-            cmd.SetComputeBufferParam(shader, last, Ids.Couplings, couplings);
-            cmd.SetComputeBufferParam(shader, last, Ids.Corrections, corrections);
+            buffers.Bind(cmd, shader, last);
             RecordSmooth(cmd, last, source, diagonal, smoothed, potential);
         }
 
@@ -108,21 +108,10 @@ namespace Rill
             }
             stage.Kernel(solveCoarseLevels, perStep);
             stage.Kernel(correctAndSmooth.For(withColliders), perStep);
-            stage.Buffer("Rill.Coarse.Smoothed", smoothed);
-            stage.Buffer("Rill.Coarse.Couplings", couplings);
-            stage.Buffer("Rill.Coarse.Residuals", residuals);
-            stage.Buffer("Rill.Coarse.Errors", errors);
-            stage.Buffer("Rill.Coarse.Corrections", corrections);
+            buffers.Describe(stage);
         }
 
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref smoothed);
-            GpuBuffer.Release(ref couplings);
-            GpuBuffer.Release(ref residuals);
-            GpuBuffer.Release(ref errors);
-            GpuBuffer.Release(ref corrections);
-        }
+        public void Dispose() => buffers.Dispose();
 
         void RecordSmooth(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from, GraphicsBuffer to)
         {
@@ -134,7 +123,7 @@ namespace Rill
         void RecordSmoothLevel(CommandBuffer cmd, int kernel, int level)
         {
             cmd.SetComputeIntParam(shader, Ids.Level, level);
-            BindLevels(cmd, kernel);
+            buffers.Bind(cmd, shader, kernel);
             DispatchTiles(cmd, kernel, (int3)grid.Level(level).xyz);
         }
 
@@ -152,25 +141,13 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
-        void BindLevels(CommandBuffer cmd, int kernel)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Couplings, couplings);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Residuals, residuals);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Errors, errors);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrections, corrections);
-        }
-
         static class Ids
         {
             public static readonly int Source = Shader.PropertyToID("_Source");
             public static readonly int Diagonal = Shader.PropertyToID("_Diagonal");
             public static readonly int Potential = Shader.PropertyToID("_Potential");
             public static readonly int Smoothed = Shader.PropertyToID("_Smoothed");
-            public static readonly int Couplings = Shader.PropertyToID("_Couplings");
-            public static readonly int Residuals = Shader.PropertyToID("_Residuals");
-            public static readonly int Errors = Shader.PropertyToID("_Errors");
             public static readonly int Level = Shader.PropertyToID("_Level");
-            public static readonly int Corrections = Shader.PropertyToID("_Corrections");
         }
     }
 }

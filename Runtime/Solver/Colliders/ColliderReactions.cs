@@ -26,7 +26,8 @@ namespace Rill
         readonly ComputeShader shader;
         readonly Kernel take;
         readonly Readback readback;
-        GraphicsBuffer sums;
+        readonly BufferSet buffers = new BufferSet();
+        readonly GraphicsBuffer sums;
         readonly uint[] zeros;
         float time, takenTime;
 
@@ -41,7 +42,8 @@ namespace Rill
             readback.Report(errors, ReadbackKinds.Forces);
             this.shader = shader;
             take = new Kernel(shader, "TakeReactions");
-            sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", words);
+            sums = buffers.Structured<uint>("Rill.Colliders.Reactions", words);
+            buffers.Share("Rill.Colliders.Taken", readback.Buffer);
             BufferClear.Now(sums);
             readback.Arrived = OnArrived;
         }
@@ -91,7 +93,7 @@ namespace Rill
         public static int WordsOf(bool hasWettedAreas) => WettedFirst + (hasWettedAreas ? WettedStride * ColliderSet.Most : 0);
 
         /// <summary>Records the sums as what a kernel adds to.</summary>
-        public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.Reactions, sums);
+        public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => buffers.Bind(cmd, reader, kernel);
 
         /// <summary>Tells of a step that added to the sums.</summary>
         public void AddTime(float stepTime) => time += stepTime;
@@ -110,8 +112,7 @@ namespace Rill
             takenTime = time;
             time = 0f;
             cmd.SetComputeIntParam(shader, Ids.ReactionWords, words);
-            cmd.SetComputeBufferParam(shader, take, Ids.Reactions, sums);
-            cmd.SetComputeBufferParam(shader, take, Ids.Taken, readback.Buffer);
+            buffers.Bind(cmd, shader, take);
             CoarseGrid.Dispatch(cmd, shader, take, words);
         }
 
@@ -141,14 +142,13 @@ namespace Rill
         public void Describe(StageDescription description)
         {
             description.Kernel(take, 0);
-            description.Buffer("Rill.Colliders.Reactions", sums);
-            description.Buffer("Rill.Colliders.Taken", readback.Buffer);
+            buffers.Describe(description);
         }
 
         public void Dispose()
         {
             readback.Dispose();
-            GpuBuffer.Release(ref sums);
+            buffers.Dispose();
         }
 
         double Signed(int at) => (long)((ulong)readback.Latest[at + 1] << 32 | readback.Latest[at]) / Scale;
@@ -161,8 +161,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Reactions = Shader.PropertyToID("_Reactions");
-            public static readonly int Taken = Shader.PropertyToID("_Taken");
             public static readonly int ReactionWords = Shader.PropertyToID("_ReactionWords");
         }
     }

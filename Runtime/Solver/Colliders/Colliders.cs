@@ -9,7 +9,7 @@ namespace Rill
 {
     /// <summary>Solid colliders: ends paths at surfaces, keeps the particles outside, and adds what lies behind a surface to the density.
     /// Made when first needed.</summary>
-    sealed class Colliders : IDisposable
+    sealed class Colliders : Stage
     {
         const float SmallestCell = 4f;          // d
         const int MaxCells = 1 << 17;
@@ -42,7 +42,8 @@ namespace Rill
         };
         readonly int3 cells;
         readonly float cellSize;
-        GraphicsBuffer constants, states, masks, colliderVolume, boundary, contactOffsets, pathBoundary, pathContactOffsets;
+        readonly GraphicsBuffer constants, states, colliderVolume, boundary, contactOffsets;
+        GraphicsBuffer masks;
         readonly ColliderConstants[] constantsUpload = new ColliderConstants[1];
         readonly ColliderState[] statesUpload = new ColliderState[ColliderSet.Most];
         int words, recordedCount;
@@ -69,13 +70,13 @@ namespace Rill
             cells = (int3)math.ceil(layout.DomainSize / cellSize);
             meshes = new FieldAtlas(shader, ColliderShape.Mesh, "Rill.Colliders.Fields", "signed distance fields");
             heights = new FieldAtlas(shader, ColliderShape.HeightField, "Rill.Colliders.Heights", "height fields");
-            constants = GpuBuffer.Constants<ColliderConstants>("Rill.Colliders.Constants");
-            states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
-            colliderVolume = GpuBuffer.Structured<uint>("Rill.Colliders.ColliderVolume", 1);
-            boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
-            contactOffsets = GpuBuffer.Structured<float>("Rill.Colliders.ContactOffsets", layout.Capacity);
-            pathBoundary = GpuBuffer.Structured<float4>("Rill.Colliders.PathBoundary", layout.Capacity);
-            pathContactOffsets = GpuBuffer.Structured<float>("Rill.Colliders.PathContactOffsets", layout.Capacity);
+            constants = Buffers.Constants<ColliderConstants>("Rill.Colliders.Constants", "RillColliders");
+            states = Buffers.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most, "_Colliders");
+            colliderVolume = Buffers.Structured<uint>("Rill.Colliders.ColliderVolume", 1);
+            boundary = Buffers.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
+            contactOffsets = Buffers.Structured<float>("Rill.Colliders.ContactOffsets", layout.Capacity);
+            Buffers.Structured<float4>("Rill.Colliders.PathBoundary", layout.Capacity);
+            Buffers.Structured<float>("Rill.Colliders.PathContactOffsets", layout.Capacity);
         }
 
         public static bool IsNeeded(in StepInput input) => input.colliders != null && input.colliders.Count > 0;
@@ -171,10 +172,8 @@ namespace Rill
                 cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
                 int total = cells.x * cells.y * cells.z;
                 BindShapes(cmd, shader, binColliders);
-                cmd.SetComputeBufferParam(shader, binColliders, Ids.ColliderVolume, colliderVolume);
                 CoarseGrid.Dispatch(cmd, shader, binColliders, total * words);
                 BindShapes(cmd, shader, measureColliderVolume);
-                cmd.SetComputeBufferParam(shader, measureColliderVolume, Ids.ColliderVolume, colliderVolume);
                 CoarseGrid.Dispatch(cmd, shader, measureColliderVolume, total * VolumeLanes);
             }
             cmd.EndSample(Marker);
@@ -186,8 +185,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             int kernel = shader.FindKernel("LeaveOut");     // once after a start
             BindShapes(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(cmd, shader, kernel);
             step.Particles.DispatchAlive(cmd, shader, kernel);
         }
 
@@ -202,10 +200,6 @@ namespace Rill
             int kernel = collidePaths.For(reactions != null);
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, step.Resting);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.PathBoundary, pathBoundary);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.PathContactOffsets, pathContactOffsets);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
             cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
@@ -223,9 +217,6 @@ namespace Rill
             Bind(cmd, kernel, particles, step.Resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Multipliers);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.ContactOffsets, contactOffsets);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -238,8 +229,6 @@ namespace Rill
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
             Bind(cmd, FindBoundary, particles, null);
-            cmd.SetComputeBufferParam(shader, FindBoundary, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, FindBoundary, Ids.Boundary, boundary);
             cmd.SetComputeBufferParam(shader, FindBoundary, Ids.Distances, contactOffsets);       // free between steps
             cmd.DispatchCompute(shader, FindBoundary, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
@@ -258,26 +247,18 @@ namespace Rill
             cmd.SetKeyword(shader, deforming, HasDeforming);
             BindShapes(cmd, shader, measureWettedArea);
             reactions.Bind(cmd, shader, measureWettedArea);
-            cmd.SetComputeBufferParam(shader, measureWettedArea, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, measureWettedArea, Ids.Positions, particles.Positions);
+            particles.Bind(cmd, shader, measureWettedArea);
             cmd.DispatchCompute(shader, measureWettedArea, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             meshes.Dispose();
             heights.Dispose();
             UnityEngine.Object.DestroyImmediate(noField);       // nothing else can hold it
             reactions?.Dispose();
-            GpuBuffer.Release(ref constants);
-            GpuBuffer.Release(ref states);
-            GpuBuffer.Release(ref masks);
-            GpuBuffer.Release(ref colliderVolume);
-            GpuBuffer.Release(ref boundary);
-            GpuBuffer.Release(ref contactOffsets);
-            GpuBuffer.Release(ref pathBoundary);
-            GpuBuffer.Release(ref pathContactOffsets);
+            base.Dispose();
         }
 
         /// <param name="colliders">The stage, or null where none was made.</param>
@@ -303,14 +284,7 @@ namespace Rill
             if (reacts && colliders.reactions.HasWettedAreas)
                 description.Kernel(colliders.measureWettedArea, 0, variant);
             colliders.reactions?.Describe(description);
-            description.Buffer("Rill.Colliders.Constants", colliders.constants);
-            description.Buffer("Rill.Colliders.States", colliders.states);
-            description.Buffer("Rill.Colliders.Masks", colliders.masks);
-            description.Buffer("Rill.Colliders.ColliderVolume", colliders.colliderVolume);
-            description.Buffer("Rill.Colliders.Boundary", colliders.boundary);
-            description.Buffer("Rill.Colliders.ContactOffsets", colliders.contactOffsets);
-            description.Buffer("Rill.Colliders.PathBoundary", colliders.pathBoundary);
-            description.Buffer("Rill.Colliders.PathContactOffsets", colliders.pathContactOffsets);
+            colliders.Buffers.Describe(description);
             description.Buffers.Add(("Rill.Colliders.NoField", FieldAtlas.BytesOfVoxel));
             colliders.meshes.Describe(description);
             colliders.heights.Describe(description);
@@ -320,51 +294,26 @@ namespace Rill
         void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, RestingRegions resting)
         {
             cmd.SetKeyword(shader, deforming, HasDeforming);
+            particles.Bind(cmd, shader, kernel);
             BindShapes(cmd, shader, kernel);
             if (resting != null)
                 resting.Bind(cmd, shader, kernel);
             else
                 cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, masks);     // not read
             reactions?.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 
-        /// <summary>Records the colliders of the substep as what a kernel reads.</summary>
+        /// <summary>Records what the colliders add to the density (ColliderDensity.hlsl), leave of the domain (OpenFraction.hlsl) and let the sort
+        /// carry along, as a kernel reads it.</summary>
+        public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => Buffers.Bind(cmd, reader, kernel);
+
+        /// <summary>Records the colliders of the substep, with their fields, as what a kernel reads.</summary>
         public void BindShapes(CommandBuffer cmd, ComputeShader reader, int kernel)
         {
-            cmd.SetComputeConstantBufferParam(reader, Ids.Constants, constants, 0, constants.stride);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.Colliders, states);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderMasks, masks);
+            Bind(cmd, reader, kernel);
             BindField(cmd, reader, kernel, Ids.Fields, meshes);
             BindField(cmd, reader, kernel, Ids.Heights, heights);
         }
-
-        /// <summary>Records what the sort needs to know which particles to leave.</summary>
-        public void BindCount(CommandBuffer cmd, ComputeShader sort, int kernel)
-        {
-            cmd.SetComputeConstantBufferParam(sort, Ids.Constants, constants, 0, constants.stride);
-            cmd.SetComputeBufferParam(sort, kernel, Ids.ColliderMasks, masks);
-            cmd.SetComputeBufferParam(sort, kernel, Ids.PathContactOffsets, pathContactOffsets);
-        }
-
-        /// <summary>Records what the sort moves with the particles.</summary>
-        public void BindSort(CommandBuffer cmd, ComputeShader sort, int kernel)
-        {
-            cmd.SetComputeBufferParam(sort, kernel, Ids.PathBoundary, pathBoundary);
-            cmd.SetComputeBufferParam(sort, kernel, Ids.PathContactOffsets, pathContactOffsets);
-            BindDensity(cmd, sort, kernel);
-        }
-
-        /// <summary>Records what the colliders add to the density, as a kernel reads it; see ColliderDensity.hlsl.</summary>
-        public void BindDensity(CommandBuffer cmd, ComputeShader reader, int kernel)
-        {
-            cmd.SetComputeBufferParam(reader, kernel, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.ContactOffsets, contactOffsets);
-        }
-
-        /// <summary>Records how much of the domain the colliders leave, as a kernel reads it; see OpenFraction.hlsl.</summary>
-        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel)
-            => cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderVolume, colliderVolume);
 
         void BindField(CommandBuffer cmd, ComputeShader reader, int kernel, int id, FieldAtlas atlas) =>
             cmd.SetComputeTextureParam(reader, kernel, id, atlas.Texture != null ? (Texture)atlas.Texture : noField);
@@ -395,9 +344,9 @@ namespace Rill
         {
             if (masks != null && wantedWords == words)
                 return false;
-            GpuBuffer.Release(ref masks);
+            Buffers.Release(ref masks);
             words = wantedWords;
-            masks = GpuBuffer.Structured<uint>("Rill.Colliders.Masks", (long)cells.x * cells.y * cells.z * words);
+            masks = Buffers.Structured<uint>("Rill.Colliders.Masks", (long)cells.x * cells.y * cells.z * words, "_ColliderMasks");
             return true;
         }
 
@@ -415,26 +364,14 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Constants = Shader.PropertyToID("RillColliders");
-            public static readonly int Colliders = Shader.PropertyToID("_Colliders");
-            public static readonly int ColliderMasks = Shader.PropertyToID("_ColliderMasks");
-            public static readonly int ColliderVolume = Shader.PropertyToID("_ColliderVolume");
             public static readonly int Fields = Shader.PropertyToID("_Fields");
             public static readonly int Heights = Shader.PropertyToID("_Heights");
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Before = Shader.PropertyToID("_Before");
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
-            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
-            public static readonly int ContactOffsets = Shader.PropertyToID("_ContactOffsets");
-            public static readonly int PathBoundary = Shader.PropertyToID("_PathBoundary");
-            public static readonly int PathContactOffsets = Shader.PropertyToID("_PathContactOffsets");
             public static readonly int CellHistogram = Shader.PropertyToID("_CellHistogram");
             public static readonly int CellRanks = Shader.PropertyToID("_CellRanks");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }
 }

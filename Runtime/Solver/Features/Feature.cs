@@ -12,6 +12,9 @@ namespace Rill
         /// <summary>Takes it out of a step.</summary>
         public delegate void TurningOff(ref StepInput step);
 
+        /// <summary>Makes the stage of the solver that does it.</summary>
+        public delegate Stage Making(PbfSolver solver, in StepInput step);
+
         /// <summary>Name in messages, as in "goes on without vorticity confinement".</summary>
         public readonly string Name;
 
@@ -30,14 +33,16 @@ namespace Rill
 
         readonly Asking asked;
         readonly TurningOff turnOff;
+        readonly Making make;
 
         /// <param name="stages">Null for none.</param>
         /// <param name="kernels">Null for those of the stages.</param>
         /// <param name="defines">Null for none.</param>
         /// <param name="asked">Null where no step asks for it: a component or a call does.</param>
         /// <param name="turnOff">Null where who asks looks whether it is there.</param>
+        /// <param name="make">Null where its stage, if it has one, is not made and released with each step's input.</param>
         public Feature(string name, string remedy = null, string[] stages = null, string[] kernels = null, string[] defines = null,
-            Asking asked = null, TurningOff turnOff = null)
+            Asking asked = null, TurningOff turnOff = null, Making make = null)
         {
             Name = name;
             Remedy = remedy;
@@ -46,6 +51,7 @@ namespace Rill
             Defines = defines ?? Array.Empty<string>();
             this.asked = asked;
             this.turnOff = turnOff;
+            this.make = make;
         }
 
         /// <summary>Place in <see cref="Features.All"/>.</summary>
@@ -54,6 +60,12 @@ namespace Rill
         public bool IsAsked(PbfSolver solver, in StepInput step) => asked != null && asked(solver, step);
 
         public void TurnOff(ref StepInput step) => turnOff?.Invoke(ref step);
+
+        /// <summary>Whether its stage is there while a step asks for it, and no longer.</summary>
+        public bool FollowsSteps => make != null;
+
+        /// <summary>Returns a new stage for a step that asks for it.</summary>
+        public Stage Make(PbfSolver solver, in StepInput step) => make(solver, step);
 
         /// <summary>Returns the first of its stages whose asset is not loaded; null where all are there.</summary>
         public string FirstMissing()

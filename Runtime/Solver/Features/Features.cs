@@ -18,14 +18,16 @@ namespace Rill
             kernels: new[] { "Colliders", "CoarseColliders" },
             defines: new[] { "CARRIES", "RILL_DEFORMING", "WITH_COLLIDERS" },
             asked: (PbfSolver solver, in StepInput step) => Rill.Colliders.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.colliders = null);
+            turnOff: (ref StepInput step) => step.colliders = null,
+            make: (PbfSolver solver, in StepInput step) => new Rill.Colliders(solver.Layout, solver.ReadbackErrors));
 
         // A collider can reach into deep water at any time, and brings only the stage that does not depend on the depth.
         public static readonly Feature DeepWater = new Feature("deep water", "set Deep Water to Off and keep the water shallow",
             stages: new[] { "CoarseGrid", "CoarseSolver", "CoarseColliders" },
             defines: new[] { "DEEP" },
             asked: (PbfSolver solver, in StepInput step) => solver.IsDeep(step),
-            turnOff: (ref StepInput step) => step.settings.deepWater = Rill.DeepWater.Off);
+            turnOff: (ref StepInput step) => step.settings.deepWater = Rill.DeepWater.Off,
+            make: (PbfSolver solver, in StepInput step) => new CoarseCorrection(solver.Layout, solver.CoarseCellSize(step), solver.Limits));
 
         public static readonly Feature VelocitySmoothing = new Feature("velocity smoothing", "set the velocity smoothing to 0",
             defines: new[] { "VISCOUS" },
@@ -56,22 +58,26 @@ namespace Rill
         public static readonly Feature ForceFields = new Feature("force fields", "disable its force fields",
             stages: new[] { "ForceFields" },
             asked: (PbfSolver solver, in StepInput step) => Rill.ForceFields.IsNeeded(step.sources),
-            turnOff: (ref StepInput step) => step.sources?.LeaveOutFields());
+            turnOff: (ref StepInput step) => step.sources?.LeaveOutFields(),
+            make: (PbfSolver solver, in StepInput step) => new Rill.ForceFields());
 
         public static readonly Feature Viscosity = new Feature("dynamic viscosity", "set the dynamic viscosity to 0",
             stages: new[] { "ImplicitViscosity" },
             asked: (PbfSolver solver, in StepInput step) => ImplicitViscosity.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.material.dynamicViscosity = 0f);
+            turnOff: (ref StepInput step) => step.material.dynamicViscosity = 0f,
+            make: (PbfSolver solver, in StepInput step) => new ImplicitViscosity(solver.Layout.Capacity));
 
         public static readonly Feature Elasticity = new Feature("elasticity", "set the shear modulus to 0",
             stages: new[] { "Viscoelasticity" },
             asked: (PbfSolver solver, in StepInput step) => Viscoelasticity.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.material.shearModulus = 0f);
+            turnOff: (ref StepInput step) => step.material.shearModulus = 0f,
+            make: (PbfSolver solver, in StepInput step) => new Viscoelasticity(solver.Layout.Capacity));
 
         public static readonly Feature Vorticity = new Feature("vorticity confinement", "set vorticity to 0",
             stages: new[] { "VorticityConfinement" },
             asked: (PbfSolver solver, in StepInput step) => VorticityConfinement.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.material.vorticity = 0f);
+            turnOff: (ref StepInput step) => step.material.vorticity = 0f,
+            make: (PbfSolver solver, in StepInput step) => new VorticityConfinement(solver.Layout.Capacity));
 
         public static readonly Feature Reactions = new Feature("forces on colliders", "let no collider measure its force",
             defines: new[] { "REACT", "TAKE", "WETTED" },
@@ -82,18 +88,21 @@ namespace Rill
             stages: new[] { "RestingRegions" },
             defines: new[] { "RILL_SLEEP" },
             asked: (PbfSolver solver, in StepInput step) => RestingRegions.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.settings.sleepSpeed = 0f);
+            turnOff: (ref StepInput step) => step.settings.sleepSpeed = 0f,
+            make: (PbfSolver solver, in StepInput step) => new RestingRegions(solver.Layout));
 
         public static readonly Feature Extrapolation = new Feature("less numerical damping", "set the numerical damping to 1",
             defines: new[] { "EXTRAPOLATE" },
             asked: (PbfSolver solver, in StepInput step) => VelocityExtrapolation.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.settings.numericalDamping = 1f);
+            turnOff: (ref StepInput step) => step.settings.numericalDamping = 1f,
+            make: (PbfSolver solver, in StepInput step) => new VelocityExtrapolation(solver.Layout.Capacity));
 
         public static readonly Feature Foam = new Feature("foam", "disable its FluidFoam",
             stages: new[] { "Foam", "FoamSources" },
             defines: new[] { "ADD_FOAM", "WITH_FOAM" },
             asked: (PbfSolver solver, in StepInput step) => Rill.Foam.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.foam.budget = 0);
+            turnOff: (ref StepInput step) => step.foam.budget = 0,
+            make: (PbfSolver solver, in StepInput step) => new Rill.Foam(solver.Layout, step.foam.budget, solver.ReadbackErrors));
 
         public static readonly Feature Statistics = new Feature("statistics", "set the statistics interval to 0", stages: new[] { "Statistics" });
 

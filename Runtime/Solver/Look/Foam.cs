@@ -37,7 +37,7 @@ namespace Rill
     /// Particles lie without gaps in the order in which they came: every step moves them, leaves out what is over and puts the new
     /// ones behind, at places that one prefix sum over groups of threads gives to both. So a run repeats bit for bit.
     /// </remarks>
-    sealed class Foam : IDisposable
+    sealed class Foam : Stage
     {
         public const int CounterCount = 8;
 
@@ -53,7 +53,8 @@ namespace Rill
         readonly int[] cellCounts, cellsPerFoamCell;
         readonly PrefixSum prefixSum;
         readonly Readback readback;
-        GraphicsBuffer particles, moved, arguments, cells, potentials, spawnCounts, groupCounts, sums;
+        readonly GraphicsBuffer arguments, cells, potentials, spawnCounts, groupCounts, sums;
+        GraphicsBuffer particles, moved;
 
         /// <param name="budget">Most particles.</param>
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
@@ -80,16 +81,17 @@ namespace Rill
 
             try
             {
-                particles = GpuBuffer.Structured<FoamParticle>("Rill.Foam.Particles", budget);
-                moved = GpuBuffer.Structured<FoamParticle>("Rill.Foam.Moved", budget);
-                cells = GpuBuffer.Structured<float4>("Rill.Foam.Cells", cellTotal);
-                potentials = GpuBuffer.Structured<uint2>("Rill.Foam.Potentials", layout.Capacity);
-                spawnCounts = GpuBuffer.Structured<uint>("Rill.Foam.SpawnCounts", layout.Capacity);
-                groupCounts = GpuBuffer.Structured<uint>("Rill.Foam.GroupCounts", foamGroups + fluidGroups + 1);
-                sums = GpuBuffer.Structured<uint>("Rill.Foam.Sums", foamGroups + fluidGroups + 1);
-                arguments = GpuBuffer.Arguments("Rill.Foam.Arguments");
-                prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), foamGroups + fluidGroups + 1);
+                particles = Buffers.Structured<FoamParticle>("Rill.Foam.Particles", budget, "_FoamParticles");
+                moved = Buffers.Structured<FoamParticle>("Rill.Foam.Moved", budget);
+                arguments = Buffers.Arguments("Rill.Foam.Arguments", property: "_FoamArguments");
                 readback = new Readback(GpuBuffer.Structured<uint>("Rill.Foam.Counters", CounterCount));
+                Buffers.Share("Rill.Foam.Counters", readback.Buffer, "_FoamCounters");
+                cells = Buffers.Structured<float4>("Rill.Foam.Cells", cellTotal, "_FoamCells");
+                potentials = Buffers.Structured<uint2>("Rill.Foam.Potentials", layout.Capacity);
+                spawnCounts = Buffers.Structured<uint>("Rill.Foam.SpawnCounts", layout.Capacity);
+                groupCounts = Buffers.Structured<uint>("Rill.Foam.GroupCounts", foamGroups + fluidGroups + 1);
+                sums = Buffers.Structured<uint>("Rill.Foam.Sums", foamGroups + fluidGroups + 1);
+                prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), foamGroups + fluidGroups + 1);
                 readback.Report(errors, ReadbackKinds.Foam);
                 readback.Lost = readback.Invalidate;
                 BufferClear.Now(groupCounts);
@@ -128,6 +130,14 @@ namespace Rill
 
         public static bool IsNeeded(in StepInput input) => input.foam.budget > 0;
 
+        public override bool Survives(ParticleChange change)
+        {
+            Clear();
+            return true;
+        }
+
+        public override bool Fits(PbfSolver solver, in StepInput step) => Budget == step.foam.budget;
+
         /// <summary>No foam, at once; counts begin again.</summary>
         public void Clear()
         {
@@ -149,11 +159,8 @@ namespace Rill
             RecordMove(step);
             prefixSum.Record(cmd, groupCounts, sums, foamGroups + fluidGroups + 1);
 
-            (particles, moved) = (moved, particles);
-            cmd.SetComputeBufferParam(shader, compact, Ids.Moved, moved);
-            cmd.SetComputeBufferParam(shader, compact, Ids.FoamParticles, particles);
-            cmd.SetComputeBufferParam(shader, compact, Ids.Sums, sums);
-            cmd.SetComputeBufferParam(shader, compact, Ids.FoamCounters, readback.Buffer);
+            Buffers.Swap(ref particles, ref moved);
+            Buffers.Bind(cmd, shader, compact);
             cmd.DispatchCompute(shader, compact, arguments, GpuBuffer.DispatchArgumentsAt);
 
             RecordSpawn(cmd, step.Particles);
@@ -170,18 +177,11 @@ namespace Rill
             return readback.HasResult;
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             readback?.Dispose();
             prefixSum?.Dispose();
-            GpuBuffer.Release(ref particles);
-            GpuBuffer.Release(ref moved);
-            GpuBuffer.Release(ref arguments);
-            GpuBuffer.Release(ref cells);
-            GpuBuffer.Release(ref potentials);
-            GpuBuffer.Release(ref spawnCounts);
-            GpuBuffer.Release(ref groupCounts);
-            GpuBuffer.Release(ref sums);
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -201,15 +201,7 @@ namespace Rill
             description.Kernel(stage.compact, 1);
             description.Kernel(stage.spawn, 1);
             description.Kernel(stage.commit, 1);
-            description.Buffer("Rill.Foam.Particles", stage.particles);
-            description.Buffer("Rill.Foam.Moved", stage.moved);
-            description.Buffer("Rill.Foam.Arguments", stage.arguments);
-            description.Buffer("Rill.Foam.Counters", stage.readback.Buffer);
-            description.Buffer("Rill.Foam.Cells", stage.cells);
-            description.Buffer("Rill.Foam.Potentials", stage.potentials);
-            description.Buffer("Rill.Foam.SpawnCounts", stage.spawnCounts);
-            description.Buffer("Rill.Foam.GroupCounts", stage.groupCounts);
-            description.Buffer("Rill.Foam.Sums", stage.sums);
+            stage.Buffers.Describe(description);
             return description;
         }
 
@@ -228,13 +220,12 @@ namespace Rill
             cmd.SetComputeIntParam(sources, Ids.FluidGroups, fluidGroups);
 
             BindLists(step, findPotentials);
-            cmd.SetComputeBufferParam(sources, findPotentials, Ids.Velocities, fluid.Velocities);
+            cmd.SetComputeBufferParam(sources, findPotentials, ParticleIds.Velocities, fluid.Velocities);
             cmd.DispatchCompute(sources, findPotentials, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
             BindLists(step, countSpawned);
-            cmd.SetComputeBufferParam(sources, countSpawned, Ids.ParticleIds, fluid.Ids);
-            cmd.SetComputeBufferParam(sources, countSpawned, Ids.SpawnCounts, spawnCounts);
-            cmd.SetComputeBufferParam(sources, countSpawned, Ids.GroupCounts, groupCounts);
+            cmd.SetComputeBufferParam(sources, countSpawned, ParticleIds.Ids, fluid.Ids);
+            Buffers.Bind(cmd, sources, countSpawned);
             cmd.DispatchCompute(sources, countSpawned, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -242,9 +233,8 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, sources, kernel);
-            cmd.SetComputeBufferParam(sources, kernel, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(sources, kernel, Ids.Potentials, potentials);
-            cmd.SetComputeBufferParam(sources, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(cmd, sources, kernel);
+            Buffers.Bind(cmd, sources, kernel);
         }
 
         void RecordAverages(in StepContext step)
@@ -264,9 +254,8 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.FoamSeed, step.Input.foamSeed);
 
             cmd.SetComputeBufferParam(shader, averageCells, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, averageCells, Ids.Velocities, step.Particles.Velocities);
-            cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCells, cells);
-            cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCounters, readback.Buffer);
+            cmd.SetComputeBufferParam(shader, averageCells, ParticleIds.Velocities, step.Particles.Velocities);
+            Buffers.Bind(cmd, shader, averageCells);
             CoarseGrid.Dispatch(cmd, shader, averageCells, cellTotal);
         }
 
@@ -275,47 +264,24 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             int kernel = move.For(step.Colliders != null);
             step.Colliders?.BindShapes(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.FoamParticles, particles);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.FoamCells, cells);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.GroupCounts, groupCounts);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.FoamCounters, readback.Buffer);
+            Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordSpawn(CommandBuffer cmd, ParticleBuffers fluid)
         {
-            cmd.SetComputeBufferParam(shader, spawn, Ids.Positions, fluid.Positions);
-            cmd.SetComputeBufferParam(shader, spawn, Ids.Velocities, fluid.Velocities);
-            cmd.SetComputeBufferParam(shader, spawn, Ids.ParticleIds, fluid.Ids);
-            cmd.SetComputeBufferParam(shader, spawn, Ids.SpawnCounts, spawnCounts);
-            cmd.SetComputeBufferParam(shader, spawn, Ids.Sums, sums);
-            cmd.SetComputeBufferParam(shader, spawn, Ids.FoamCells, cells);
-            cmd.SetComputeBufferParam(shader, spawn, Ids.FoamParticles, particles);
-            cmd.SetComputeBufferParam(shader, spawn, Ids.FoamCounters, readback.Buffer);
+            fluid.Bind(cmd, shader, spawn);
+            Buffers.Bind(cmd, shader, spawn);
             cmd.DispatchCompute(shader, spawn, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, commit, Ids.Sums, sums);
-            cmd.SetComputeBufferParam(shader, commit, Ids.FoamCounters, readback.Buffer);
-            cmd.SetComputeBufferParam(shader, commit, Ids.FoamArguments, arguments);
+            Buffers.Bind(cmd, shader, commit);
             cmd.DispatchCompute(shader, commit, 1, 1, 1);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Potentials = Shader.PropertyToID("_Potentials");
-            public static readonly int SpawnCounts = Shader.PropertyToID("_SpawnCounts");
-            public static readonly int GroupCounts = Shader.PropertyToID("_GroupCounts");
-            public static readonly int Sums = Shader.PropertyToID("_Sums");
-            public static readonly int Moved = Shader.PropertyToID("_Moved");
-            public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");
-            public static readonly int FoamCells = Shader.PropertyToID("_FoamCells");
             public static readonly int FoamCounters = Shader.PropertyToID("_FoamCounters");
-            public static readonly int FoamArguments = Shader.PropertyToID("_FoamArguments");
             public static readonly int FoamLimits = Shader.PropertyToID("_FoamLimits");
             public static readonly int FoamRates = Shader.PropertyToID("_FoamRates");
             public static readonly int FoamSeed = Shader.PropertyToID("_FoamSeed");

@@ -10,7 +10,7 @@ namespace Rill
 {
     /// <summary>The water's surface as a closed mesh, found once a frame for all cameras, from the elements of
     /// <see cref="SurfaceParticles"/>.</summary>
-    sealed class SurfaceMesh : IDisposable
+    sealed class SurfaceMesh : Stage
     {
         /// <summary>Entries of _MeshCounters. What is needed is more than what there is where buffers are too small.</summary>
         [GenerateHlsl("SurfaceMesh")]
@@ -101,12 +101,12 @@ namespace Rill
             try
             {
                 sumMarks = new PrefixSum(StageShader.LoadCompute("PrefixSum"), top + 1);
-                marks = GpuBuffer.Structured<uint>("Rill.Mesh.Marks", top + 1);
-                marksBefore = GpuBuffer.Structured<uint>("Rill.Mesh.MarksBefore", top + 1);
-                meshTop = GpuBuffer.Structured<uint>("Rill.Mesh.Top", top);
-                counters = GpuBuffer.Structured<uint>("Rill.Mesh.Counters", Enum.GetValues(typeof(Counter)).Length);
-                readback = new Readback(counters);
-                arguments = GpuBuffer.Arguments("Rill.Mesh.Arguments", ArgumentWords);
+                marks = Buffers.Structured<uint>("Rill.Mesh.Marks", top + 1);
+                marksBefore = Buffers.Structured<uint>("Rill.Mesh.MarksBefore", top + 1);
+                meshTop = Buffers.Structured<uint>("Rill.Mesh.Top", top, "_MeshTop");
+                readback = new Readback(GpuBuffer.Structured<uint>("Rill.Mesh.Counters", Enum.GetValues(typeof(Counter)).Length));
+                counters = Buffers.Share("Rill.Mesh.Counters", readback.Buffer, "_MeshCounters");
+                arguments = Buffers.Arguments("Rill.Mesh.Arguments", ArgumentWords, property: "_MeshArguments");
                 workspace.Reserve(sizeof(uint) * (long)layout.Capacity);        // for the list of drops
                 BufferClear.Now(marks, counters);
                 int bricks = (int)Math.Min(top, 1024 + FirstBricks * layout.Capacity), room = (int)(4096 + FirstVertices * layout.Capacity);
@@ -162,32 +162,32 @@ namespace Rill
             if (bricks > BrickCapacity)
             {
                 sumCounts?.Dispose();
-                GpuBuffer.Release(ref brickPlaces);
+                Buffers.Release(ref brickPlaces);
                 EngineObject.Release(ref field);
-                GpuBuffer.Release(ref cellMasks);
-                GpuBuffer.Release(ref brickCounts);
-                GpuBuffer.Release(ref countsBefore);
+                Buffers.Release(ref cellMasks);
+                Buffers.Release(ref brickCounts);
+                Buffers.Release(ref countsBefore);
                 workspace.Reserve((long)SumBytes * BrickNodes * bricks);
                 sumCounts = new PrefixSum(StageShader.LoadCompute("PrefixSum"), 2 * bricks + 1);
-                brickPlaces = GpuBuffer.Structured<uint>("Rill.Mesh.BrickPlaces", bricks);
+                brickPlaces = Buffers.Structured<uint>("Rill.Mesh.BrickPlaces", bricks);
                 field = MakeField(bricks);
-                cellMasks = GpuBuffer.Structured<uint>("Rill.Mesh.CellMasks", 2L * bricks);
-                brickCounts = GpuBuffer.Structured<uint>("Rill.Mesh.BrickCounts", 2L * bricks + 1);
-                countsBefore = GpuBuffer.Structured<uint>("Rill.Mesh.CountsBefore", 2L * bricks + 1);
+                cellMasks = Buffers.Structured<uint>("Rill.Mesh.CellMasks", 2L * bricks);
+                brickCounts = Buffers.Structured<uint>("Rill.Mesh.BrickCounts", 2L * bricks + 1);
+                countsBefore = Buffers.Structured<uint>("Rill.Mesh.CountsBefore", 2L * bricks + 1);
                 BufferClear.Now(brickCounts);
                 BrickCapacity = bricks;
             }
             if (newVertices > VertexCapacity)
             {
-                GpuBuffer.Release(ref meshVertices);
+                Buffers.Release(ref meshVertices);
                 workspace.Reserve((long)(SmoothBytes + LinkBytes * LinksOfVertex) * newVertices);
-                meshVertices = GpuBuffer.Raw("Rill.Mesh.Vertices", (long)VertexBytes / sizeof(uint) * newVertices, 0);
+                meshVertices = Buffers.Raw("Rill.Mesh.Vertices", (long)VertexBytes / sizeof(uint) * newVertices, 0, "_MeshVertices");
                 VertexCapacity = newVertices;
             }
             if (newQuads > QuadCapacity)
             {
-                GpuBuffer.Release(ref meshIndices);
-                meshIndices = GpuBuffer.Raw("Rill.Mesh.Indices", 6L * newQuads, GraphicsBuffer.Target.Index);
+                Buffers.Release(ref meshIndices);
+                meshIndices = Buffers.Raw("Rill.Mesh.Indices", 6L * newQuads, GraphicsBuffer.Target.Index, "_MeshIndices");
                 QuadCapacity = newQuads;
             }
         }
@@ -264,26 +264,14 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             sumMarks?.Dispose();
             sumCounts?.Dispose();
             sumCounts = null;
-            GpuBuffer.Release(ref marks);
-            GpuBuffer.Release(ref marksBefore);
-            GpuBuffer.Release(ref meshTop);
-            GpuBuffer.Release(ref brickPlaces);
             EngineObject.Release(ref field);
-            GpuBuffer.Release(ref cellMasks);
-            GpuBuffer.Release(ref brickCounts);
-            GpuBuffer.Release(ref countsBefore);
-            GpuBuffer.Release(ref meshVertices);
-            GpuBuffer.Release(ref meshIndices);
-            GpuBuffer.Release(ref arguments);
-            if (readback == null)
-                GpuBuffer.Release(ref counters);
-            readback?.Dispose();        // and the counters, once none is pending
-            readback = null;
+            readback?.Dispose();
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -315,18 +303,8 @@ namespace Rill
             description.Kernel(stage.finishMesh, 0);
             description.Kernel(stage.listDrops, 0);
             description.Kernel(stage.storeDrops, 0);
-            description.Buffer("Rill.Mesh.Marks", stage.marks);
-            description.Buffer("Rill.Mesh.MarksBefore", stage.marksBefore);
-            description.Buffer("Rill.Mesh.Top", stage.meshTop);
-            description.Buffer("Rill.Mesh.BrickPlaces", stage.brickPlaces);
+            stage.Buffers.Describe(description);
             description.Texture(stage.field.name, 2L * stage.field.width * stage.field.height * stage.field.volumeDepth);
-            description.Buffer("Rill.Mesh.CellMasks", stage.cellMasks);
-            description.Buffer("Rill.Mesh.BrickCounts", stage.brickCounts);
-            description.Buffer("Rill.Mesh.CountsBefore", stage.countsBefore);
-            description.Buffer("Rill.Mesh.Vertices", stage.meshVertices);
-            description.Buffer("Rill.Mesh.Indices", stage.meshIndices);
-            description.Buffer("Rill.Mesh.Arguments", stage.arguments);
-            description.Buffer("Rill.Mesh.Counters", stage.counters);
             return description;
         }
 
@@ -334,12 +312,11 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             cmd.SetComputeBufferParam(shader, begin, Ids.SurfaceCounters, elements.Counters);
-            cmd.SetComputeBufferParam(shader, begin, Ids.MeshArguments, arguments);
-            cmd.SetComputeBufferParam(shader, begin, Ids.MeshCounters, counters);
+            Buffers.Bind(cmd, shader, begin);
             cmd.DispatchCompute(shader, begin, 1, 1, 1);
 
             BindElements(cmd, markBricks, elements);
-            cmd.SetComputeBufferParam(shader, markBricks, Ids.Marks, marks);
+            Buffers.Bind(cmd, shader, markBricks);
             cmd.DispatchCompute(shader, markBricks, arguments, MarkArgumentsAt);
             if (withColliders)
                 RecordContacts(step);
@@ -348,32 +325,28 @@ namespace Rill
             int place = placeBricks.For(withColliders);
             BindColliders(step, place);
             cmd.SetComputeBufferParam(shader, place, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, place, Ids.MarksBefore, marksBefore);
-            cmd.SetComputeBufferParam(shader, place, Ids.MeshTop, meshTop);
-            cmd.SetComputeBufferParam(shader, place, Ids.BrickPlaces, brickPlaces);
+            Buffers.Bind(cmd, shader, place);
             ThreadGroups.Dispatch(cmd, shader, place, ((long)top + ParticleBuffers.Group - 1) / ParticleBuffers.Group);
 
-            cmd.SetComputeBufferParam(shader, storeBricks, Ids.MarksBefore, marksBefore);
-            cmd.SetComputeBufferParam(shader, storeBricks, Ids.MeshArguments, arguments);
-            cmd.SetComputeBufferParam(shader, storeBricks, Ids.MeshCounters, counters);
+            Buffers.Bind(cmd, shader, storeBricks);
             cmd.DispatchCompute(shader, storeBricks, 1, 1, 1);
         }
 
         void RecordField(in StepContext step, SurfaceParticles elements)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, clearSums, Ids.MeshCounters, counters);
+            Buffers.Bind(cmd, shader, clearSums);
             cmd.SetComputeBufferParam(shader, clearSums, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, clearSums, arguments, BrickArgumentsAt);
 
             BindElements(cmd, addElements, elements);
-            cmd.SetComputeBufferParam(shader, addElements, Ids.MeshTop, meshTop);
+            Buffers.Bind(cmd, shader, addElements);
             cmd.SetComputeBufferParam(shader, addElements, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, addElements, arguments, AddArgumentsAt);
 
             int find = findField.For(withColliders);
             BindColliders(step, find);
-            BindBricks(cmd, find);
+            Buffers.Bind(cmd, shader, find);
             cmd.SetComputeTextureParam(shader, find, Ids.MeshFieldOut, field);
             cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
             cmd.SetComputeBufferParam(shader, find, SurfaceWorkspace.Id, workspace.Memory);
@@ -384,10 +357,9 @@ namespace Rill
         void RecordContacts(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, markContacts, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, markContacts, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(cmd, shader, markContacts);
             cmd.SetComputeBufferParam(shader, markContacts, SurfaceWorkspace.Id, workspace.Memory);
-            cmd.SetComputeBufferParam(shader, markContacts, Ids.Marks, marks);
+            Buffers.Bind(cmd, shader, markContacts);
             cmd.DispatchCompute(shader, markContacts, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -396,21 +368,16 @@ namespace Rill
             if (!withColliders)
                 return;
             step.Colliders.BindShapes(step.Commands, shader, kernel);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
+            step.Commands.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
         }
 
         void RecordCells(CommandBuffer cmd)
         {
-            BindBricks(cmd, countCells);
-            cmd.SetComputeTextureParam(shader, countCells, Ids.MeshField, field);
-            cmd.SetComputeBufferParam(shader, countCells, Ids.CellMasks, cellMasks);
-            cmd.SetComputeBufferParam(shader, countCells, Ids.BrickCounts, brickCounts);
+            BindCells(cmd, countCells);
             cmd.DispatchCompute(shader, countCells, arguments, BrickArgumentsAt);
             sumCounts.Record(cmd, brickCounts, countsBefore, 2 * BrickCapacity + 1);
 
-            cmd.SetComputeBufferParam(shader, storeCounts, Ids.CountsBefore, countsBefore);
-            cmd.SetComputeBufferParam(shader, storeCounts, Ids.MeshArguments, arguments);
-            cmd.SetComputeBufferParam(shader, storeCounts, Ids.MeshCounters, counters);
+            Buffers.Bind(cmd, shader, storeCounts);
             cmd.DispatchCompute(shader, storeCounts, 1, 1, 1);
 
             BindCells(cmd, makeVertices);
@@ -418,7 +385,6 @@ namespace Rill
             cmd.DispatchCompute(shader, makeVertices, arguments, BrickArgumentsAt);
 
             BindCells(cmd, makeQuads);
-            cmd.SetComputeBufferParam(shader, makeQuads, Ids.MeshIndices, meshIndices);
             cmd.DispatchCompute(shader, makeQuads, arguments, BrickArgumentsAt);
         }
 
@@ -431,7 +397,7 @@ namespace Rill
                 RecordSmoothing(cmd, smoothMeshBack, SpreadStep);
             }
             BindVertices(cmd, finishMesh);
-            cmd.SetComputeBufferParam(shader, finishMesh, Ids.Positions, step.Particles.Positions);
+            cmd.SetComputeBufferParam(shader, finishMesh, ParticleIds.Positions, step.Particles.Positions);
             cmd.SetComputeBufferParam(shader, finishMesh, Ids.CellStarts, step.Search.CellStarts);
             cmd.DispatchCompute(shader, finishMesh, arguments, VertexArgumentsAt);
         }
@@ -441,11 +407,10 @@ namespace Rill
         {
             cmd.SetComputeIntParam(shader, Ids.DropCapacity, Drops.count);
             BindElements(cmd, listDrops, elements);
-            cmd.SetComputeBufferParam(shader, listDrops, Ids.MeshCounters, counters);
+            Buffers.Bind(cmd, shader, listDrops);
             cmd.SetComputeBufferParam(shader, listDrops, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, listDrops, arguments, MarkArgumentsAt);
-            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshCounters, counters);
-            cmd.SetComputeBufferParam(shader, storeDrops, Ids.MeshArguments, arguments);
+            Buffers.Bind(cmd, shader, storeDrops);
             cmd.DispatchCompute(shader, storeDrops, 1, 1, 1);
         }
 
@@ -458,9 +423,8 @@ namespace Rill
 
         void BindVertices(CommandBuffer cmd, int kernel)
         {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshCounters, counters);
+            Buffers.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, SurfaceWorkspace.Id, workspace.Memory);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshVertices, meshVertices);
         }
 
         void BindElements(CommandBuffer cmd, int kernel, SurfaceParticles elements)
@@ -469,19 +433,10 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, elements.Counters);
         }
 
-        void BindBricks(CommandBuffer cmd, int kernel)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshCounters, counters);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshTop, meshTop);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.BrickPlaces, brickPlaces);
-        }
-
         void BindCells(CommandBuffer cmd, int kernel)
         {
-            BindBricks(cmd, kernel);
+            Buffers.Bind(cmd, shader, kernel);
             cmd.SetComputeTextureParam(shader, kernel, Ids.MeshField, field);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellMasks, cellMasks);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CountsBefore, countsBefore);
         }
 
         static class Ids
@@ -499,21 +454,8 @@ namespace Rill
             public static readonly int Surface = Shader.PropertyToID("_Surface");
             public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Marks = Shader.PropertyToID("_Marks");
-            public static readonly int MarksBefore = Shader.PropertyToID("_MarksBefore");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
-            public static readonly int BrickPlaces = Shader.PropertyToID("_BrickPlaces");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");
             public static readonly int MeshFieldOut = Shader.PropertyToID("_MeshFieldOut");
-            public static readonly int CellMasks = Shader.PropertyToID("_CellMasks");
-            public static readonly int BrickCounts = Shader.PropertyToID("_BrickCounts");
-            public static readonly int CountsBefore = Shader.PropertyToID("_CountsBefore");
-            public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
-            public static readonly int MeshIndices = Shader.PropertyToID("_MeshIndices");
-            public static readonly int MeshArguments = Shader.PropertyToID("_MeshArguments");
-            public static readonly int MeshCounters = Shader.PropertyToID("_MeshCounters");
         }
     }
 }

@@ -9,7 +9,7 @@ using static System.FormattableString;
 namespace Rill
 {
     /// <summary>What has to be drawn of the water, as ellipsoids, found once a frame for all cameras. Made when first needed.</summary>
-    sealed class SurfaceParticles : IDisposable
+    sealed class SurfaceParticles : Stage
     {
         /// <summary>An element of <see cref="Particles"/>; SurfaceParticle.hlsl says what the words are.</summary>
         [GenerateHlsl("SurfaceParticle", Name = "SurfaceParticle")]
@@ -64,10 +64,10 @@ namespace Rill
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             try
             {
-                surface = GpuBuffer.Structured<Element>("Rill.Surface", CapacityFor(layout));
-                planesBefore = GpuBuffer.Structured<uint4>("Rill.Surface.PlanesBefore", layout.Capacity);
-                counters = GpuBuffer.Structured<uint>("Rill.Surface.Counters", Enum.GetValues(typeof(Counter)).Length);
-                arguments = GpuBuffer.Arguments("Rill.Surface.Arguments", 16);
+                surface = Buffers.Structured<Element>("Rill.Surface", CapacityFor(layout));
+                planesBefore = Buffers.Structured<uint4>("Rill.Surface.PlanesBefore", layout.Capacity);
+                counters = Buffers.Structured<uint>("Rill.Surface.Counters", Enum.GetValues(typeof(Counter)).Length, "_SurfaceCounters");
+                arguments = Buffers.Arguments("Rill.Surface.Arguments", 16, property: "_SurfaceArguments");
                 BufferClear.Now(counters);
                 BufferClear.Now(planesBefore);
             }
@@ -143,14 +143,6 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref surface);
-            GpuBuffer.Release(ref planesBefore);
-            GpuBuffer.Release(ref counters);
-            GpuBuffer.Release(ref arguments);
-        }
-
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="asElements">As <see cref="Record"/> has it.</param>
         public static StageDescription Describe(SurfaceParticles stage, in StepContext step, bool asElements)
@@ -171,11 +163,8 @@ namespace Rill
             description.Kernel(stage.storeDrawn, 0);
             description.Kernel(stage.smooth, 0, variant);
             description.Kernel(asElements ? stage.shapeElements.For(withColliders) : stage.shape, 0, variant);
-            description.Buffer("Rill.Surface", stage.surface);
+            stage.Buffers.Describe(description);
             description.Buffer("Rill.Surface.Workspace", stage.workspace.Memory);
-            description.Buffer("Rill.Surface.PlanesBefore", stage.planesBefore);
-            description.Buffer("Rill.Surface.Counters", stage.counters);
-            description.Buffer("Rill.Surface.Arguments", stage.arguments);
             return description;
         }
 
@@ -185,8 +174,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.Colliders.BindShapes(cmd, shader, findContacts);
-            cmd.SetComputeBufferParam(shader, findContacts, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, findContacts, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(cmd, shader, findContacts);
             cmd.SetComputeBufferParam(shader, findContacts, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, findContacts, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
@@ -197,11 +185,8 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             cmd.SetComputeIntParam(shader, Ids.AllNew, all ? 1 : 0);
             cmd.SetComputeFloatParam(shader, Ids.SubstepTime, step.SubstepTime);
-            cmd.SetComputeBufferParam(shader, addNew, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, addNew, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, addNew, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, addNew, Ids.Surface, surface);
-            cmd.SetComputeBufferParam(shader, addNew, Ids.SurfaceCounters, counters);
+            particles.Bind(cmd, shader, addNew);
+            Buffers.Bind(cmd, shader, addNew);
             cmd.DispatchCompute(shader, addNew, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -215,14 +200,13 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, step.Coarse.Surface);
             }
             BindNeighbors(step, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, step.Particles.Counters);
             cmd.DispatchCompute(shader, kernel, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordDrawn(CommandBuffer cmd)
         {
-            cmd.SetComputeBufferParam(shader, storeDrawn, Ids.SurfaceCounters, counters);
-            cmd.SetComputeBufferParam(shader, storeDrawn, Ids.SurfaceArguments, arguments);
+            Buffers.Bind(cmd, shader, storeDrawn);
             cmd.DispatchCompute(shader, storeDrawn, 1, 1, 1);
         }
 
@@ -244,26 +228,24 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.PlaneList, SmoothingPasses % 2);
             cmd.SetComputeIntParam(shader, Ids.SurfaceVersion, version);
             cmd.SetComputeFloatParam(shader, Ids.SinceSurface, substepsSince);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, step.Particles.Ids);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.PlanesBefore, planesBefore);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Ids, step.Particles.Ids);
+            Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordElements(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, makeElements, Ids.ParticleIds, step.Particles.Ids);
-            cmd.SetComputeBufferParam(shader, makeElements, Ids.Surface, surface);
-            cmd.SetComputeBufferParam(shader, makeElements, Ids.SurfaceCounters, counters);
+            cmd.SetComputeBufferParam(shader, makeElements, ParticleIds.Ids, step.Particles.Ids);
+            Buffers.Bind(cmd, shader, makeElements);
             cmd.DispatchCompute(shader, makeElements, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordHiding(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, hideGhosts, Ids.ParticleIds, step.Particles.Ids);
-            cmd.SetComputeBufferParam(shader, hideGhosts, Ids.Surface, surface);
-            cmd.SetComputeBufferParam(shader, hideGhosts, Ids.SurfaceCounters, counters);
+            cmd.SetComputeBufferParam(shader, hideGhosts, ParticleIds.Ids, step.Particles.Ids);
+            Buffers.Bind(cmd, shader, hideGhosts);
             cmd.DispatchCompute(shader, hideGhosts, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -277,24 +259,15 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             }
             cmd.SetComputeBufferParam(shader, kernel, SurfaceWorkspace.Id, workspace.Memory);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, counters);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
+            Buffers.Bind(cmd, shader, kernel);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int PlaneList = Shader.PropertyToID("_PlaneList");
             public static readonly int CoarseSurface = Shader.PropertyToID("_CoarseSurface");
-            public static readonly int Surface = Shader.PropertyToID("_Surface");
-            public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
-            public static readonly int SurfaceArguments = Shader.PropertyToID("_SurfaceArguments");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int PlanesBefore = Shader.PropertyToID("_PlanesBefore");
             public static readonly int SurfaceVersion = Shader.PropertyToID("_SurfaceVersion");
             public static readonly int SinceSurface = Shader.PropertyToID("_SinceSurface");
             public static readonly int SurfaceCapacity = Shader.PropertyToID("_SurfaceCapacity");

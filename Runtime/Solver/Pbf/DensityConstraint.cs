@@ -45,8 +45,7 @@ namespace Rill
                 {
                     cmd.BeginSample(LambdaMarker);
                     int solve = solveLambda.For(step.Colliders != null);
-                    step.Colliders?.BindDensity(cmd, shader, solve);
-                    step.Colliders?.BindVolume(cmd, shader, solve);
+                    step.Colliders?.Bind(cmd, shader, solve);
                     Dispatch(step, solve, particles.Predicted, particles.Multipliers);
                     cmd.EndSample(LambdaMarker);
                 }
@@ -71,8 +70,7 @@ namespace Rill
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
-            step.Colliders?.BindDensity(cmd, shader, build);
-            step.Colliders?.BindVolume(cmd, shader, build);
+            step.Colliders?.Bind(cmd, shader, build);
             step.BindConstants(shader);
             if (step.Coarse != null)
             {
@@ -112,20 +110,16 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             Lists.Bind(cmd, shader, kernel);
             step.Resting?.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, step.Particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
+            step.Particles.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             step.Particles.DispatchSorted(cmd, shader, kernel);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }
 }

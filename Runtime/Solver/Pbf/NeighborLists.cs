@@ -14,15 +14,16 @@ namespace Rill
         /// <summary>Entries of a block; capacities are multiples of it.</summary>
         [GenerateHlsl("NeighborList")] public const int BlockEntries = 4;
 
-        GraphicsBuffer first, second, counts;
+        readonly BufferSet buffers = new BufferSet();
+        readonly GraphicsBuffer first, second, counts;
 
         public NeighborLists(SolverLayout layout)
         {
             TwoLists = layout.TwoLists;
-            first = GpuBuffer.Structured<uint4>("Rill.Neighbors", layout.FirstListEntries / BlockEntries);
-            counts = GpuBuffer.Structured<uint>("Rill.NeighborCounts", layout.Capacity);
+            first = buffers.Structured<uint4>("Rill.Neighbors", layout.FirstListEntries / BlockEntries);
+            counts = buffers.Structured<uint>("Rill.NeighborCounts", layout.Capacity);
             if (TwoLists)
-                second = GpuBuffer.Structured<uint4>("Rill.MoreNeighbors", layout.SecondListEntries / BlockEntries);
+                second = buffers.Structured<uint4>("Rill.MoreNeighbors", layout.SecondListEntries / BlockEntries);
         }
 
         public bool TwoLists { get; }
@@ -78,13 +79,7 @@ namespace Rill
         }
 
         /// <summary>Records the lists as what a kernel reads or builds. The shader's keyword is set by <see cref="RecordKeyword"/>.</summary>
-        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Neighbors, first);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.NeighborCounts, counts);
-            if (TwoLists)
-                cmd.SetComputeBufferParam(shader, kernel, Ids.MoreNeighbors, second);
-        }
+        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel) => buffers.Bind(cmd, shader, kernel);
 
         /// <summary>Records the keyword: another solver may have left the shared shader on the other variant.</summary>
         public void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword twoLists)
@@ -92,25 +87,8 @@ namespace Rill
             cmd.SetKeyword(shader, twoLists, TwoLists);
         }
 
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref first);
-            GpuBuffer.Release(ref second);
-            GpuBuffer.Release(ref counts);
-        }
+        public void Dispose() => buffers.Dispose();
 
-        public void Describe(StageDescription stage)
-        {
-            stage.Buffer("Rill.Neighbors", first);
-            stage.Buffer("Rill.MoreNeighbors", second);
-            stage.Buffer("Rill.NeighborCounts", counts);
-        }
-
-        static class Ids
-        {
-            public static readonly int Neighbors = Shader.PropertyToID("_Neighbors");
-            public static readonly int MoreNeighbors = Shader.PropertyToID("_MoreNeighbors");
-            public static readonly int NeighborCounts = Shader.PropertyToID("_NeighborCounts");
-        }
+        public void Describe(StageDescription stage) => buffers.Describe(stage);
     }
 }

@@ -8,7 +8,7 @@ namespace Rill
 {
     /// <summary>Sorts the particles by grid cell so that neighbors are near in memory: a counting sort on the GPU.</summary>
     /// <remarks>Cell c holds the sorted particles from <c>CellStarts[c]</c> up to <c>CellStarts[c + 1]</c>.</remarks>
-    sealed class NeighborSearch : IDisposable
+    sealed class NeighborSearch : Stage
     {
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
@@ -22,7 +22,8 @@ namespace Rill
         readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
         readonly PrefixSum prefixSum;
-        GraphicsBuffer cellHistogram, cellRanks, cellStartsAtRest;
+        readonly GraphicsBuffer cellHistogram, cellRanks;
+        GraphicsBuffer cellStartsAtRest;
 
         public NeighborSearch(SolverLayout layout) : this(layout, DeviceLimits.Current) { }
 
@@ -39,18 +40,18 @@ namespace Rill
 
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             cells = layout.CellTotal;
-            cellHistogram = GpuBuffer.Structured<uint>("Rill.CellHistogram", cells + 1);    // first: too many cells leave nothing behind
+            cellHistogram = Buffers.Structured<uint>("Rill.CellHistogram", cells + 1);    // first: too many cells leave nothing behind
             prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), cells + 1);
-            CellStarts = MakeCellStarts("Rill.CellStarts");
-            cellRanks = GpuBuffer.Structured<uint2>("Rill.CellRanks", layout.Capacity);
-            Order = GpuBuffer.Structured<uint2>("Rill.Order", layout.Capacity);
+            CellStarts = Buffers.Structured<uint>("Rill.CellStarts", cells + 1);
+            cellRanks = Buffers.Structured<uint2>("Rill.CellRanks", layout.Capacity);
+            Order = Buffers.Structured<uint2>("Rill.Order", layout.Capacity);
             BufferClear.Now(cellHistogram);
             BufferClear.Now(CellStarts);        // bound before the first step, too, though nothing is read there
         }
 
         /// <summary>uint [cells + 1], particles in all cells before, as the newest <see cref="RecordSort"/> put them; the last is their
         /// total.</summary>
-        public GraphicsBuffer CellStarts { get; private set; }
+        public GraphicsBuffer CellStarts { get; }
 
         /// <summary>Whether the particles still lie as the newest <see cref="RecordSort"/> put them; those that came since stand after
         /// them.</summary>
@@ -58,10 +59,10 @@ namespace Rill
 
         /// <summary>uint [cells + 1], the same for <see cref="Order"/> after the newest <see cref="RecordOrderAtRest"/>. A buffer of its own:
         /// what asks between steps still finds the particles in the rows where the sort put them.</summary>
-        public GraphicsBuffer CellStartsAtRest => cellStartsAtRest ??= MakeCellStarts("Rill.CellStartsAtRest");
+        public GraphicsBuffer CellStartsAtRest => cellStartsAtRest ??= Buffers.Structured<uint>("Rill.CellStartsAtRest", cells + 1, BufferSet.Unbound);
 
         /// <summary>uint2 [capacity], by cell: index of the particle and its id.</summary>
-        public GraphicsBuffer Order { get; private set; }
+        public GraphicsBuffer Order { get; }
 
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
         /// <param name="takesProjection">Whether the coarse grid's displacements are added to the velocities first.</param>
@@ -98,10 +99,8 @@ namespace Rill
                 RecordGather(cmd, particles, particles.Ids, particles.SortedIds);
             int kernel = gather.For(step.Colliders != null);
             step.Resting?.Bind(cmd, shader, kernel);
-            step.Colliders?.BindSort(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            step.Colliders?.Bind(cmd, shader, kernel);
+            particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
             DispatchOrdered(cmd, particles, kernel);
@@ -129,30 +128,22 @@ namespace Rill
         }
 
         /// <summary>Gives back what listing particles at rest takes; it is made again when asked for.</summary>
-        public void ReleaseAtRest() => GpuBuffer.Release(ref cellStartsAtRest);
+        public void ReleaseAtRest() => Buffers.Release(ref cellStartsAtRest);
 
         /// <summary>Records a kernel that asks for the order of the particles, by OrderedSlot.hlsl.</summary>
         /// <param name="cellStarts">Those of the order.</param>
         public void DispatchOrdered(CommandBuffer cmd, ComputeShader asks, int kernel, ParticleBuffers particles, GraphicsBuffer cellStarts)
         {
-            cmd.SetComputeBufferParam(asks, kernel, Ids.CellRanks, cellRanks);
+            Buffers.Bind(cmd, asks, kernel);
             cmd.SetComputeBufferParam(asks, kernel, Ids.CellStarts, cellStarts);
-            cmd.SetComputeBufferParam(asks, kernel, Ids.Order, Order);
-            cmd.SetComputeBufferParam(asks, kernel, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(asks, kernel, ParticleIds.Counters, particles.Counters);
             particles.DispatchSorted(cmd, asks, kernel);
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             prefixSum.Dispose();
-            GpuBuffer.Release(ref cellHistogram);
-            GpuBuffer.Release(ref cellRanks);
-            GpuBuffer.Release(ref cellStartsAtRest);
-            GraphicsBuffer starts = CellStarts;
-            GpuBuffer.Release(ref starts);      // a snapshot that is pending keeps it
-            CellStarts = null;
-            Order?.Release();
-            Order = null;
+            base.Dispose();
         }
 
         /// <param name="takesProjection">Whether the coarse grid's displacements are added to the velocities first.</param>
@@ -167,11 +158,7 @@ namespace Rill
             if (isNarrow && !withColliders)
                 stage.Kernel(GatherTags, step.Substeps);
             stage.Kernel(gather.For(withColliders), step.Substeps, variant);
-            stage.Buffer("Rill.CellHistogram", cellHistogram);
-            stage.Buffer("Rill.CellStarts", CellStarts);
-            stage.Buffer("Rill.CellStartsAtRest", cellStartsAtRest);
-            stage.Buffer("Rill.CellRanks", cellRanks);
-            stage.Buffer("Rill.Order", Order);
+            Buffers.Describe(stage);
             return stage;
         }
 
@@ -183,8 +170,6 @@ namespace Rill
             stage.Kernel(scatterOrder, 0);
         }
 
-        GraphicsBuffer MakeCellStarts(string name) => GpuBuffer.Structured<uint>(name, cells + 1);
-
         void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel)
             => DispatchOrdered(cmd, shader, kernel, particles, CellStarts);
 
@@ -193,22 +178,20 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             int kernel = countCells.For(takesProjection, step.Colliders != null);
             step.Resting?.Bind(cmd, shader, kernel);
-            step.Colliders?.BindCount(cmd, shader, kernel);
+            step.Colliders?.Bind(cmd, shader, kernel);
             if (takesProjection)
             {
                 step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
             }
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.Particles.Velocities);
             DispatchCount(cmd, step.Particles, kernel);
         }
 
         void DispatchCount(CommandBuffer cmd, ParticleBuffers particles, int countKernel)
         {
-            cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, countKernel, Ids.CellHistogram, cellHistogram);
-            cmd.SetComputeBufferParam(shader, countKernel, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(shader, countKernel, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, countKernel);
+            Buffers.Bind(cmd, shader, countKernel);
             particles.DispatchAlive(cmd, shader, countKernel);
         }
 
@@ -217,28 +200,18 @@ namespace Rill
         {
             prefixSum.Record(cmd, cellHistogram, cellStarts, cells + 1);
 
+            Buffers.Bind(cmd, shader, scatterOrder);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellStarts, cellStarts);
-            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Order, Order);
-            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, scatterOrder);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.SortedArguments, particles.SortedArguments);
             particles.DispatchAlive(cmd, shader, scatterOrder);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int CellHistogram = Shader.PropertyToID("_CellHistogram");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int CellRanks = Shader.PropertyToID("_CellRanks");
-            public static readonly int Order = Shader.PropertyToID("_Order");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Predicted = Shader.PropertyToID("_Predicted");
             public static readonly int SortedIds = Shader.PropertyToID("_SortedIds");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int SortedArguments = Shader.PropertyToID("_SortedArguments");
         }
     }

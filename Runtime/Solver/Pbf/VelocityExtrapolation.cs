@@ -17,7 +17,7 @@ namespace Rill
     /// and vorticity confinement are scaled, and the pressure that answers them comes out as 1 − β of theirs. Turning then loses q Ω² Δt of
     /// itself in a second and a wave q ω² Δt / 2, with q = (1 − 2 β) / (1 − β): the numerical damping of the settings.
     /// </remarks>
-    sealed class VelocityExtrapolation : IDisposable
+    sealed class VelocityExtrapolation : Stage
     {
         // Changes of velocity up to which they are extrapolated, times Δt: what is longer is an impact, which would bounce.
         const float MaxAtRest = 0.1f;       // d
@@ -28,8 +28,8 @@ namespace Rill
 
         public VelocityExtrapolation(int capacity)
         {
-            means = GpuBuffer.Structured<uint4>("Rill.Means", capacity);
-            sorted = GpuBuffer.Structured<uint4>("Rill.SortedMeans", capacity);
+            means = Buffers.Structured<uint4>("Rill.Means", capacity);
+            sorted = Buffers.Structured<uint4>("Rill.SortedMeans", capacity);
             BufferClear.Now(means);
         }
 
@@ -55,8 +55,7 @@ namespace Rill
             return MaxAtRest / dt + MaxFalling * strongest * dt;
         }
 
-        /// <summary>Lists what the next step depends on.</summary>
-        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Means, means, StateExtent.Moved));
+        public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Means, means, StateExtent.Moved));
 
         /// <summary>What the next step depends on besides buffers.</summary>
         public ExtrapolationRecord Record
@@ -66,11 +65,9 @@ namespace Rill
         }
 
         /// <summary>Binds what a sort takes along.</summary>
-        public void BindSort(CommandBuffer cmd, ComputeShader shader, int kernel)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Means, means);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.SortedMeans, sorted);
-        }
+        public void BindSort(CommandBuffer cmd, ComputeShader shader, int kernel) => Buffers.Bind(cmd, shader, kernel);
+
+        public override bool Survives(ParticleChange change) => change == ParticleChange.Shifted;
 
         /// <summary>Binds what the velocity update of a substep reads and leaves.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel, in StepInput input)
@@ -82,15 +79,9 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
             cmd.SetComputeFloatParam(shader, Ids.SmoothingHere, VorticityConfinement.IsNeeded(input) ? 0f : SolverConstants.Smoothing(input));
             cmd.SetComputeBufferParam(shader, kernel, Ids.Means, sorted);
-            (means, sorted) = (sorted, means);
+            Buffers.Swap(ref means, ref sorted);
             lastTimeStep = dt;
             lastWeight = weight;
-        }
-
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref means);
-            GpuBuffer.Release(ref sorted);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -105,15 +96,13 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             description.Kernel(step.Search.GatherMeans, step.Substeps, RestingRegions.Variant(null, step.Resting));
-            description.Buffer("Rill.Means", stage.means);
-            description.Buffer("Rill.SortedMeans", stage.sorted);
+            stage.Buffers.Describe(description);
             return description;
         }
 
         static class Ids
         {
             public static readonly int Means = Shader.PropertyToID("_Means");
-            public static readonly int SortedMeans = Shader.PropertyToID("_SortedMeans");
             public static readonly int ChangeScale = Shader.PropertyToID("_ChangeScale");
             public static readonly int LastChangeScale = Shader.PropertyToID("_LastChangeScale");
             public static readonly int SmoothingHere = Shader.PropertyToID("_SmoothingHere");

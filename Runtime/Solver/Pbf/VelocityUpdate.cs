@@ -46,12 +46,11 @@ namespace Rill
                 step.Lists.Bind(cmd, shader, kernel);
             step.Extrapolation?.Bind(cmd, shader, kernel, step.Input);
             if (visits && step.Colliders != null)
-                step.Colliders.BindDensity(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.NewVelocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.AliveArguments, particles.AliveArguments);
+                step.Colliders.Bind(cmd, shader, kernel);
+            particles.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.NewVelocities);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.AliveArguments, particles.AliveArguments);
             particles.DispatchSorted(cmd, shader, kernel);
             cmd.EndSample(Marker);
         }
@@ -70,14 +69,5 @@ namespace Rill
 
         Kernel KernelFor(in StepContext step) => VisitsNeighbors(step.Input)
             ? updateWithNeighbors.For(step.Extrapolation != null, step.Colliders != null) : update;
-
-        static class Ids
-        {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
-        }
     }
 }

@@ -8,7 +8,7 @@ using static System.FormattableString;
 namespace Rill
 {
     /// <summary>Vorticity confinement (Macklin and Müller 2013, eq. 15-16) with XSPH in its last pass. Made when first needed.</summary>
-    sealed class VorticityConfinement : IDisposable
+    sealed class VorticityConfinement : Stage
     {
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Vorticity");
 
@@ -16,15 +16,15 @@ namespace Rill
         readonly Kernel curlKernel;
         readonly KernelVariants confineKernel;        // with colliders
         readonly LocalKeyword twoLists;
-        GraphicsBuffer curl, unconfined;
+        readonly GraphicsBuffer curl, unconfined;
 
         public VorticityConfinement(int capacity)
         {
             curlKernel = new Kernel(shader, "Curl");
             confineKernel = new KernelVariants(shader, "Confine", "ConfineWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
-            curl = GpuBuffer.Structured<float4>("Rill.Curl", capacity);
-            unconfined = GpuBuffer.Structured<float4>("Rill.Unconfined", capacity);
+            curl = Buffers.Structured<float4>("Rill.Curl", capacity);
+            unconfined = Buffers.Structured<float4>("Rill.Unconfined", capacity, "_Velocities");
         }
 
         /// <summary>float4 [capacity], xyz vorticity, 1/s; w its magnitude.</summary>
@@ -45,16 +45,10 @@ namespace Rill
             step.BindConstants(shader);
             Dispatch(step, curlKernel);
             int confine = confineKernel.For(step.Colliders != null);
-            step.Colliders?.BindDensity(cmd, shader, confine);
+            step.Colliders?.Bind(cmd, shader, confine);
             cmd.SetComputeBufferParam(shader, confine, Ids.Confined, step.Particles.Velocities);
             Dispatch(step, confine);
             cmd.EndSample(Marker);
-        }
-
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref curl);
-            GpuBuffer.Release(ref unconfined);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -70,8 +64,7 @@ namespace Rill
             }
             if (stage != null)
             {
-                description.Buffer("Rill.Curl", stage.curl);
-                description.Buffer("Rill.Unconfined", stage.unconfined);
+                stage.Buffers.Describe(description);
             }
             return description;
         }
@@ -80,20 +73,15 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, unconfined);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Curl, curl);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Predicted);
+            Buffers.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, step.Particles.Counters);
             cmd.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Curl = Shader.PropertyToID("_Curl");
             public static readonly int Confined = Shader.PropertyToID("_Confined");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }
 }

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>What passes and readbacks of a project need of the particles. Made when first needed.</summary>
-    sealed class ParticleAccess
+    sealed class ParticleAccess : Stage
     {
         /// <summary>threads of a kernel over the particles</summary>
         [GenerateHlsl("RillParticles", Prefix = "Rill")] public const int Threads = ParticleBuffers.Group;
@@ -55,9 +55,7 @@ namespace Rill
             int kernel = removeKilled.For(step.Resting != null);
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, kernel);
             step.Resting?.BindMotion(cmd, shader, kernel);
             particles.DispatchAlive(cmd, shader, kernel);
             cmd.EndSample(Marker);
@@ -83,11 +81,8 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.VelocitiesAt, layout.VelocitiesAt);
             cmd.SetComputeIntParam(shader, Ids.IdsAt, layout.IdsAt);
             cmd.SetComputeIntParam(shader, Ids.PhasesAt, layout.PhasesAt);
-            cmd.SetComputeBufferParam(shader, copyOut, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, copyOut, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, copyOut, Ids.ParticleIds, particles.Ids);
+            particles.Bind(cmd, shader, copyOut);
             cmd.SetComputeBufferParam(shader, copyOut, ParticleTags.Ids.Tags, tags);
-            cmd.SetComputeBufferParam(shader, copyOut, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, copyOut, Ids.Copy, copy);
             particles.DispatchAlive(cmd, shader, copyOut);
         }
@@ -108,10 +103,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int OrderById = Shader.PropertyToID("_OrderById");
             public static readonly int Copy = Shader.PropertyToID("_Copy");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");

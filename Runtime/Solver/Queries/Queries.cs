@@ -92,7 +92,7 @@ namespace Rill
     }
 
     /// <summary>Answers what probes and detectors ask of the state that a step left, without waiting. Made when first needed.</summary>
-    sealed class Queries : IDisposable
+    sealed class Queries : Stage
     {
         /// <summary>Most probes of one simulation.</summary>
         public const int MaxProbes = 64;
@@ -126,15 +126,15 @@ namespace Rill
         readonly QueryShader shader;
         readonly ReadbackRing ring;
         readonly uint[] zeros = new uint[MaxDetectors * DetectorWords];
-        GraphicsBuffer points, found, detectors;
+        readonly GraphicsBuffer points, found, detectors;
 
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
         public Queries(QueryShader shader, ReadbackErrors errors = null)
         {
             this.shader = shader;
-            points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
-            detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
-            found = GpuBuffer.Structured<uint>("Rill.Queries.Found", MaxProbes);
+            points = Buffers.Structured<float4>("Rill.Queries.Points", MaxProbes);
+            found = Buffers.Structured<uint>("Rill.Queries.Found", MaxProbes);
+            detectors = Buffers.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
             BufferClear.Now(found);
             ring = new ReadbackRing("Rill.Queries.Results", RingSize, Words, slot => Arrived?.Invoke(slot));
             ring.Report(errors, ReadbackKinds.Queries);
@@ -180,8 +180,13 @@ namespace Rill
         /// <summary>Waits for the results that are pending, and for nothing else.</summary>
         public void Complete() => ring.Complete();
 
-        /// <summary>Results from before this call are dropped when they come.</summary>
-        public void Invalidate() => ring.Invalidate();
+        /// <summary>Results from before a restart are dropped when they come.</summary>
+        public override bool Survives(ParticleChange change)
+        {
+            if (change == ParticleChange.Restarted)
+                ring.Invalidate();
+            return true;
+        }
 
         /// <summary>What has come to a slot: from <see cref="ProbeWords"/> times its number on, the words of each probe.</summary>
         public NativeArray<uint> Latest(int slot) => ring.Latest(slot);
@@ -195,13 +200,11 @@ namespace Rill
             return (long)((ulong)words[at + 1] << 32 | words[at]) / (sum < 3 ? VelocityScale : VolumeScale);
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             Arrived = null;
             ring?.Dispose();
-            GpuBuffer.Release(ref points);
-            GpuBuffer.Release(ref found);
-            GpuBuffer.Release(ref detectors);
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -217,9 +220,7 @@ namespace Rill
                 stage.shader.DescribePoints(description, tags);
             if (regions > 0)
                 stage.shader.DescribeDetectors(description, tags, regions - input.meshCount, input.meshCount);
-            description.Buffer("Rill.Queries.Points", stage.points);
-            description.Buffer("Rill.Queries.Found", stage.found);
-            description.Buffer("Rill.Queries.Detectors", stage.detectors);
+            stage.Buffers.Describe(description);
             stage.ring.Describe(description);
             return description;
         }

@@ -176,13 +176,12 @@ namespace Rill
 
         void BindParticles(in StepContext step, int kernel)
         {
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(step.Commands, shader, kernel);
         }
 
         void BindAnswers(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
         {
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            step.Commands.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.Particles.Velocities);
             step.Commands.SetComputeBufferParam(shader, kernel, Ids.Results, results);
             if (tags != null)
                 step.Commands.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
@@ -190,10 +189,7 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int Points = Shader.PropertyToID("_Points");
             public static readonly int Detectors = Shader.PropertyToID("_Detectors");
             public static readonly int Results = Shader.PropertyToID("_Results");

@@ -9,7 +9,7 @@ using static System.FormattableString;
 namespace Rill
 {
     /// <summary>Measures the fluid at the end of a step and brings the result back without waiting. Made when first needed.</summary>
-    sealed class StatisticsPass : IDisposable
+    sealed class StatisticsPass : Stage
     {
         /// <summary>of C+ between 0 and kMaxBin, finer towards 0: bin ~ sqrt(C+)</summary>
         [GenerateHlsl("Statistics")] const int Bins = 4096;
@@ -33,15 +33,16 @@ namespace Rill
             measure = new KernelVariants(shader, "Measure", "MeasureWithColliders");
             reduce = new Kernel(shader, "Reduce");
             int groups = ParticleBuffers.Groups(capacity);
-            partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
-            histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
+            partials = Buffers.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
+            histogram = Buffers.Structured<uint>("Rill.Statistics.Histogram", Bins);
+            Buffers.Share("Rill.Statistics.Results", readback.Buffer, "_Statistics");
             BufferClear.Now(histogram);
         }
 
         /// <summary>Whether a result is pending; a new one is asked for only after it has come.</summary>
         public bool IsPending => readback.IsPending;
 
-        /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Invalidate"/>.</summary>
+        /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="PbfSolver.Clear"/>.</summary>
         public bool HasResult => readback.HasResult;
 
         /// <summary>The newest result, uint bits as Statistics.compute writes them.</summary>
@@ -62,19 +63,14 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, step.Colliders.Boundary);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.Distances);
             }
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStartsAtRest);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Partials, partials);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Histogram, histogram);
+            Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, reduce, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, reduce, Ids.Partials, partials);
-            cmd.SetComputeBufferParam(shader, reduce, Ids.Histogram, histogram);
-            cmd.SetComputeBufferParam(shader, reduce, Ids.Statistics, readback.Buffer);
+            cmd.SetComputeBufferParam(shader, reduce, ParticleIds.Counters, particles.Counters);
+            Buffers.Bind(cmd, shader, reduce);
             cmd.DispatchCompute(shader, reduce, 1, 1, 1);
             cmd.EndSample(Marker);
         }
@@ -85,14 +81,18 @@ namespace Rill
         /// <summary>Waits for the result that is pending, and for nothing else.</summary>
         public void Complete() => readback.Complete();
 
-        /// <summary>Results from before this call are dropped when they come.</summary>
-        public void Invalidate() => readback.Invalidate();
+        /// <summary>Results from before a restart are dropped when they come.</summary>
+        public override bool Survives(ParticleChange change)
+        {
+            if (change == ParticleChange.Restarted)
+                readback.Invalidate();
+            return true;
+        }
 
-        public void Dispose()
+        public override void Dispose()
         {
             readback.Dispose();
-            GpuBuffer.Release(ref partials);
-            GpuBuffer.Release(ref histogram);
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -108,24 +108,16 @@ namespace Rill
                 description.Kernel(step.Colliders.FindBoundary, 0);
             description.Kernel(stage.measure.For(step.Colliders != null), 0);
             description.Kernel(stage.reduce, 0);
-            description.Buffer("Rill.Statistics.Partials", stage.partials);
-            description.Buffer("Rill.Statistics.Histogram", stage.histogram);
-            description.Buffer("Rill.Statistics.Results", stage.readback.Buffer);
+            stage.Buffers.Describe(description);
             return description;
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Order = Shader.PropertyToID("_Order");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Partials = Shader.PropertyToID("_Partials");
-            public static readonly int Histogram = Shader.PropertyToID("_Histogram");
-            public static readonly int Statistics = Shader.PropertyToID("_Statistics");
         }
     }
 }

@@ -11,7 +11,7 @@ namespace Rill
     /// The viscosity of a fluid in Pa s, solved implicitly before the prediction (see ImplicitViscosity.compute): the same fluid at
     /// every spacing and time step. Made when first needed.
     /// </summary>
-    sealed class ImplicitViscosity : IDisposable
+    sealed class ImplicitViscosity : Stage
     {
         /// <summary>Passes at most, however viscous the fluid.</summary>
         public const int MaxPasses = 96;
@@ -25,7 +25,7 @@ namespace Rill
         readonly Kernel applyProjection, findResidual, firstPass, nextPass;
         readonly KernelVariants findCoefficients;     // with colliders
         readonly LocalKeyword twoLists, sleep;
-        GraphicsBuffer solution, nextSolution, changes, holds;
+        GraphicsBuffer solution, nextSolution;
 
         public ImplicitViscosity(int capacity)
         {
@@ -36,11 +36,13 @@ namespace Rill
             nextPass = new Kernel(shader, "NextPass");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
-            solution = GpuBuffer.Structured<float4>("Rill.ViscousVelocities", capacity);
-            nextSolution = GpuBuffer.Structured<float4>("Rill.NextViscousVelocities", capacity);
-            changes = GpuBuffer.Structured<float4>("Rill.ViscousChanges", capacity);
-            holds = GpuBuffer.Structured<float4>("Rill.ViscousHolds", 2L * capacity);
+            solution = Buffers.Structured<float4>("Rill.ViscousVelocities", capacity, "_Solution");
+            nextSolution = Buffers.Structured<float4>("Rill.NextViscousVelocities", capacity, "_NextSolution");
+            Buffers.Structured<float4>("Rill.ViscousChanges", capacity, "_Changes");
+            Buffers.Structured<float4>("Rill.ViscousHolds", 2L * capacity, "_Holds");
         }
+
+        public override bool Survives(ParticleChange change) => change == ParticleChange.Shifted;
 
         public static bool IsNeeded(in StepInput input) => input.material.dynamicViscosity > 0f;
 
@@ -112,11 +114,8 @@ namespace Rill
             int coefficients = findCoefficients.For(step.Colliders != null);
             Bind(step, coefficients);
             step.Colliders?.BindShapes(cmd, shader, coefficients);
-            cmd.SetComputeBufferParam(shader, coefficients, Ids.Solution, solution);
             Dispatch(step, coefficients);
             Bind(step, findResidual);
-            cmd.SetComputeBufferParam(shader, findResidual, Ids.Solution, solution);
-            cmd.SetComputeBufferParam(shader, findResidual, Ids.Changes, changes);
             Dispatch(step, findResidual);
 
             int passes = PassesFor(strength);
@@ -126,24 +125,11 @@ namespace Rill
                 cmd.SetComputeIntParam(shader, Ids.Pass, pass);
                 cmd.SetComputeIntParam(shader, Ids.IsLast, pass == passes - 1 ? 1 : 0);
                 Bind(step, kernel);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Solution, solution);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Changes, changes);
-                if (pass > 0)
-                {
-                    cmd.SetComputeBufferParam(shader, kernel, Ids.NextSolution, nextSolution);
-                    (solution, nextSolution) = (nextSolution, solution);
-                }
                 Dispatch(step, kernel);
+                if (pass > 0)
+                    Buffers.Swap(ref solution, ref nextSolution);
             }
             cmd.EndSample(Marker);
-        }
-
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref solution);
-            GpuBuffer.Release(ref nextSolution);
-            GpuBuffer.Release(ref changes);
-            GpuBuffer.Release(ref holds);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -163,10 +149,7 @@ namespace Rill
             description.Kernel(stage.firstPass, substeps, variant);
             if (passes > 1)
                 description.Kernel(stage.nextPass, substeps * (passes - 1), variant);
-            description.Buffer("Rill.ViscousVelocities", stage.solution);
-            description.Buffer("Rill.NextViscousVelocities", stage.nextSolution);
-            description.Buffer("Rill.ViscousChanges", stage.changes);
-            description.Buffer("Rill.ViscousHolds", stage.holds);
+            stage.Buffers.Describe(description);
             return description;
         }
 
@@ -178,27 +161,18 @@ namespace Rill
         {
             step.Lists.Bind(step.Commands, shader, kernel);
             step.Resting?.Bind(step.Commands, shader, kernel);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Holds, holds);
+            Buffers.Bind(step.Commands, shader, kernel);
         }
 
         void Dispatch(in StepContext step, int kernel)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Solution = Shader.PropertyToID("_Solution");
-            public static readonly int NextSolution = Shader.PropertyToID("_NextSolution");
-            public static readonly int Changes = Shader.PropertyToID("_Changes");
-            public static readonly int Holds = Shader.PropertyToID("_Holds");
             public static readonly int WallFriction = Shader.PropertyToID("_WallFriction");
             public static readonly int WallHold = Shader.PropertyToID("_WallHold");
             public static readonly int WallMissing = Shader.PropertyToID("_WallMissing");

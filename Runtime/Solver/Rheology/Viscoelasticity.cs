@@ -13,7 +13,7 @@ namespace Rill
     /// The extra stress of a fluid that remembers its stretch: an Oldroyd-B fluid, whose tensor B travels with each particle and
     /// relaxes in one time (see Viscoelasticity.compute). Made when first needed; until then nothing is stretched.
     /// </summary>
-    sealed class Viscoelasticity : IDisposable
+    sealed class Viscoelasticity : Stage
     {
         /// <summary>of the stiffness times what its particle's neighborhood multiplies it by: as much as a substep can follow</summary>
         [GenerateHlsl("Viscoelasticity")] const double StableStiffness = 0.5;
@@ -26,7 +26,8 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("Viscoelasticity");
         readonly Kernel deform, applyStress;
         readonly LocalKeyword twoLists, sleep;
-        GraphicsBuffer conformation, deformed, stress, previousIndices;
+        readonly GraphicsBuffer previousIndices;
+        GraphicsBuffer conformation, deformed;
 
         public Viscoelasticity(int capacity)
         {
@@ -34,10 +35,10 @@ namespace Rill
             applyStress = new Kernel(shader, "ApplyStress");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
-            conformation = GpuBuffer.Structured<Symmetric>("Rill.Conformation", capacity);
-            deformed = GpuBuffer.Structured<Symmetric>("Rill.DeformedConformation", capacity);
-            stress = GpuBuffer.Structured<float3x3>("Rill.Stress", capacity);
-            previousIndices = GpuBuffer.Structured<uint>("Rill.PreviousIndices", capacity);
+            conformation = Buffers.Structured<Symmetric>("Rill.Conformation", capacity);
+            deformed = Buffers.Structured<Symmetric>("Rill.DeformedConformation", capacity, "_Deformed");
+            Buffers.Structured<float3x3>("Rill.Stress", capacity);
+            previousIndices = Buffers.Structured<uint>("Rill.PreviousIndices", capacity);
             BufferClear.Now(conformation);
         }
 
@@ -58,8 +59,9 @@ namespace Rill
         /// <summary>uint [capacity], where each particle was before the sort; NeighborSearch writes it.</summary>
         public GraphicsBuffer PreviousIndices => previousIndices;
 
-        /// <summary>Lists what the next step depends on.</summary>
-        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Conformation, conformation, StateExtent.Moved));
+        public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Conformation, conformation, StateExtent.Moved));
+
+        public override bool Survives(ParticleChange change) => change == ParticleChange.Shifted;
 
         public static bool IsNeeded(in StepInput input) => input.material.shearModulus > 0f;
 
@@ -76,22 +78,10 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.Stiffness, material.shearModulus * dt * dt / (material.density * spacing * spacing));
             cmd.SetComputeFloatParam(shader, Ids.Relaxing, math.exp(-0.5f * dt / material.relaxationTime));
 
-            cmd.SetComputeBufferParam(shader, deform, Ids.PreviousIndices, previousIndices);
-            cmd.SetComputeBufferParam(shader, deform, Ids.Conformation, conformation);
-            cmd.SetComputeBufferParam(shader, deform, Ids.Deformed, deformed);
             Dispatch(step, deform);
-            cmd.SetComputeBufferParam(shader, applyStress, Ids.Velocities, step.NewVelocities);
             Dispatch(step, applyStress);
             cmd.EndSample(Marker);
-            (conformation, deformed) = (deformed, conformation);
-        }
-
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref conformation);
-            GpuBuffer.Release(ref deformed);
-            GpuBuffer.Release(ref stress);
-            GpuBuffer.Release(ref previousIndices);
+            Buffers.Swap(ref conformation, ref deformed);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -105,10 +95,7 @@ namespace Rill
             description.Kernel(step.Search.GatherPreviousIndices, step.Substeps, RestingRegions.Variant(null, step.Resting));
             description.Kernel(stage.deform, step.Substeps, variant);
             description.Kernel(stage.applyStress, step.Substeps, variant);
-            description.Buffer("Rill.Conformation", stage.conformation);
-            description.Buffer("Rill.DeformedConformation", stage.deformed);
-            description.Buffer("Rill.Stress", stage.stress);
-            description.Buffer("Rill.PreviousIndices", stage.previousIndices);
+            stage.Buffers.Describe(description);
             return description;
         }
 
@@ -127,23 +114,16 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, shader, kernel);
             step.Resting?.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, step.Particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Stress, stress);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.NewVelocities);
+            Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         public static class Ids
         {
             public static readonly int PreviousIndices = Shader.PropertyToID("_PreviousIndices");
-            public static readonly int Conformation = Shader.PropertyToID("_Conformation");
-            public static readonly int Deformed = Shader.PropertyToID("_Deformed");
-            public static readonly int Stress = Shader.PropertyToID("_Stress");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int Stiffness = Shader.PropertyToID("_Stiffness");
             public static readonly int Relaxing = Shader.PropertyToID("_Relaxing");
         }

@@ -19,7 +19,7 @@ namespace Rill
     /// Lets water that has come to rest sleep, by regions of the box: its particles stay where they are and most of a
     /// step's passes skip them. Made when first needed.
     /// </summary>
-    sealed class RestingRegions : IDisposable
+    sealed class RestingRegions : Stage
     {
         /// <summary>side of a region, d</summary>
         [GenerateHlsl("RestingRegions")] public const float RegionSize = 8f;
@@ -43,7 +43,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("RestingRegions");
         readonly Kernel measureMotion, countQuiet, spread;
         readonly int total;
-        GraphicsBuffer motion, quietSteps, states;
+        readonly GraphicsBuffer motion, quietSteps, states;
         StepInput last;
         RestRecord? restored;
         bool wake = true;
@@ -54,9 +54,9 @@ namespace Rill
             countQuiet = new Kernel(shader, "CountQuiet");
             spread = new Kernel(shader, "Spread");
             total = Total(layout);
-            motion = GpuBuffer.Structured<uint>("Rill.Regions.Motion", (long)total * MotionStride);
-            quietSteps = GpuBuffer.Structured<uint>("Rill.Regions.QuietSteps", total);
-            states = GpuBuffer.Structured<uint>("Rill.Regions.States", total);
+            motion = Buffers.Structured<uint>("Rill.Regions.Motion", (long)total * MotionStride);
+            quietSteps = Buffers.Structured<uint>("Rill.Regions.QuietSteps", total);
+            states = Buffers.Structured<uint>("Rill.Regions.States", total);
             BufferClear.Now(motion, quietSteps);
         }
 
@@ -74,8 +74,7 @@ namespace Rill
         /// <summary>Confined vortices are there to keep moving, so with them nothing sleeps.</summary>
         public static bool IsNeeded(in StepInput input) => input.settings.sleepSpeed > 0f && !VorticityConfinement.IsNeeded(input);
 
-        /// <summary>Lists what the next step depends on.</summary>
-        public void ListState(List<StateBuffer> state)
+        public override void ListState(List<StateBuffer> state)
         {
             state.Add(new StateBuffer(SnapshotSection.RegionMotion, motion, StateExtent.All));
             state.Add(new StateBuffer(SnapshotSection.QuietSteps, quietSteps, StateExtent.All));
@@ -105,6 +104,12 @@ namespace Rill
         /// <summary>Wakes everything in the next step.</summary>
         public void Wake() => wake = true;
 
+        public override bool Survives(ParticleChange change)
+        {
+            Wake();
+            return true;
+        }
+
         /// <summary>Records what rests in this substep, from the particles at its start.</summary>
         public void Record(in StepContext step)
         {
@@ -120,18 +125,14 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.StepsToSleep, (int)math.ceil(Delay / dt));
             cmd.SetComputeIntParam(shader, Ids.WakeAll, wake ? 1 : 0);
 
-            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Motion, motion);
-            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, measureMotion);
+            Buffers.Bind(cmd, shader, measureMotion);
             cmd.DispatchCompute(shader, measureMotion, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, countQuiet, Ids.Motion, motion);
-            cmd.SetComputeBufferParam(shader, countQuiet, Ids.QuietSteps, quietSteps);
+            Buffers.Bind(cmd, shader, countQuiet);
             CoarseGrid.Dispatch(cmd, shader, countQuiet, total);
 
-            cmd.SetComputeBufferParam(shader, spread, Ids.QuietSteps, quietSteps);
-            cmd.SetComputeBufferParam(shader, spread, Ids.States, states);
+            Buffers.Bind(cmd, shader, spread);
             CoarseGrid.Dispatch(cmd, shader, spread, total);
             cmd.EndSample(Marker);
             wake = false;
@@ -149,13 +150,6 @@ namespace Rill
         public static void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword sleep, RestingRegions regions)
             => cmd.SetKeyword(shader, sleep, regions != null);
 
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref motion);
-            GpuBuffer.Release(ref quietSteps);
-            GpuBuffer.Release(ref states);
-        }
-
         /// <param name="regions">The stage, or null where none was made.</param>
         public static StageDescription Describe(RestingRegions regions, in StepInput input)
         {
@@ -169,9 +163,7 @@ namespace Rill
             description.Kernel(regions.measureMotion, input.settings.substeps);
             description.Kernel(regions.countQuiet, input.settings.substeps);
             description.Kernel(regions.spread, input.settings.substeps);
-            description.Buffer("Rill.Regions.Motion", regions.motion);
-            description.Buffer("Rill.Regions.QuietSteps", regions.quietSteps);
-            description.Buffer("Rill.Regions.States", regions.states);
+            regions.Buffers.Describe(description);
             return description;
         }
 
@@ -207,14 +199,8 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Motion = Shader.PropertyToID("_Motion");
-            public static readonly int QuietSteps = Shader.PropertyToID("_QuietSteps");
-            public static readonly int States = Shader.PropertyToID("_States");
             public static readonly int RegionMotion = Shader.PropertyToID("_RegionMotion");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int SleepDisplacement = Shader.PropertyToID("_SleepDisplacement");
             public static readonly int JitterDisplacement = Shader.PropertyToID("_JitterDisplacement");
             public static readonly int StepsToSleep = Shader.PropertyToID("_StepsToSleep");

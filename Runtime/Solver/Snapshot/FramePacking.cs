@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>Packs the particles into frames of a recording and unpacks them, on the GPU. Made when first needed.</summary>
-    sealed class FramePacking : IDisposable
+    sealed class FramePacking : Stage
     {
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Recording");
 
@@ -42,23 +42,21 @@ namespace Rill
             int words = Math.Max((int)layout.Words(frame.particles), 1);
             if (upload == null || upload.count < words)
             {
-                GpuBuffer.Release(ref upload);
-                upload = GpuBuffer.Structured<uint>("Rill.PlayedFrame", words + words / 8);      // fluids grow: not again for each frame
+                Buffers.Release(ref upload);
+                upload = Buffers.Structured<uint>("Rill.PlayedFrame", words + words / 8, "_Frame");      // fluids grow: not again for each frame
             }
             frame.Reserve(words);
             upload.SetData(frame.words, 0, 0, words);
             cmd.BeginSample(Marker);
             Bind(cmd, unpack, particles, tags, layout, layout.StepSize(domainSize));
-            cmd.SetComputeBufferParam(shader, unpack, Ids.Frame, upload);
-            cmd.SetComputeBufferParam(shader, unpack, Ids.AliveArguments, particles.AliveArguments);
+            Buffers.Bind(cmd, shader, unpack);
+            cmd.SetComputeBufferParam(shader, unpack, ParticleIds.AliveArguments, particles.AliveArguments);
             cmd.SetComputeIntParam(shader, Ids.FrameParticles, frame.particles);
             cmd.SetComputeIntParam(shader, Ids.FrameNextId, (int)(layout.Has(RecordingFields.Ids) ? frame.nextId : (uint)frame.particles));
             cmd.SetComputeFloatParam(shader, Ids.StepBack, stepBack);
             ThreadGroups.Dispatch(cmd, shader, unpack, ParticleBuffers.Groups(Math.Max(frame.particles, 1)));
             cmd.EndSample(Marker);
         }
-
-        public void Dispose() => GpuBuffer.Release(ref upload);
 
         /// <param name="stage">The stage, or null where none was made.</param>
         public static StageDescription Describe(FramePacking stage)
@@ -68,7 +66,7 @@ namespace Rill
             if (stage == null)
                 return description;
             description.Kernel(stage.upload != null ? stage.unpack : stage.pack, 0);
-            description.Buffer("Rill.PlayedFrame", stage.upload);
+            stage.Buffers.Describe(description);
             return description;
         }
 
@@ -79,21 +77,13 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.IsWide, layout.IsWide ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.FrameFields, (int)layout.Fields);
             cmd.SetComputeIntParam(shader, Ids.HasTags, tags != null ? 1 : 0);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, particles.Ids);
+            particles.Bind(cmd, shader, kernel);
             // which is not touched
             cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? (kernel == pack ? particles.Ids : particles.SortedIds));
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
             public static readonly int Frame = Shader.PropertyToID("_Frame");
             public static readonly int StepScale = Shader.PropertyToID("_StepScale");
             public static readonly int MaxSteps = Shader.PropertyToID("_MaxSteps");

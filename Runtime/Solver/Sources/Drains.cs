@@ -50,7 +50,7 @@ namespace Rill
     }
 
     /// <summary>Removes particles in drains and those whose time is over, at the start of a step. Made when first needed.</summary>
-    sealed class Drains : IDisposable
+    sealed class Drains : Stage
     {
         /// <summary>ranks among which the particles of a drain with a limit draw theirs</summary>
         [GenerateHlsl("Drains")] const int RandomRanks = 1024;
@@ -67,7 +67,8 @@ namespace Rill
         readonly LocalKeyword sleep, lifetimes, recycling;
         readonly uint[] zeros = new uint[StepSources.MaxDrains * Words];
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MaxDrains * Words));
-        GraphicsBuffer regions, histogram;
+        readonly GraphicsBuffer regions;
+        GraphicsBuffer histogram;
         uint gone;
 
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
@@ -80,7 +81,8 @@ namespace Rill
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             lifetimes = new LocalKeyword(shader, LifetimesKeyword);
             recycling = new LocalKeyword(shader, RecyclingKeyword);
-            regions = GpuBuffer.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MaxDrains);
+            regions = Buffers.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MaxDrains, "_Drains");
+            Buffers.Share("Rill.Drains.States", readback.Buffer, "_DrainStates");
             regions.SetData(new DrainRegion[StepSources.MaxDrains]);
             Clear();
         }
@@ -95,8 +97,14 @@ namespace Rill
             readback.Invalidate();
         }
 
-        /// <summary>Lists what the next step depends on.</summary>
-        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.DrainStates, readback.Buffer, StateExtent.All));
+        public override bool Survives(ParticleChange change)
+        {
+            if (change == ParticleChange.Restarted)
+                Clear();
+            return true;
+        }
+
+        public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.DrainStates, readback.Buffer, StateExtent.All));
 
         /// <summary>Drains whose numbers go to others: bit d for number d.</summary>
         public void Remove(uint drains) => gone |= drains;
@@ -131,14 +139,10 @@ namespace Rill
             if (count > 0 && sources.limitsDrains)
                 RecordRandomSelection(cmd, particles);
             else
-                GpuBuffer.Release(ref histogram);
+                Buffers.Release(ref histogram);
 
-            cmd.SetComputeBufferParam(shader, drain, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, drain, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, drain, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, drain, Ids.Drains, regions);
-            cmd.SetComputeBufferParam(shader, drain, Ids.DrainStates, readback.Buffer);
-            cmd.SetComputeBufferParam(shader, drain, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, drain);
+            Buffers.Bind(cmd, shader, drain);
             if (tags != null)
                 cmd.SetComputeBufferParam(shader, drain, ParticleTags.Ids.Tags, tags.Current);
             if (emitters != null)
@@ -157,11 +161,10 @@ namespace Rill
         /// <summary>Particles that a drain has removed, as far as it has come back since the last <see cref="Clear"/>.</summary>
         public int Drained(int number) => readback.HasResult ? (int)readback.Latest[number * Words + (int)DrainWord.Drained] : 0;
 
-        public void Dispose()
+        public override void Dispose()
         {
             readback.Dispose();
-            GpuBuffer.Release(ref regions);
-            GpuBuffer.Release(ref histogram);
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -184,9 +187,7 @@ namespace Rill
                 description.Kernel(stage.selectRandom, 1, variant);
             }
             description.Kernel(stage.drain, 1, variant);
-            description.Buffer("Rill.Drains.Regions", stage.regions);
-            description.Buffer("Rill.Drains.States", stage.readback.Buffer);
-            description.Buffer("Rill.Drains.Histogram", stage.histogram);
+            stage.Buffers.Describe(description);
             return description;
         }
 
@@ -200,33 +201,21 @@ namespace Rill
         {
             if (histogram == null)
             {
-                histogram = GpuBuffer.Structured<uint>("Rill.Drains.Histogram", StepSources.MaxDrains * RandomRanks);
+                histogram = Buffers.Structured<uint>("Rill.Drains.Histogram", StepSources.MaxDrains * RandomRanks, "_DrainHistogram");
                 BufferClear.Now(histogram);
             }
-            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Drains, regions);
-            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.DrainHistogram, histogram);
-            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, countRandomRanks);
+            Buffers.Bind(cmd, shader, countRandomRanks);
             cmd.DispatchCompute(shader, countRandomRanks, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, selectRandom, Ids.Drains, regions);
-            cmd.SetComputeBufferParam(shader, selectRandom, Ids.DrainStates, readback.Buffer);
-            cmd.SetComputeBufferParam(shader, selectRandom, Ids.DrainHistogram, histogram);
+            Buffers.Bind(cmd, shader, selectRandom);
             cmd.DispatchCompute(shader, selectRandom, 1, 1, 1);
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int Drains = Shader.PropertyToID("_Drains");
             public static readonly int DrainStates = Shader.PropertyToID("_DrainStates");
-            public static readonly int DrainHistogram = Shader.PropertyToID("_DrainHistogram");
             public static readonly int EmitterStates = Shader.PropertyToID("_EmitterStates");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Substeps = Shader.PropertyToID("_Substeps");
             public static readonly int DrainCount = Shader.PropertyToID("_DrainCount");
         }

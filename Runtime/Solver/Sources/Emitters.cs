@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
@@ -12,7 +13,7 @@ namespace Rill
     /// At its end, because then the grid of the step's sort still holds the particles in their order, so that room is found
     /// without another sort, and because a particle that leaves the emitter within the step is then where it has got to.
     /// </remarks>
-    sealed class Emitters : IDisposable
+    sealed class Emitters : Stage
     {
         /// <summary>most positions that one emitter tries in a step</summary>
         [GenerateHlsl("Emitters")] public const int MaxCandidates = 16384;
@@ -31,7 +32,7 @@ namespace Rill
         readonly EmitterPositions[] uploaded = new EmitterPositions[StepSources.MaxEmitters];
         // copied as it is recorded
         readonly EmitterConstants[] upload = new EmitterConstants[1];
-        GraphicsBuffer free, constants;
+        readonly GraphicsBuffer constants;
 
         public Emitters() : this(DeviceLimits.Current) { }
 
@@ -45,12 +46,22 @@ namespace Rill
             reset = new Kernel(shader, "Reset");
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
-            free = GpuBuffer.Structured<uint>("Rill.Emitters.Free", MaxCandidates);
-            constants = GpuBuffer.Constants<EmitterConstants>("Rill.Emitters.Constants");
             States = new EmitterStates(errors);
+            Buffers.Share("Rill.Emitters.States", States.Buffer, "_EmitterStates");
+            Buffers.Structured<uint>("Rill.Emitters.Free", MaxCandidates);
+            constants = Buffers.Constants<EmitterConstants>("Rill.Emitters.Constants", "RillEmitter");
         }
 
         public EmitterStates States { get; private set; }
+
+        public override bool Survives(ParticleChange change)
+        {
+            if (change == ParticleChange.Restarted)
+                States.Clear();
+            return true;
+        }
+
+        public override void ListState(List<StateBuffer> state) => States.ListState(state);
 
         public static bool IsNeeded(StepSources sources) => sources != null && (sources.emitterCount > 0 || sources.goneEmitters != 0);
 
@@ -76,14 +87,13 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             for (int number = 0; number < positionBuffers.Length; number++)
                 GpuBuffer.Release(ref positionBuffers[number]);
-            GpuBuffer.Release(ref free);
-            GpuBuffer.Release(ref constants);
             States?.Dispose();
             States = null;
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -99,9 +109,7 @@ namespace Rill
             string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, step.Resting);
             description.Kernel(stage.findRoom.For(step.Colliders != null), sources.emitterCount, variant);
             description.Kernel(stage.emit, sources.emitterCount, variant);
-            description.Buffer("Rill.Emitters.States", stage.States.Buffer);
-            description.Buffer("Rill.Emitters.Free", stage.free);
-            description.Buffer("Rill.Emitters.Constants", stage.constants);
+            stage.Buffers.Describe(description);
             foreach (GraphicsBuffer positions in stage.positionBuffers)
                 description.Buffer("Rill.Emitters.Positions", positions);
             return description;
@@ -113,7 +121,6 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             int find = findRoom.For(step.Colliders != null), emit = this.emit;
             step.Colliders?.BindShapes(cmd, shader, find);
-            step.Colliders?.BindVolume(cmd, shader, find);
             EmitterStep emitter = step.Input.sources.emitters[index];
             float duration = step.Input.timeStep;
             if (emitter.EmitsInSubsteps)
@@ -133,20 +140,14 @@ namespace Rill
 
             cmd.SetComputeBufferParam(shader, find, Ids.EmitterPositions, positions);
             cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, find, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, find, Ids.Free, free);
-            cmd.SetComputeBufferParam(shader, find, Ids.EmitterStates, States.Buffer);
-            cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, find);
+            Buffers.Bind(cmd, shader, find);
             cmd.DispatchCompute(shader, find, ParticleBuffers.Groups(emitter.candidates), 1, 1);
 
             cmd.SetComputeBufferParam(shader, emit, Ids.EmitterPositions, positions);
-            cmd.SetComputeBufferParam(shader, emit, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, emit, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, emit, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, emit, Ids.Free, free);
-            cmd.SetComputeBufferParam(shader, emit, Ids.EmitterStates, States.Buffer);
-            cmd.SetComputeBufferParam(shader, emit, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, emit, Ids.AliveArguments, particles.AliveArguments);
+            particles.Bind(cmd, shader, emit);
+            Buffers.Bind(cmd, shader, emit);
+            cmd.SetComputeBufferParam(shader, emit, ParticleIds.AliveArguments, particles.AliveArguments);
             if (tags != null)
                 cmd.SetComputeBufferParam(shader, emit, ParticleTags.Ids.Tags, tags.Current);
             step.Resting?.BindMotion(cmd, shader, emit);
@@ -160,13 +161,9 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             int kernel = variants.For(step.Colliders != null);
             step.Colliders?.BindShapes(cmd, shader, kernel);
-            step.Colliders?.BindVolume(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.EmitterStates, States.Buffer);
+            Buffers.Bind(cmd, shader, kernel);
             step.Resting?.BindMotion(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, ParticleBuffers.Groups(cells), 1, 1);
         }
@@ -175,14 +172,13 @@ namespace Rill
         {
             upload[0] = values;
             cmd.SetBufferData(constants, upload);
-            cmd.SetComputeConstantBufferParam(shader, Ids.Constants, constants, 0, constants.stride);
         }
 
         void RecordReset(CommandBuffer cmd, ParticleBuffers particles, int number)
         {
             Upload(cmd, new EmitterConstants { emitter = number });
-            cmd.SetComputeBufferParam(shader, reset, Ids.EmitterStates, States.Buffer);
-            cmd.SetComputeBufferParam(shader, reset, Ids.Counters, particles.Counters);
+            Buffers.Bind(cmd, shader, reset);
+            cmd.SetComputeBufferParam(shader, reset, ParticleIds.Counters, particles.Counters);
             cmd.DispatchCompute(shader, reset, 1, 1, 1);
             States.Invalidate(number);
             GpuBuffer.Release(ref positionBuffers[number]);
@@ -218,15 +214,6 @@ namespace Rill
         {
             public static readonly int EmitterPositions = Shader.PropertyToID("_EmitterPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int Free = Shader.PropertyToID("_Free");
-            public static readonly int EmitterStates = Shader.PropertyToID("_EmitterStates");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
-            public static readonly int Constants = Shader.PropertyToID("RillEmitter");
         }
     }
 }

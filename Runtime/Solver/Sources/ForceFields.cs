@@ -42,7 +42,7 @@ namespace Rill
     }
 
     /// <summary>Adds the acceleration of force fields to the velocities, before each substep's prediction. Made when first needed.</summary>
-    sealed class ForceFields : IDisposable
+    sealed class ForceFields : Stage
     {
         /// <summary>Most that all fields together accelerate a particle, m/s²: about a hundred times gravity.</summary>
         public const float MaxAcceleration = 1000f;
@@ -53,12 +53,12 @@ namespace Rill
         readonly Kernel accelerate;
         readonly FieldRegion[] last = new FieldRegion[StepSources.MaxFields];
         int lastCount = -1;
-        GraphicsBuffer regions;
+        readonly GraphicsBuffer regions;
 
         public ForceFields()
         {
             accelerate = new Kernel(shader, "Accelerate");
-            regions = GpuBuffer.Structured<FieldRegion>("Rill.Fields", StepSources.MaxFields);
+            regions = Buffers.Structured<FieldRegion>("Rill.Fields", StepSources.MaxFields);
         }
 
         public static bool IsNeeded(StepSources sources) => sources != null && sources.fieldCount > 0;
@@ -98,15 +98,11 @@ namespace Rill
             step.BindConstants(shader);
             cmd.SetComputeIntParam(shader, Ids.FieldCount, lastCount);
             cmd.SetComputeFloatParam(shader, Ids.MaxAcceleration, MaxAcceleration / step.Layout.Spacing);
-            cmd.SetComputeBufferParam(shader, accelerate, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, accelerate, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, accelerate, Ids.Fields, regions);
-            cmd.SetComputeBufferParam(shader, accelerate, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, accelerate);
+            Buffers.Bind(cmd, shader, accelerate);
             cmd.DispatchCompute(shader, accelerate, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
-
-        public void Dispose() => GpuBuffer.Release(ref regions);
 
         /// <param name="stage">The stage, or null where none was made.</param>
         public static StageDescription Describe(ForceFields stage, in StepInput input)
@@ -118,16 +114,12 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             description.Kernel(stage.accelerate, input.settings.substeps);
-            description.Buffer("Rill.Fields", stage.regions);
+            stage.Buffers.Describe(description);
             return description;
         }
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Fields = Shader.PropertyToID("_Fields");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int FieldCount = Shader.PropertyToID("_FieldCount");
             public static readonly int MaxAcceleration = Shader.PropertyToID("_MaxAcceleration");
         }

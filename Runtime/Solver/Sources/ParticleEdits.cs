@@ -8,7 +8,7 @@ namespace Rill
 {
     /// <summary>What scripts do to the particles between steps: removes those inside a shape, moves them against the box, and adds those of
     /// a batch that have room. Made when first needed.</summary>
-    sealed class ParticleEdits : IDisposable
+    sealed class ParticleEdits : Stage
     {
         const int MaxBatch = 1 << 20;
 
@@ -38,8 +38,7 @@ namespace Rill
             commands.SetComputeVectorParam(shader, Ids.ShapeCenter, new float4(shape.center, shape.radius));
             commands.SetComputeVectorParam(shader, Ids.ShapeHalf, new float4(shape.half, 0f));
             commands.SetComputeVectorParam(shader, Ids.ShapeRotation, shape.rotation.value);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(commands, shader, kernel);
             step.Resting?.BindMotion(commands, shader, kernel);
             step.Particles.DispatchAlive(commands, shader, kernel);
             Graphics.ExecuteCommandBuffer(commands);
@@ -51,9 +50,7 @@ namespace Rill
         {
             Begin(step);
             commands.SetComputeVectorParam(shader, Ids.ShiftBy, new float4(by, 0f));
-            commands.SetComputeBufferParam(shader, shift, Ids.Positions, step.Particles.Positions);
-            commands.SetComputeBufferParam(shader, shift, Ids.StartPositions, step.Particles.Start);
-            commands.SetComputeBufferParam(shader, shift, Ids.Counters, step.Particles.Counters);
+            step.Particles.Bind(commands, shader, shift);
             step.Particles.DispatchAlive(commands, shader, shift);
             Graphics.ExecuteCommandBuffer(commands);
         }
@@ -69,13 +66,13 @@ namespace Rill
             int most = Math.Min(positions.Length, MaxBatch);
             if (most == 0)
                 return;
-            GraphicsBuffer batch = null, free = null, freeBefore = null;
+            var buffers = new BufferSet();
             PrefixSum sum = null;
             try
             {
-                batch = GpuBuffer.Structured<float4>("Rill.BatchPositions", most);
-                free = GpuBuffer.Structured<uint>("Rill.BatchFree", most + 1);
-                freeBefore = GpuBuffer.Structured<uint>("Rill.BatchFreeBefore", most + 1);
+                GraphicsBuffer batch = buffers.Structured<float4>("Rill.BatchPositions", most);
+                GraphicsBuffer free = buffers.Structured<uint>("Rill.BatchFree", most + 1, "_Free");
+                GraphicsBuffer freeBefore = buffers.Structured<uint>("Rill.BatchFreeBefore", most + 1, "_FreeBefore");
                 sum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), most + 1);
                 for (int first = 0; first < positions.Length; first += most)
                 {
@@ -84,22 +81,20 @@ namespace Rill
                     Begin(step);
                     if (first == 0)
                         step.Search.RecordOrderAtRest(step);
-                    RecordFind(step, batch, free, count);
+                    RecordFind(step, buffers, count);
                     sum.Record(commands, free, freeBefore, count + 1);
-                    RecordAdd(step, batch, freeBefore, count, velocity, tag, tags);
+                    RecordAdd(step, buffers, count, velocity, tag, tags);
                     Graphics.ExecuteCommandBuffer(commands);
                 }
             }
             finally
             {
-                GpuBuffer.Release(ref batch);
-                GpuBuffer.Release(ref free);
-                GpuBuffer.Release(ref freeBefore);
+                buffers.Dispose();
                 sum?.Dispose();
             }
         }
 
-        public void Dispose() => commands.Dispose();
+        public override void Dispose() => commands.Dispose();
 
         void Begin(in StepContext step)
         {
@@ -107,44 +102,38 @@ namespace Rill
             step.BindConstants(shader);
         }
 
-        void RecordFind(in StepContext step, GraphicsBuffer batch, GraphicsBuffer free, int count)
+        void RecordFind(in StepContext step, BufferSet buffers, int count)
         {
             int kernel = findSpace.For(step.Colliders != null);
             commands.SetComputeIntParam(shader, Ids.BatchCount, count);
             step.Colliders?.BindShapes(commands, shader, kernel);
-            commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
+            buffers.Bind(commands, shader, kernel);
             commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStartsAtRest);
             commands.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Free, free);
+            commands.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
             commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count + 1), 1, 1);
         }
 
-        void RecordAdd(in StepContext step, GraphicsBuffer batch, GraphicsBuffer freeBefore, int count, float3 velocity, uint tag, ParticleTags tags)
+        void RecordAdd(in StepContext step, BufferSet buffers, int count, float3 velocity, uint tag, ParticleTags tags)
         {
             int kernel = addFree.For(tags != null);
             commands.SetComputeIntParam(shader, Ids.BatchCapacity, step.Layout.Capacity);
             commands.SetComputeIntParam(shader, Ids.BatchTag, (int)tag);
             commands.SetComputeVectorParam(shader, Ids.BatchVelocity, new float4(velocity, 0f));
-            commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
-            commands.SetComputeBufferParam(shader, kernel, Ids.FreeBefore, freeBefore);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Positions);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
-            commands.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, step.Particles.Ids);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            buffers.Bind(commands, shader, kernel);
+            step.Particles.Bind(commands, shader, kernel);
             if (tags != null)
                 commands.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
             commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count), 1, 1);
 
-            commands.SetComputeBufferParam(shader, commitFree, Ids.FreeBefore, freeBefore);
-            commands.SetComputeBufferParam(shader, commitFree, Ids.Counters, step.Particles.Counters);
-            commands.SetComputeBufferParam(shader, commitFree, Ids.AliveArguments, step.Particles.AliveArguments);
+            buffers.Bind(commands, shader, commitFree);
+            commands.SetComputeBufferParam(shader, commitFree, ParticleIds.Counters, step.Particles.Counters);
+            commands.SetComputeBufferParam(shader, commitFree, ParticleIds.AliveArguments, step.Particles.AliveArguments);
             commands.DispatchCompute(shader, commitFree, 1, 1, 1);
         }
 
         static class Ids
         {
-            public static readonly int BatchPositions = Shader.PropertyToID("_BatchPositions");
             public static readonly int BatchCount = Shader.PropertyToID("_BatchCount");
             public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
             public static readonly int BatchTag = Shader.PropertyToID("_BatchTag");
@@ -154,15 +143,7 @@ namespace Rill
             public static readonly int ShapeRotation = Shader.PropertyToID("_ShapeRotation");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int ShiftBy = Shader.PropertyToID("_ShiftBy");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Order = Shader.PropertyToID("_Order");
-            public static readonly int Free = Shader.PropertyToID("_Free");
-            public static readonly int FreeBefore = Shader.PropertyToID("_FreeBefore");
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
         }
     }
 }

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>Phase and lifetime of each particle, which travel with it through every sort. Made when an emitter first gives one.</summary>
-    sealed class ParticleTags : IDisposable
+    sealed class ParticleTags : Stage
     {
         /// <summary>Largest phase of a particle.</summary>
         public const int MaxPhase = 7;
@@ -27,8 +27,8 @@ namespace Rill
 
         public ParticleTags(int capacity)
         {
-            current = GpuBuffer.Structured<uint>("Rill.TagsA", capacity);
-            sorted = GpuBuffer.Structured<uint>("Rill.TagsB", capacity);
+            current = Buffers.Structured<uint>("Rill.TagsA", capacity, "_Tags");
+            sorted = Buffers.Structured<uint>("Rill.TagsB", capacity, "_SortedTags");
             Clear();
         }
 
@@ -38,20 +38,15 @@ namespace Rill
         /// <summary>No particle has a phase, and all live for ever.</summary>
         public void Clear() => BufferClear.Now(current);
 
-        /// <summary>Lists what the next step depends on.</summary>
-        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Tags, current, StateExtent.Particles));
+        public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Tags, current, StateExtent.Particles));
+
+        public override bool Survives(ParticleChange change) => change == ParticleChange.Shifted;
 
         /// <summary>Records that the tags follow their particles through the sort that was just recorded.</summary>
         public void RecordSort(in StepContext step)
         {
             step.Search.RecordGather(step.Commands, step.Particles, current, sorted);
-            (current, sorted) = (sorted, current);
-        }
-
-        public void Dispose()
-        {
-            GpuBuffer.Release(ref current);
-            GpuBuffer.Release(ref sorted);
+            Buffers.Swap(ref current, ref sorted);
         }
 
         /// <param name="tags">The tags, or null where none were made.</param>
@@ -62,8 +57,7 @@ namespace Rill
             if (tags == null)
                 return description;
             description.Kernel(step.Search.GatherTags, step.Substeps, RestingRegions.Variant(null, step.Resting));
-            description.Buffer("Rill.TagsA", tags.current);
-            description.Buffer("Rill.TagsB", tags.sorted);
+            tags.Buffers.Describe(description);
             return description;
         }
 

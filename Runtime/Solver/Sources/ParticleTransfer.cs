@@ -63,6 +63,37 @@ namespace Rill
             AliveArguments = aliveArguments;
             Capacity = capacity;
         }
+
+        /// <summary>Properties of the set that a transfer reads, and of the one that it writes.</summary>
+        public static readonly Properties From = new Properties("_From"), To = new Properties("_To");
+
+        /// <summary>Records the set as what a kernel reads or writes.</summary>
+        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel, in Properties properties)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, properties.positions, Positions);
+            cmd.SetComputeBufferParam(shader, kernel, properties.velocities, Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, properties.ids, Ids);
+            cmd.SetComputeBufferParam(shader, kernel, properties.counters, Counters);
+            cmd.SetComputeBufferParam(shader, kernel, properties.arguments, AliveArguments);
+            if (Tags != null)
+                cmd.SetComputeBufferParam(shader, kernel, properties.tags, Tags);
+        }
+
+        /// <summary>Names of a set's buffers in ParticleTransfer.compute.</summary>
+        public readonly struct Properties
+        {
+            public readonly int positions, velocities, ids, tags, counters, arguments;
+
+            public Properties(string prefix)
+            {
+                positions = Shader.PropertyToID(prefix);
+                velocities = Shader.PropertyToID(prefix + "Velocities");
+                ids = Shader.PropertyToID(prefix + "Ids");
+                tags = Shader.PropertyToID(prefix + "Tags");
+                counters = Shader.PropertyToID(prefix + "Counters");
+                arguments = Shader.PropertyToID(prefix + "Arguments");
+            }
+        }
     }
 
     /// <summary>What goes from one set to another, and where it comes to lie.</summary>
@@ -89,7 +120,7 @@ namespace Rill
     }
 
     /// <summary>Moves or copies particles from one set to the end of another, in their order. Made when first needed by what takes.</summary>
-    sealed class ParticleTransfer : IDisposable
+    sealed class ParticleTransfer : Stage
     {
         /// <summary>Most that one fluid takes from: the number is in the ids of ghosts.</summary>
         public const int MaxTransfers = 16;
@@ -121,6 +152,7 @@ namespace Rill
             writeIds = new KernelVariants(shader, "WriteIds", "WriteIdsTagged");
             commit = new Kernel(shader, "Commit");
             removeGhosts = new Kernel(shader, "RemoveGhosts");
+            Buffers.Share("Rill.Transfer.States", readback.Buffer, "_TransferStates");
             Clear();
         }
 
@@ -129,6 +161,13 @@ namespace Rill
         {
             BufferClear.Now(readback.Buffer);
             readback.Invalidate();
+        }
+
+        public override bool Survives(ParticleChange change)
+        {
+            if (change == ParticleChange.Restarted)
+                Clear();
+            return true;
         }
 
         /// <summary>Nothing was transferred under a number.</summary>
@@ -149,11 +188,7 @@ namespace Rill
         {
             cmd.BeginSample(Marker);
             RecordParameters(cmd, from, to, region, rule);
-            cmd.SetComputeBufferParam(shader, mark, Ids.From, from.Positions);
-            cmd.SetComputeBufferParam(shader, mark, Ids.FromVelocities, from.Velocities);
-            cmd.SetComputeBufferParam(shader, mark, Ids.FromIds, from.Ids);
-            cmd.SetComputeBufferParam(shader, mark, Ids.FromCounters, from.Counters);
-            cmd.SetComputeBufferParam(shader, mark, Ids.Goes, goes);
+            Bind(cmd, mark, from, to);
             Dispatch(cmd, mark, from);
             RecordWrites(cmd, from, to);
             cmd.EndSample(Marker);
@@ -167,11 +202,7 @@ namespace Rill
             CommandBuffer cmd = taker.Commands;
             RecordParameters(cmd, from, to, region, TransferRule.Move);
             taker.BindConstants(shader);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.From, from.Positions);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.FromIds, from.Ids);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.FromCounters, from.Counters);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.Goes, goes);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.To, to.Positions);
+            Bind(cmd, markApart, from, to);
             cmd.SetComputeBufferParam(shader, markApart, Ids.CellStarts, taker.Search.CellStartsAtRest);
             cmd.SetComputeBufferParam(shader, markApart, Ids.Order, taker.Search.Order);
             Dispatch(cmd, markApart, from);
@@ -181,16 +212,15 @@ namespace Rill
         /// <summary>Records the removal of all ghosts.</summary>
         public void RecordRemoval(CommandBuffer cmd, in ParticleSet fluid)
         {
-            cmd.SetComputeBufferParam(shader, removeGhosts, Ids.From, fluid.Positions);
-            cmd.SetComputeBufferParam(shader, removeGhosts, Ids.FromIds, fluid.Ids);
-            cmd.SetComputeBufferParam(shader, removeGhosts, Ids.FromCounters, fluid.Counters);
+            fluid.Bind(cmd, shader, removeGhosts, ParticleSet.From);
             Dispatch(cmd, removeGhosts, fluid);
         }
 
-        public void Dispose()
+        public override void Dispose()
         {
             readback.Dispose();
             ReleaseScratch();
+            base.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -206,9 +236,7 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             kept?.Describe(description);
-            description.Buffer("Rill.Transfer.States", stage.readback.Buffer);
-            description.Buffer("Rill.Transfer.Goes", stage.goes);
-            description.Buffer("Rill.Transfer.GoneBefore", stage.goneBefore);
+            stage.Buffers.Describe(description);
             if (connections == 0)
                 return description;
             description.Kernel(stage.mark, 2 * connections);
@@ -242,33 +270,21 @@ namespace Rill
 
             bool tagged = from.Tags != null && to.Tags != null;
             int ids = writeIds.For(tagged);
-            cmd.SetComputeBufferParam(shader, ids, Ids.FromIds, from.Ids);
-            cmd.SetComputeBufferParam(shader, ids, Ids.FromCounters, from.Counters);
-            cmd.SetComputeBufferParam(shader, ids, Ids.GoneBefore, goneBefore);
-            cmd.SetComputeBufferParam(shader, ids, Ids.ToIds, to.Ids);
-            cmd.SetComputeBufferParam(shader, ids, Ids.ToCounters, to.Counters);
-            if (tagged)
-            {
-                cmd.SetComputeBufferParam(shader, ids, Ids.FromTags, from.Tags);
-                cmd.SetComputeBufferParam(shader, ids, Ids.ToTags, to.Tags);
-            }
+            Bind(cmd, ids, from, to);
             Dispatch(cmd, ids, from);
 
-            cmd.SetComputeBufferParam(shader, writeMotion, Ids.From, from.Positions);
-            cmd.SetComputeBufferParam(shader, writeMotion, Ids.FromVelocities, from.Velocities);
-            cmd.SetComputeBufferParam(shader, writeMotion, Ids.FromCounters, from.Counters);
-            cmd.SetComputeBufferParam(shader, writeMotion, Ids.GoneBefore, goneBefore);
-            cmd.SetComputeBufferParam(shader, writeMotion, Ids.To, to.Positions);
-            cmd.SetComputeBufferParam(shader, writeMotion, Ids.ToVelocities, to.Velocities);
-            cmd.SetComputeBufferParam(shader, writeMotion, Ids.ToCounters, to.Counters);
+            Bind(cmd, writeMotion, from, to);
             Dispatch(cmd, writeMotion, from);
 
-            cmd.SetComputeBufferParam(shader, commit, Ids.FromCounters, from.Counters);
-            cmd.SetComputeBufferParam(shader, commit, Ids.GoneBefore, goneBefore);
-            cmd.SetComputeBufferParam(shader, commit, Ids.ToCounters, to.Counters);
-            cmd.SetComputeBufferParam(shader, commit, Ids.ToArguments, to.AliveArguments);
-            cmd.SetComputeBufferParam(shader, commit, Ids.TransferStates, readback.Buffer);
+            Bind(cmd, commit, from, to);
             cmd.DispatchCompute(shader, commit, 1, 1, 1);
+        }
+
+        void Bind(CommandBuffer cmd, int kernel, in ParticleSet from, in ParticleSet to)
+        {
+            Buffers.Bind(cmd, shader, kernel);
+            from.Bind(cmd, shader, kernel, ParticleSet.From);
+            to.Bind(cmd, shader, kernel, ParticleSet.To);
         }
 
         void Dispatch(CommandBuffer cmd, int kernel, in ParticleSet set)
@@ -281,36 +297,22 @@ namespace Rill
             if (goes != null && goes.count > capacity)
                 return;
             ReleaseScratch();
-            goes = GpuBuffer.Structured<uint>("Rill.Transfer.Goes", capacity + 1);
+            goes = Buffers.Structured<uint>("Rill.Transfer.Goes", capacity + 1);
             BufferClear.Now(goes);
-            goneBefore = GpuBuffer.Structured<uint>("Rill.Transfer.GoneBefore", capacity + 1);
+            goneBefore = Buffers.Structured<uint>("Rill.Transfer.GoneBefore", capacity + 1);
             sum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), capacity + 1);
         }
 
         void ReleaseScratch()
         {
-            GpuBuffer.Release(ref goes);
-            GpuBuffer.Release(ref goneBefore);
+            Buffers.Release(ref goes);
+            Buffers.Release(ref goneBefore);
             sum?.Dispose();
             sum = null;
         }
 
         static class Ids
         {
-            public static readonly int From = Shader.PropertyToID("_From");
-            public static readonly int FromVelocities = Shader.PropertyToID("_FromVelocities");
-            public static readonly int FromIds = Shader.PropertyToID("_FromIds");
-            public static readonly int FromTags = Shader.PropertyToID("_FromTags");
-            public static readonly int FromCounters = Shader.PropertyToID("_FromCounters");
-            public static readonly int Goes = Shader.PropertyToID("_Goes");
-            public static readonly int GoneBefore = Shader.PropertyToID("_GoneBefore");
-            public static readonly int To = Shader.PropertyToID("_To");
-            public static readonly int ToVelocities = Shader.PropertyToID("_ToVelocities");
-            public static readonly int ToIds = Shader.PropertyToID("_ToIds");
-            public static readonly int ToTags = Shader.PropertyToID("_ToTags");
-            public static readonly int ToCounters = Shader.PropertyToID("_ToCounters");
-            public static readonly int ToArguments = Shader.PropertyToID("_ToArguments");
-            public static readonly int TransferStates = Shader.PropertyToID("_TransferStates");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Order = Shader.PropertyToID("_Order");
             public static readonly int FrameOffset = Shader.PropertyToID("_FrameOffset");

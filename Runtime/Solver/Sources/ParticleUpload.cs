@@ -35,23 +35,18 @@ namespace Rill
         /// <summary>Records the removal of all particles and the reset of all counters.</summary>
         public void Clear(CommandBuffer cmd, ParticleBuffers particles)
         {
-            cmd.SetComputeBufferParam(shader, clear, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, clear, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, clear, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, clear, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, clear, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, clear, Ids.AliveArguments, particles.AliveArguments);
+            particles.Bind(cmd, shader, clear);
+            cmd.SetComputeBufferParam(shader, clear, ParticleIds.AliveArguments, particles.AliveArguments);
             cmd.DispatchCompute(shader, clear, 1, 1, 1);
         }
 
         /// <summary>Records the removal of all particles, which count as drained; all other counters go on.</summary>
         public void RemoveAll(CommandBuffer cmd, ParticleBuffers particles)
         {
-            cmd.SetComputeBufferParam(shader, countMarked, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, countMarked, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, countMarked);
             particles.DispatchAlive(cmd, shader, countMarked);
-            cmd.SetComputeBufferParam(shader, removeAll, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, removeAll, Ids.AliveArguments, particles.AliveArguments);
+            cmd.SetComputeBufferParam(shader, removeAll, ParticleIds.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, removeAll, ParticleIds.AliveArguments, particles.AliveArguments);
             cmd.DispatchCompute(shader, removeAll, 1, 1, 1);
         }
 
@@ -61,7 +56,7 @@ namespace Rill
         {
             Commands.Clear();
             Commands.SetComputeIntParam(shader, Ids.BatchIsIn, isIn ? 1 : 0);
-            Commands.SetComputeBufferParam(shader, countRefused, Ids.Counters, particles.Counters);
+            Commands.SetComputeBufferParam(shader, countRefused, ParticleIds.Counters, particles.Counters);
             Commands.SetComputeBufferParam(shader, countRefused, Ids.RefusedOfScripts, refused);
             Commands.DispatchCompute(shader, countRefused, 1, 1, 1);
             Graphics.ExecuteCommandBuffer(Commands);
@@ -145,10 +140,7 @@ namespace Rill
 
             cmd.SetComputeBufferParam(shader, append, Ids.BatchPositions, batchPositions);
             cmd.SetComputeBufferParam(shader, append, Ids.BatchVelocities, batchVelocities);
-            cmd.SetComputeBufferParam(shader, append, Ids.Positions, particles.Positions);
-            cmd.SetComputeBufferParam(shader, append, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, append, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, append, Ids.Counters, particles.Counters);
+            particles.Bind(cmd, shader, append);
             cmd.DispatchCompute(shader, append, ParticleBuffers.Groups(count), 1, 1);
 
             RecordCommit(cmd, particles);
@@ -156,8 +148,8 @@ namespace Rill
 
         void RecordCommit(CommandBuffer cmd, ParticleBuffers particles)
         {
-            cmd.SetComputeBufferParam(shader, commit, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, commit, Ids.AliveArguments, particles.AliveArguments);
+            cmd.SetComputeBufferParam(shader, commit, ParticleIds.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, commit, ParticleIds.AliveArguments, particles.AliveArguments);
             cmd.DispatchCompute(shader, commit, 1, 1, 1);
         }
 
@@ -171,12 +163,6 @@ namespace Rill
             public static readonly int RefusedOfScripts = Shader.PropertyToID("_RefusedOfScripts");
             public static readonly int BatchTag = Shader.PropertyToID("_BatchTag");
             public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
         }
     }
 }

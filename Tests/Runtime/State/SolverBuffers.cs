@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>All graphics buffers that a solver and its stages hold, found by reflection, so that none can be forgotten: by their path
-    /// from the solver.</summary>
+    /// <summary>All graphics buffers that a solver and its stages hold, found by reflection, so that none can be forgotten: by their name in a
+    /// <see cref="BufferSet"/>, or by their path from the solver or a stage.</summary>
     static class SolverBuffers
     {
         public static Dictionary<string, GraphicsBuffer> Of(PbfSolver solver)
@@ -20,18 +20,49 @@ namespace Rill.Tests
                 (object owner, string path) = next.Dequeue();
                 Add(owner, path, found, seen, next);
             }
+            var named = new HashSet<GraphicsBuffer>();
+            foreach (KeyValuePair<string, GraphicsBuffer> buffer in found)
+                if (buffer.Key.StartsWith(Prefix))
+                    named.Add(buffer.Value);
+            foreach (string path in new List<string>(found.Keys))
+                if (!path.StartsWith(Prefix) && named.Contains(found[path]))
+                    found.Remove(path);
             return found;
+        }
+
+        const string Prefix = "Rill.";      // of the names in sets
+
+        static void AddSet(BufferSet set, Dictionary<string, GraphicsBuffer> found)
+        {
+            foreach (object item in (System.Collections.IEnumerable)FieldOf(set, "items"))
+                if (FieldOf(item, "buffer") is GraphicsBuffer buffer)
+                    found[(string)FieldOf(item, "name")] = buffer;
+        }
+
+        static object FieldOf(object owner, string name)
+            => owner.GetType().GetField(name, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).GetValue(owner);
+
+        static IEnumerable<FieldInfo> Fields(Type type)
+        {
+            for (; type != null && type != typeof(object); type = type.BaseType)
+                foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                    yield return field;
         }
 
         static void Add(object owner, string path, Dictionary<string, GraphicsBuffer> found, HashSet<object> seen, Queue<(object, string)> next)
         {
-            foreach (FieldInfo field in owner.GetType().GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
+            if (owner is BufferSet set)
+            {
+                AddSet(set, found);
+                return;
+            }
+            foreach (FieldInfo field in Fields(owner.GetType()))
             {
                 object value = field.GetValue(owner);
                 string name = path + Name(field);
                 if (value is Array array)
                     for (int i = 0; i < array.Length; i++)
-                        AddValue(array.GetValue(i), name, found, seen, next);
+                        AddValue(array.GetValue(i), array.GetValue(i) is Stage stage ? stage.GetType().Name : name, found, seen, next);
                 else
                     AddValue(value, name, found, seen, next);
             }

@@ -9,7 +9,6 @@ using Host.Report.Budget;
 using Host.Report.ErrorTime;
 using Host.Report.Extremes;
 using Host.Report.Obstacles;
-using Host.Studies.Methods;
 using Host.Studies.Thesis;
 
 namespace Host.Report
@@ -26,7 +25,6 @@ namespace Host.Report
             new ObstaclesSection(),
             new ExtremesSection("extremes", "Stiff and extreme cases", ExtremeCases.All, besideOthers: true),
             new ExtremesSection("obstacle-extremes", "Extreme cases with obstacles and sources", ExtremeCases.AllWithObstacles, besideOthers: false),
-            new MethodsSection(),
             new BudgetSection(),
         };
 
