@@ -61,5 +61,21 @@ namespace Rill
         /// <summary>Records those of the coarse grid, which has to be there.</summary>
         public void BindCoarseConstants(ComputeShader shader)
             => Commands.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Coarse.Constants, 0, Coarse.Constants.stride);
+
+        /// <summary>Records the neighbor lists, and which regions sleep, as what a kernel reads or builds.</summary>
+        public void BindLists(ComputeShader shader, int kernel)
+        {
+            Lists.Bind(Commands, shader, kernel);
+            BindAsleep(shader, kernel);
+        }
+
+        /// <summary>Records which regions sleep, where any can.</summary>
+        public void BindAsleep(ComputeShader shader, int kernel) => Resting?.Bind(Commands, shader, kernel);
+
+        /// <summary>Records where a kernel wakes regions that particles come to or leave, where any can sleep.</summary>
+        public void BindWaking(ComputeShader shader, int kernel) => Resting?.BindMotion(Commands, shader, kernel);
+
+        /// <summary>Whether regions can sleep, so that kernels look which do.</summary>
+        public bool MaySleep => Resting != null;
     }
 }

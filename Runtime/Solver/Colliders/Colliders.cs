@@ -157,7 +157,7 @@ namespace Rill
                 colliderCellSize = cellSize,
                 inverseColliderCellSize = 1f / cellSize,
                 colliderCount = (uint)set.Count,
-                rests = step.Resting != null ? 1u : 0u,
+                rests = step.MaySleep ? 1u : 0u,
                 colliderReach = Reach(input.settings.iterations, step.Coarse != null),
             };
             binned = changed || !wanted.Equals(constantsUpload[0]);
@@ -199,7 +199,7 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             int kernel = collidePaths.For(reactions != null);
             cmd.BeginSample(Marker);
-            Bind(cmd, kernel, particles, step.Resting);
+            Bind(step, kernel, step.MaySleep);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
             cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
@@ -214,7 +214,7 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             int kernel = collide.For(last, reactions != null);
             cmd.BeginSample(Marker);
-            Bind(cmd, kernel, particles, step.Resting);
+            Bind(step, kernel, step.MaySleep);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Multipliers);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
@@ -228,7 +228,7 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
-            Bind(cmd, FindBoundary, particles, null);
+            Bind(step, FindBoundary, false);
             cmd.SetComputeBufferParam(shader, FindBoundary, Ids.Distances, contactOffsets);       // free between steps
             cmd.DispatchCompute(shader, FindBoundary, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
@@ -291,13 +291,14 @@ namespace Rill
             return description;
         }
 
-        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, RestingRegions resting)
+        void Bind(in StepContext step, int kernel, bool maySleep)
         {
+            CommandBuffer cmd = step.Commands;
             cmd.SetKeyword(shader, deforming, HasDeforming);
-            particles.Bind(cmd, shader, kernel);
+            step.Particles.Bind(cmd, shader, kernel);
             BindShapes(cmd, shader, kernel);
-            if (resting != null)
-                resting.Bind(cmd, shader, kernel);
+            if (maySleep)
+                step.BindAsleep(shader, kernel);
             else
                 cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, masks);     // not read
             reactions?.Bind(cmd, shader, kernel);

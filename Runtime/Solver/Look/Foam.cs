@@ -46,7 +46,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("Foam"), sources = StageShader.LoadCompute("FoamSources");
         readonly KernelVariants move;     // with colliders
         readonly Kernel averageCells, compact, spawn, commit, findPotentials, countSpawned;
-        readonly LocalKeyword twoLists;
+        readonly StepKeywords keywords;
         readonly int foamGroups, fluidGroups;
         readonly int cellTotal;
         readonly float3 cellSize;
@@ -69,7 +69,7 @@ namespace Rill
             commit = new Kernel(shader, "Commit");
             findPotentials = new Kernel(sources, "FindPotentials");
             countSpawned = new Kernel(sources, "CountSpawned");
-            twoLists = new LocalKeyword(sources, NeighborLists.TwoListsKeyword);
+            keywords = new StepKeywords(sources, readsLists: true, skipsAsleep: false);
 
             foamGroups = ParticleBuffers.Groups(budget);
             fluidGroups = ParticleBuffers.Groups(layout.Capacity);
@@ -193,8 +193,8 @@ namespace Rill
                 ? Invariant($"at most {input.foam.budget:N0} particles of spray, foam and bubbles") : "no FluidFoam component");
             if (!needed || stage == null)
                 return description;
-            description.Kernel(stage.findPotentials, 1, step.Lists.Variant);
-            description.Kernel(stage.countSpawned, 1, step.Lists.Variant);
+            description.Kernel(stage.findPotentials, 1, stage.keywords.Variant(step));
+            description.Kernel(stage.countSpawned, 1, stage.keywords.Variant(step));
             description.Kernel(stage.averageCells, 1);
             description.Kernel(stage.move.For(step.Colliders != null), 1);
             stage.prefixSum.Describe(description, 1);
@@ -211,7 +211,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers fluid = step.Particles;
-            step.Lists.RecordKeyword(cmd, sources, twoLists);
+            keywords.Record(step);
             step.BindConstants(sources);
             cmd.SetComputeVectorParam(sources, Ids.FoamLimits, Scales.Limits);
             cmd.SetComputeVectorParam(sources, Ids.FoamRates, Scales.Rates);

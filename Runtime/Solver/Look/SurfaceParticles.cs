@@ -40,7 +40,7 @@ namespace Rill
         readonly Kernel addNew, storeDrawn, smooth, shape, makeElements, hideGhosts, findContacts;
         readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
         readonly bool mirrorsColliders = DeviceLimits.Current.Holds("SurfaceParticles", "EstimateDeepWithColliders" + KernelNeed.Wide);
-        readonly LocalKeyword twoLists, sleep;
+        readonly StepKeywords keywords;
         readonly SurfaceWorkspace workspace;
         GraphicsBuffer surface, counters, arguments, planesBefore;
 
@@ -60,8 +60,7 @@ namespace Rill
             makeElements = new Kernel(shader, "MakeElements");
             hideGhosts = new Kernel(shader, "HideGhosts");
             findContacts = new Kernel(shader, "FindContacts");
-            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
             try
             {
                 surface = Buffers.Structured<Element>("Rill.Surface", CapacityFor(layout));
@@ -116,8 +115,7 @@ namespace Rill
             HasContacts = hasSteps && asElements && mirrorsColliders && step.Colliders != null;
             workspace.Reserve((long)PlaneBytes * (HasContacts ? 3 : 2) * step.Layout.Capacity);
             cmd.BeginSample(Marker);
-            step.Lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            keywords.Record(step);
             cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
             if (hasNew || !hasSteps)
                 RecordNew(step, !hasSteps);
@@ -154,7 +152,7 @@ namespace Rill
             var description = new StageDescription("Surface particles", stage != null, reason);
             if (stage == null)
                 return description;
-            string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
+            string variant = stage.keywords.Variant(step);
             bool withColliders = stage.HasContacts;
             description.Kernel(stage.addNew, 0);
             if (withColliders)

@@ -15,15 +15,14 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
         readonly KernelVariants buildList, solveLambda, applyDeltaP;      // deep, with colliders; with colliders; deep, with artificial pressure
-        readonly LocalKeyword twoLists, sleep;
+        readonly StepKeywords keywords;
 
         public DensityConstraint(SolverLayout layout)
         {
             buildList = new KernelVariants(shader, "BuildList", "BuildListDeep", "BuildListWithColliders", "BuildListDeepWithColliders");
             solveLambda = new KernelVariants(shader, "SolveLambda", "SolveLambdaWithColliders");
             applyDeltaP = new KernelVariants(shader, "ApplyDeltaP", "ApplyDeltaPDeep", "ApplyDeltaPWithPressure", "ApplyDeltaPDeepWithPressure");
-            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
             Lists = new NeighborLists(layout);
         }
 
@@ -68,8 +67,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             int build = buildList.For(step.Coarse != null, step.Colliders != null);
             cmd.BeginSample(ListMarker);
-            Lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            keywords.Record(step);
             step.Colliders?.Bind(cmd, shader, build);
             step.BindConstants(shader);
             if (step.Coarse != null)
@@ -87,7 +85,7 @@ namespace Rill
         public StageDescription Describe(in StepContext step)
         {
             bool deep = step.Coarse != null, withColliders = step.Colliders != null, hasPressure = HasPressure(step.Input);
-            string variant = RestingRegions.Variant(Lists.Variant, step.Resting);
+            string variant = keywords.Variant(step);
             int substeps = step.Substeps, iterations = step.Input.settings.iterations;
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
             var stage = new StageDescription("Density constraint", true, Invariant($"{iterations} iterations in each of {substeps} ") +
@@ -108,8 +106,7 @@ namespace Rill
         void Dispatch(in StepContext step, int kernel, GraphicsBuffer from, GraphicsBuffer to)
         {
             CommandBuffer cmd = step.Commands;
-            Lists.Bind(cmd, shader, kernel);
-            step.Resting?.Bind(cmd, shader, kernel);
+            step.BindLists(shader, kernel);
             step.Particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);

@@ -78,14 +78,8 @@ namespace Rill
                 second.SetData(words, inFirst, 0, words.Length - inFirst);
         }
 
-        /// <summary>Records the lists as what a kernel reads or builds. The shader's keyword is set by <see cref="RecordKeyword"/>.</summary>
+        /// <summary>Records the lists as what a kernel reads or builds. The shader's keyword is that of <see cref="StepKeywords"/>.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel) => buffers.Bind(cmd, shader, kernel);
-
-        /// <summary>Records the keyword: another solver may have left the shared shader on the other variant.</summary>
-        public void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword twoLists)
-        {
-            cmd.SetKeyword(shader, twoLists, TwoLists);
-        }
 
         public void Dispose() => buffers.Dispose();
 

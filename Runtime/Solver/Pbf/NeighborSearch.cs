@@ -18,7 +18,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
         readonly KernelVariants countCells, gather;       // deep, with colliders; with colliders
         readonly Kernel countCellsAtRest, scatterOrder;
-        readonly LocalKeyword sleep;
+        readonly StepKeywords keywords;
         readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
         readonly PrefixSum prefixSum;
@@ -38,7 +38,7 @@ namespace Rill
             GatherPreviousIndices = new Kernel(shader, "GatherPreviousIndices");
             GatherMeans = new Kernel(shader, "GatherMeans");
 
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: false, skipsAsleep: true);
             cells = layout.CellTotal;
             cellHistogram = Buffers.Structured<uint>("Rill.CellHistogram", cells + 1);    // first: too many cells leave nothing behind
             prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), cells + 1);
@@ -73,7 +73,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            keywords.Record(step);
             step.BindConstants(shader);
             RecordCount(step, takesProjection);
             if (step.Colliders != null)
@@ -98,7 +98,7 @@ namespace Rill
             if (isNarrow && step.Colliders == null)
                 RecordGather(cmd, particles, particles.Ids, particles.SortedIds);
             int kernel = gather.For(step.Colliders != null);
-            step.Resting?.Bind(cmd, shader, kernel);
+            step.BindAsleep(shader, kernel);
             step.Colliders?.Bind(cmd, shader, kernel);
             particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
@@ -121,11 +121,14 @@ namespace Rill
         /// <summary>Records <see cref="CellStartsAtRest"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
         public void RecordOrderAtRest(in StepContext step)
         {
-            RestingRegions.RecordKeyword(step.Commands, shader, sleep, null);
+            keywords.Record(step, allAwake: true);
             step.BindConstants(shader);
             DispatchCount(step.Commands, step.Particles, countCellsAtRest);
             RecordOrder(step.Commands, step.Particles, CellStartsAtRest);
         }
+
+        /// <summary>Returns the enabled keywords of its kernels, for descriptions; null for none.</summary>
+        public string Variant(in StepContext step) => keywords.Variant(step);
 
         /// <summary>Gives back what listing particles at rest takes; it is made again when asked for.</summary>
         public void ReleaseAtRest() => Buffers.Release(ref cellStartsAtRest);
@@ -151,7 +154,7 @@ namespace Rill
         {
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
             bool withColliders = step.Colliders != null;
-            string variant = RestingRegions.Variant(null, step.Resting);
+            string variant = keywords.Variant(step);
             stage.Kernel(countCells.For(takesProjection, withColliders), step.Substeps, variant);
             prefixSum.Describe(stage, step.Substeps);
             stage.Kernel(scatterOrder, step.Substeps, variant);
@@ -177,7 +180,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             int kernel = countCells.For(takesProjection, step.Colliders != null);
-            step.Resting?.Bind(cmd, shader, kernel);
+            step.BindAsleep(shader, kernel);
             step.Colliders?.Bind(cmd, shader, kernel);
             if (takesProjection)
             {

@@ -95,7 +95,7 @@ namespace Rill
                 ? "the fluid is elastic" : "the numerical damping is 1");
             if (!needed || stage == null)
                 return description;
-            description.Kernel(step.Search.GatherMeans, step.Substeps, RestingRegions.Variant(null, step.Resting));
+            description.Kernel(step.Search.GatherMeans, step.Substeps, step.Search.Variant(step));
             stage.Buffers.Describe(description);
             return description;
         }

@@ -13,15 +13,14 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
         readonly Kernel update;
         readonly KernelVariants updateWithNeighbors;      // extrapolated, with colliders
-        readonly LocalKeyword twoLists, sleep;
+        readonly StepKeywords keywords;
 
         public VelocityUpdate()
         {
             update = new Kernel(shader, "UpdateVelocity");
             updateWithNeighbors = new KernelVariants(shader, "UpdateVelocityViscous", "UpdateVelocityExtrapolated",
                 "UpdateVelocityViscousWithColliders", "UpdateVelocityExtrapolatedWithColliders");
-            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
         }
 
         /// <summary>Whether the pass visits the neighbors: to extrapolate, or for smoothing or the density unless a later stage does both.</summary>
@@ -38,9 +37,8 @@ namespace Rill
             bool visits = VisitsNeighbors(step.Input);
             int kernel = KernelFor(step);
             cmd.BeginSample(Marker);
-            step.Lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
-            step.Resting?.Bind(cmd, shader, kernel);
+            keywords.Record(step);
+            step.BindAsleep(shader, kernel);
             step.BindConstants(shader);
             if (visits)
                 step.Lists.Bind(cmd, shader, kernel);
@@ -63,7 +61,7 @@ namespace Rill
                     : "with neighbors: the density is shown"
                 : VorticityConfinement.IsNeeded(step.Input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
-            stage.Kernel(KernelFor(step), step.Substeps, RestingRegions.Variant(step.Lists.Variant, step.Resting));
+            stage.Kernel(KernelFor(step), step.Substeps, keywords.Variant(step));
             return stage;
         }
 

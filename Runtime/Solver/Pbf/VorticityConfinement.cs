@@ -15,14 +15,14 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("VorticityConfinement");
         readonly Kernel curlKernel;
         readonly KernelVariants confineKernel;        // with colliders
-        readonly LocalKeyword twoLists;
+        readonly StepKeywords keywords;
         readonly GraphicsBuffer curl, unconfined;
 
         public VorticityConfinement(int capacity)
         {
             curlKernel = new Kernel(shader, "Curl");
             confineKernel = new KernelVariants(shader, "Confine", "ConfineWithColliders");
-            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: false);
             curl = Buffers.Structured<float4>("Rill.Curl", capacity);
             unconfined = Buffers.Structured<float4>("Rill.Unconfined", capacity, "_Velocities");
         }
@@ -41,7 +41,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
-            step.Lists.RecordKeyword(cmd, shader, twoLists);
+            keywords.Record(step);
             step.BindConstants(shader);
             Dispatch(step, curlKernel);
             int confine = confineKernel.For(step.Colliders != null);
@@ -59,8 +59,8 @@ namespace Rill
                 Invariant($"{step.Input.material.vorticity} m/s"));
             if (needed && stage != null)
             {
-                description.Kernel(stage.curlKernel, step.Substeps, step.Lists.Variant);
-                description.Kernel(stage.confineKernel.For(step.Colliders != null), step.Substeps, step.Lists.Variant);
+                description.Kernel(stage.curlKernel, step.Substeps, stage.keywords.Variant(step));
+                description.Kernel(stage.confineKernel.For(step.Colliders != null), step.Substeps, stage.keywords.Variant(step));
             }
             if (stage != null)
             {

@@ -52,11 +52,11 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            int kernel = removeKilled.For(step.Resting != null);
+            int kernel = removeKilled.For(step.MaySleep);
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
             particles.Bind(cmd, shader, kernel);
-            step.Resting?.BindMotion(cmd, shader, kernel);
+            step.BindWaking(shader, kernel);
             particles.DispatchAlive(cmd, shader, kernel);
             cmd.EndSample(Marker);
         }
@@ -96,7 +96,7 @@ namespace Rill
             var description = new StageDescription("Particle access", needed, input.removesKilled
                 ? "a pass of a script may remove particles" : needed ? "a script reads the particles" : "no script reads the particles");
             if (input.removesKilled && stage != null)
-                description.Kernel(stage.removeKilled.For(step.Resting != null), 1);
+                description.Kernel(stage.removeKilled.For(step.MaySleep), 1);
             description.Buffer("Rill.NoTags", noTags);
             return description;
         }

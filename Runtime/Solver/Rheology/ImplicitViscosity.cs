@@ -24,7 +24,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("ImplicitViscosity");
         readonly Kernel applyProjection, findResidual, firstPass, nextPass;
         readonly KernelVariants findCoefficients;     // with colliders
-        readonly LocalKeyword twoLists, sleep;
+        readonly StepKeywords keywords;
         GraphicsBuffer solution, nextSolution;
 
         public ImplicitViscosity(int capacity)
@@ -34,8 +34,7 @@ namespace Rill
             findResidual = new Kernel(shader, "FindResidual");
             firstPass = new Kernel(shader, "FirstPass");
             nextPass = new Kernel(shader, "NextPass");
-            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
             solution = Buffers.Structured<float4>("Rill.ViscousVelocities", capacity, "_Solution");
             nextSolution = Buffers.Structured<float4>("Rill.NextViscousVelocities", capacity, "_NextSolution");
             Buffers.Structured<float4>("Rill.ViscousChanges", capacity, "_Changes");
@@ -87,8 +86,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
-            step.Lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            keywords.Record(step);
             step.BindConstants(shader);
             if (step.Coarse != null)
             {
@@ -140,7 +138,7 @@ namespace Rill
                 ? Invariant($"{step.Input.material.dynamicViscosity} Pa s") : "the dynamic viscosity is 0");
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
+            string variant = stage.keywords.Variant(step);
             int substeps = step.Substeps, passes = PassesFor(Strength(step.Input, step.Layout));
             if (step.Coarse != null)
                 description.Kernel(stage.applyProjection, substeps, variant);
@@ -159,8 +157,7 @@ namespace Rill
 
         void Bind(in StepContext step, int kernel)
         {
-            step.Lists.Bind(step.Commands, shader, kernel);
-            step.Resting?.Bind(step.Commands, shader, kernel);
+            step.BindLists(shader, kernel);
             Buffers.Bind(step.Commands, shader, kernel);
         }
 

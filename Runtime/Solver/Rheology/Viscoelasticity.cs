@@ -25,7 +25,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Viscoelasticity");
         readonly Kernel deform, applyStress;
-        readonly LocalKeyword twoLists, sleep;
+        readonly StepKeywords keywords;
         readonly GraphicsBuffer previousIndices;
         GraphicsBuffer conformation, deformed;
 
@@ -33,8 +33,7 @@ namespace Rill
         {
             deform = new Kernel(shader, "Deform");
             applyStress = new Kernel(shader, "ApplyStress");
-            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
             conformation = Buffers.Structured<Symmetric>("Rill.Conformation", capacity);
             deformed = Buffers.Structured<Symmetric>("Rill.DeformedConformation", capacity, "_Deformed");
             Buffers.Structured<float3x3>("Rill.Stress", capacity);
@@ -72,8 +71,7 @@ namespace Rill
             FluidMaterial material = step.Input.material;
             float dt = step.SubstepTime, spacing = step.Layout.Spacing;
             cmd.BeginSample(Marker);
-            step.Lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            keywords.Record(step);
             step.BindConstants(shader);
             cmd.SetComputeFloatParam(shader, Ids.Stiffness, material.shearModulus * dt * dt / (material.density * spacing * spacing));
             cmd.SetComputeFloatParam(shader, Ids.Relaxing, math.exp(-0.5f * dt / material.relaxationTime));
@@ -91,8 +89,8 @@ namespace Rill
             var description = new StageDescription("Viscoelasticity", needed, Reason(step));
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
-            description.Kernel(step.Search.GatherPreviousIndices, step.Substeps, RestingRegions.Variant(null, step.Resting));
+            string variant = stage.keywords.Variant(step);
+            description.Kernel(step.Search.GatherPreviousIndices, step.Substeps, step.Search.Variant(step));
             description.Kernel(stage.deform, step.Substeps, variant);
             description.Kernel(stage.applyStress, step.Substeps, variant);
             stage.Buffers.Describe(description);
@@ -112,8 +110,7 @@ namespace Rill
         void Dispatch(in StepContext step, int kernel)
         {
             CommandBuffer cmd = step.Commands;
-            step.Lists.Bind(cmd, shader, kernel);
-            step.Resting?.Bind(cmd, shader, kernel);
+            step.BindLists(shader, kernel);
             step.Particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.NewVelocities);

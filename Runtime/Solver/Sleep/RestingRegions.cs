@@ -138,17 +138,12 @@ namespace Rill
             wake = false;
         }
 
-        /// <summary>Records what a kernel looks up. The shader's keyword is set by <see cref="RecordKeyword"/>.</summary>
+        /// <summary>Records what a kernel looks up. The shader's keyword is that of <see cref="StepKeywords"/>.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel) => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, states);
 
         /// <summary>Records where a kernel wakes regions that particles come to or leave.</summary>
         public void BindMotion(CommandBuffer cmd, ComputeShader shader, int kernel)
             => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionMotion, motion);
-
-        /// <summary>Records the keyword, with no regions that there are none: another solver may have left the shared shader on the other
-        /// variant.</summary>
-        public static void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword sleep, RestingRegions regions)
-            => cmd.SetKeyword(shader, sleep, regions != null);
 
         /// <param name="regions">The stage, or null where none was made.</param>
         public static StageDescription Describe(RestingRegions regions, in StepInput input)
@@ -166,10 +161,6 @@ namespace Rill
             regions.Buffers.Describe(description);
             return description;
         }
-
-        /// <summary>Enabled keywords of a kernel that leaves out what sleeps, for descriptions.</summary>
-        public static string Variant(string others, RestingRegions regions) => regions == null ? others : others == null ? Keyword
-            : others + " " + Keyword;
 
         static int Total(SolverLayout layout)
         {

@@ -64,7 +64,8 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Drains");
         readonly Kernel countRandomRanks, selectRandom, drain;
-        readonly LocalKeyword sleep, lifetimes, recycling;
+        readonly StepKeywords keywords;
+        readonly LocalKeyword lifetimes, recycling;
         readonly uint[] zeros = new uint[StepSources.MaxDrains * Words];
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MaxDrains * Words));
         readonly GraphicsBuffer regions;
@@ -78,7 +79,7 @@ namespace Rill
             countRandomRanks = new Kernel(shader, "CountRandomRanks");
             selectRandom = new Kernel(shader, "SelectRandom");
             drain = new Kernel(shader, "Drain");
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: false, skipsAsleep: true);
             lifetimes = new LocalKeyword(shader, LifetimesKeyword);
             recycling = new LocalKeyword(shader, RecyclingKeyword);
             regions = Buffers.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MaxDrains, "_Drains");
@@ -127,7 +128,7 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             StepSources sources = step.Input.sources;
             cmd.BeginSample(Marker);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            keywords.Record(step);
             cmd.SetKeyword(shader, lifetimes, tags != null);
             cmd.SetKeyword(shader, recycling, emitters != null);
             step.BindConstants(shader);
@@ -147,7 +148,7 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, drain, ParticleTags.Ids.Tags, tags.Current);
             if (emitters != null)
                 cmd.SetComputeBufferParam(shader, drain, Ids.EmitterStates, emitters.Buffer);
-            step.Resting?.BindMotion(cmd, shader, drain);
+            step.BindWaking(shader, drain);
             cmd.DispatchCompute(shader, drain, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -178,7 +179,7 @@ namespace Rill
                 : Invariant($"{count} drains{(tags != null ? ", and particles with a lifetime" : "")}"));
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(tags != null ? LifetimesKeyword : null, step.Resting);
+            string variant = stage.keywords.Variant(step, tags != null ? LifetimesKeyword : null);
             if (count > 0 && sources.recycles)
                 variant = variant == null ? RecyclingKeyword : variant + " " + RecyclingKeyword;
             if (count > 0 && sources.limitsDrains)

@@ -27,7 +27,8 @@ namespace Rill
         readonly KernelVariants feel, press, findRoom;     // with colliders
         readonly Kernel emit;
         readonly Kernel reset;
-        readonly LocalKeyword sleep, withTags;
+        readonly StepKeywords keywords;
+        readonly LocalKeyword withTags;
         readonly GraphicsBuffer[] positionBuffers = new GraphicsBuffer[StepSources.MaxEmitters];
         readonly EmitterPositions[] uploaded = new EmitterPositions[StepSources.MaxEmitters];
         // copied as it is recorded
@@ -44,7 +45,7 @@ namespace Rill
             findRoom = new KernelVariants(shader, "FindRoom", "FindRoomWithColliders");
             emit = new Kernel(shader, limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small);
             reset = new Kernel(shader, "Reset");
-            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            keywords = new StepKeywords(shader, readsLists: false, skipsAsleep: true);
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
             States = new EmitterStates(errors);
             Buffers.Share("Rill.Emitters.States", States.Buffer, "_EmitterStates");
@@ -75,7 +76,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
             StepSources sources = step.Input.sources;
-            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            keywords.Record(step);
             cmd.SetKeyword(shader, withTags, tags != null);
             step.BindConstants(shader);
             for (int number = 0; number < StepSources.MaxEmitters; number++)
@@ -106,7 +107,7 @@ namespace Rill
                 ? Invariant($"{sources.emitterCount} emitters, each tried for room at the end of a step") : "no emitter");
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, step.Resting);
+            string variant = stage.keywords.Variant(step, tags != null ? ParticleTags.Keyword : null);
             description.Kernel(stage.findRoom.For(step.Colliders != null), sources.emitterCount, variant);
             description.Kernel(stage.emit, sources.emitterCount, variant);
             stage.Buffers.Describe(description);
@@ -150,7 +151,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, emit, ParticleIds.AliveArguments, particles.AliveArguments);
             if (tags != null)
                 cmd.SetComputeBufferParam(shader, emit, ParticleTags.Ids.Tags, tags.Current);
-            step.Resting?.BindMotion(cmd, shader, emit);
+            step.BindWaking(shader, emit);
             cmd.DispatchCompute(shader, emit, 1, 1, 1);
         }
 
@@ -164,7 +165,7 @@ namespace Rill
             particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             Buffers.Bind(cmd, shader, kernel);
-            step.Resting?.BindMotion(cmd, shader, kernel);
+            step.BindWaking(shader, kernel);
             cmd.DispatchCompute(shader, kernel, ParticleBuffers.Groups(cells), 1, 1);
         }
 

@@ -33,13 +33,13 @@ namespace Rill
         /// <param name="shape">In the domain's frame, d.</param>
         public void RemoveInside(in StepContext step, in RoundedBox shape)
         {
-            int kernel = removeInside.For(step.Resting != null);
+            int kernel = removeInside.For(step.MaySleep);
             Begin(step);
             commands.SetComputeVectorParam(shader, Ids.ShapeCenter, new float4(shape.center, shape.radius));
             commands.SetComputeVectorParam(shader, Ids.ShapeHalf, new float4(shape.half, 0f));
             commands.SetComputeVectorParam(shader, Ids.ShapeRotation, shape.rotation.value);
             step.Particles.Bind(commands, shader, kernel);
-            step.Resting?.BindMotion(commands, shader, kernel);
+            step.BindWaking(shader, kernel);
             step.Particles.DispatchAlive(commands, shader, kernel);
             Graphics.ExecuteCommandBuffer(commands);
         }

@@ -56,7 +56,7 @@ namespace Rill
                 ? "an emitter gives its particles a phase or a lifetime" : "no emitter gives its particles a phase or a lifetime");
             if (tags == null)
                 return description;
-            description.Kernel(step.Search.GatherTags, step.Substeps, RestingRegions.Variant(null, step.Resting));
+            description.Kernel(step.Search.GatherTags, step.Substeps, step.Search.Variant(step));
             tags.Buffers.Describe(description);
             return description;
         }
