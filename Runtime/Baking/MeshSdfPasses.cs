@@ -63,7 +63,8 @@ namespace Rill
         readonly int triangleCount;
         readonly int[] resolution;      // once, since three numbers would make an array each time
         readonly uint2[] levels;
-        GraphicsBuffer vertices, indices, order, large, triangles, spheres, levelTable, clusters, boxes, sides, distances, nearest;
+        readonly BufferSet buffers = new BufferSet();
+        GraphicsBuffer vertices, triangles, spheres, clusters, sides, distances, nearest;
 
         /// <param name="into">Where dispatches are recorded; null to execute each at once.</param>
         public MeshSdfPasses(BakeGeometry geometry, in SdfGrid grid, CommandBuffer into = null)
@@ -119,7 +120,7 @@ namespace Rill
         /// <param name="bones">float4 [3 a bone], rows of matrices to the grid's frame, m.</param>
         public void Pose(GraphicsBuffer rest, GraphicsBuffer vertexBones, GraphicsBuffer bones, int count)
         {
-            Begin(0, count);
+            Begin(poseVertices, 0, count);
             Bind(poseVertices, Ids.RestVertices, rest);
             Bind(poseVertices, Ids.VertexBones, vertexBones);
             Bind(poseVertices, Ids.Bones, bones);
@@ -130,13 +131,10 @@ namespace Rill
         /// <param name="isMirrored">Whether all triangles were turned over since they were put in order.</param>
         public void Gather(int first, int count, bool isMirrored = false)
         {
-            Begin(first, count);
+            Begin(gather, first, count);
             cmd.SetComputeIntParam(shader, Ids.IsMirrored, isMirrored ? 1 : 0);
             cmd.SetComputeVectorParam(shader, Ids.Min, new float4(grid.Min, 0f));
             cmd.SetComputeFloatParam(shader, Ids.PerMeter, 1f / grid.VoxelSize);
-            Bind(gather, Ids.Vertices, vertices);
-            Bind(gather, Ids.Indices, indices);
-            Bind(gather, Ids.Order, order);
             Bind(gather, Ids.TrianglesMade, triangles);
             Bind(gather, Ids.SpheresMade, spheres);
             Run(gather, GroupsFor(count), GatherMarker);
@@ -144,77 +142,54 @@ namespace Rill
 
         public void Clear()
         {
-            Begin(0, (int)grid.VoxelCount);
-            Bind(clear, Ids.Distances, distances);
-            Bind(clear, Ids.Nearest, nearest);
+            Begin(clear, 0, (int)grid.VoxelCount);
             Run(clear, GroupsFor(grid.VoxelCount), GatherMarker);
         }
 
         /// <summary>Of triangles that are not large.</summary>
         public void SplatDistances(int first, int count)
         {
-            Begin(first, count);
-            Splat(splatDistances, count, DistancesMarker);
+            Begin(splatDistances, first, count);
+            Run(splatDistances, count, DistancesMarker);
         }
 
         public void SplatNearest(int first, int count)
         {
-            Begin(first, count);
-            Bind(splatNearest, Ids.Nearest, nearest);
-            Splat(splatNearest, count, NearestMarker);
+            Begin(splatNearest, first, count);
+            Run(splatNearest, count, NearestMarker);
         }
 
         public void SplatDistances(in BakeGeometry.Slice slice) => Splat(splatLargeDistances, slice, DistancesMarker);
 
-        public void SplatNearest(in BakeGeometry.Slice slice)
-        {
-            Bind(splatLargeNearest, Ids.Nearest, nearest);
-            Splat(splatLargeNearest, slice, NearestMarker);
-        }
+        public void SplatNearest(in BakeGeometry.Slice slice) => Splat(splatLargeNearest, slice, NearestMarker);
 
         void Splat(int kernel, in BakeGeometry.Slice slice, ProfilerMarker marker)
         {
-            Begin(unchecked((int)slice.First), slice.Count);
+            Begin(kernel, unchecked((int)slice.First), slice.Count);
             cmd.SetComputeIntParam(shader, Ids.LowTriangle, slice.Low);
             cmd.SetComputeIntParam(shader, Ids.HighTriangle, slice.High);
-            Bind(kernel, Ids.Large, large);
-            Splat(kernel, slice.Count, marker);
-        }
-
-        void Splat(int kernel, int groups, ProfilerMarker marker)
-        {
-            Bind(kernel, Ids.Triangles, triangles);
-            Bind(kernel, Ids.Spheres, spheres);
-            Bind(kernel, Ids.Distances, distances);
-            Run(kernel, groups, marker);
+            Run(kernel, slice.Count, marker);
         }
 
         /// <summary>One part of a flood pass; <see cref="Swap"/> comes after the last of its parts.</summary>
         public void Flood(int stride, int first, int count)
         {
-            Begin(first, count);
+            Begin(flood, first, count);
             cmd.SetComputeIntParam(shader, Ids.Stride, stride);
-            Bind(flood, Ids.Triangles, triangles);
-            Bind(flood, Ids.Spheres, spheres);
             Bind(flood, Ids.NearestBefore, nearest);
             Bind(flood, Ids.Nearest, distances);
             Run(flood, GroupsFor(count), FloodMarker);
         }
 
         /// <summary>What a flood pass wrote is what the next pass reads.</summary>
-        public void Swap() => (nearest, distances) = (distances, nearest);
+        public void Swap() => buffers.Swap(ref nearest, ref distances);
 
         /// <summary>Levels from 0 on, one after the other.</summary>
         public void BuildClusters(int level)
         {
-            Begin(0, (int)levels[level].y);
             int kernel = level == 0 ? buildLeaves : buildParents;
+            Begin(kernel, 0, (int)levels[level].y);
             cmd.SetComputeIntParam(shader, Ids.Level, level);
-            if (level == 0)
-                Bind(kernel, Ids.Triangles, triangles);
-            Bind(kernel, Ids.Levels, levelTable);
-            Bind(kernel, Ids.Clusters, clusters);
-            Bind(kernel, Ids.Boxes, boxes);
             Run(kernel, GroupsFor(levels[level].y), ClustersMarker);
         }
 
@@ -222,11 +197,10 @@ namespace Rill
         /// <param name="isClosed"><see cref="MeshEdges.IsClosed"/></param>
         public void FindSides(int firstBlock, int count, bool isClosed)
         {
-            Begin(firstBlock, count);
+            Begin(findSides, firstBlock, count);
             cmd.SetComputeIntParam(shader, Ids.IsClosed, isClosed ? 1 : 0);
-            BindTree(findSides);
+            Bind(findSides, Ids.ClustersRead, clusters);
             Bind(findSides, Ids.NearestBefore, nearest);
-            Bind(findSides, Ids.Sides, sides);
             Run(findSides, count, SidesMarker);
         }
 
@@ -242,8 +216,8 @@ namespace Rill
         /// <param name="into">Bits of floats, m; null for <see cref="Distances"/>.</param>
         public void ResolveSolid(int first, int count, GraphicsBuffer into = null)
         {
-            Begin(first, count);
-            BindTree(resolveSolid);
+            Begin(resolveSolid, first, count);
+            Bind(resolveSolid, Ids.ClustersRead, clusters);
             Bind(resolveSolid, Ids.NearestBefore, nearest);
             Bind(resolveSolid, Ids.SidesRead, sides);
             Bind(resolveSolid, Ids.Distances, into ?? distances);
@@ -254,65 +228,47 @@ namespace Rill
         /// <param name="into">Bits of floats, m; null for <see cref="Distances"/>.</param>
         public void ResolveShell(int first, int count, GraphicsBuffer into = null)
         {
-            Begin(first, count);
+            Begin(resolveShell, first, count);
             cmd.SetComputeFloatParam(shader, Ids.HalfThickness, 0.5f * grid.Thickness / grid.VoxelSize);
-            Bind(resolveShell, Ids.Triangles, triangles);
             Bind(resolveShell, Ids.NearestBefore, nearest);
             Bind(resolveShell, Ids.Distances, into ?? distances);
             Run(resolveShell, GroupsFor(count), ResolveMarker);
-        }
-
-        void BindTree(int kernel)
-        {
-            Bind(kernel, Ids.Triangles, triangles);
-            Bind(kernel, Ids.Levels, levelTable);
-            Bind(kernel, Ids.ClustersRead, clusters);
         }
 
         public void Dispose()
         {
             if (executes)
                 cmd.Dispose();
-            GpuBuffer.Release(ref vertices);
-            GpuBuffer.Release(ref indices);
-            GpuBuffer.Release(ref order);
-            GpuBuffer.Release(ref large);
-            GpuBuffer.Release(ref triangles);
-            GpuBuffer.Release(ref spheres);
-            GpuBuffer.Release(ref levelTable);
-            GpuBuffer.Release(ref clusters);
-            GpuBuffer.Release(ref boxes);
-            GpuBuffer.Release(ref sides);
-            GpuBuffer.Release(ref distances);
-            GpuBuffer.Release(ref nearest);
+            buffers.Dispose();
         }
 
         void Fill(BakeGeometry geometry)
         {
             TriangleMesh mesh = geometry.Mesh;
-            vertices = GpuBuffer.Structured<Vector3>("Rill.MeshSdf.Vertices", mesh.Vertices.Length);
+            vertices = buffers.Structured<Vector3>("Rill.MeshSdf.Vertices", mesh.Vertices.Length);
             vertices.SetData(mesh.Vertices);
-            indices = GpuBuffer.Structured<int>("Rill.MeshSdf.Indices", mesh.Triangles.Length);
+            GraphicsBuffer indices = buffers.Structured<int>("Rill.MeshSdf.Indices", mesh.Triangles.Length);
             indices.SetData(mesh.Triangles);
-            order = GpuBuffer.Structured<uint>("Rill.MeshSdf.Order", triangleCount);
+            GraphicsBuffer order = buffers.Structured<uint>("Rill.MeshSdf.Order", triangleCount);
             order.SetData(geometry.Order);
-            large = GpuBuffer.Structured<BakeGeometry.LargeTriangle>("Rill.MeshSdf.Large", math.max(geometry.Large.Length, 1));
+            GraphicsBuffer large = buffers.Structured<BakeGeometry.LargeTriangle>("Rill.MeshSdf.Large", math.max(geometry.Large.Length, 1));
             if (geometry.Large.Length > 0)
                 large.SetData(geometry.Large);
-            triangles = GpuBuffer.Structured<PackedTriangle>("Rill.MeshSdf.Triangles", triangleCount);
-            spheres = GpuBuffer.Structured<float4>("Rill.MeshSdf.Spheres", triangleCount);
-            levelTable = GpuBuffer.Structured<uint2>("Rill.MeshSdf.Levels", levels.Length);
+            triangles = buffers.Structured<PackedTriangle>("Rill.MeshSdf.Triangles", triangleCount);
+            spheres = buffers.Structured<float4>("Rill.MeshSdf.Spheres", triangleCount);
+            GraphicsBuffer levelTable = buffers.Structured<uint2>("Rill.MeshSdf.Levels", levels.Length);
             levelTable.SetData(levels);
             uint2 top = levels[levels.Length - 1];
-            clusters = GpuBuffer.Structured<Cluster>("Rill.MeshSdf.Clusters", top.x + top.y);
-            boxes = GpuBuffer.Structured<Box>("Rill.MeshSdf.Boxes", top.x + top.y);
-            sides = GpuBuffer.Structured<uint>("Rill.MeshSdf.Sides", BakeGeometry.BrickCount(grid.Resolution));
-            distances = GpuBuffer.Structured<uint>("Rill.MeshSdf.Distances", grid.VoxelCount);
-            nearest = GpuBuffer.Structured<uint>("Rill.MeshSdf.Nearest", grid.VoxelCount);
+            clusters = buffers.Structured<Cluster>("Rill.MeshSdf.Clusters", top.x + top.y);
+            buffers.Structured<Box>("Rill.MeshSdf.Boxes", top.x + top.y);
+            sides = buffers.Structured<uint>("Rill.MeshSdf.Sides", BakeGeometry.BrickCount(grid.Resolution));
+            distances = buffers.Structured<uint>("Rill.MeshSdf.Distances", grid.VoxelCount);
+            nearest = buffers.Structured<uint>("Rill.MeshSdf.Nearest", grid.VoxelCount);
         }
 
-        void Begin(int first, int count)
+        void Begin(int kernel, int first, int count)
         {
+            buffers.Bind(cmd, shader, kernel);
             cmd.SetComputeIntParam(shader, Ids.TriangleCount, triangleCount);
             cmd.SetComputeIntParams(shader, Ids.Resolution, resolution);
             cmd.SetComputeIntParam(shader, Ids.First, first);
@@ -343,22 +299,12 @@ namespace Rill
             public static readonly int VertexBones = Shader.PropertyToID("_VertexBones");
             public static readonly int Bones = Shader.PropertyToID("_Bones");
             public static readonly int VerticesMade = Shader.PropertyToID("_VerticesMade");
-            public static readonly int Vertices = Shader.PropertyToID("_Vertices");
-            public static readonly int Indices = Shader.PropertyToID("_Indices");
-            public static readonly int Order = Shader.PropertyToID("_Order");
             public static readonly int TrianglesMade = Shader.PropertyToID("_TrianglesMade");
             public static readonly int SpheresMade = Shader.PropertyToID("_SpheresMade");
-            public static readonly int Triangles = Shader.PropertyToID("_Triangles");
-            public static readonly int Spheres = Shader.PropertyToID("_Spheres");
-            public static readonly int Large = Shader.PropertyToID("_Large");
-            public static readonly int Levels = Shader.PropertyToID("_Levels");
             public static readonly int NearestBefore = Shader.PropertyToID("_NearestBefore");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
             public static readonly int Nearest = Shader.PropertyToID("_Nearest");
-            public static readonly int Clusters = Shader.PropertyToID("_Clusters");
             public static readonly int ClustersRead = Shader.PropertyToID("_ClustersRead");
-            public static readonly int Boxes = Shader.PropertyToID("_Boxes");
-            public static readonly int Sides = Shader.PropertyToID("_Sides");
             public static readonly int SidesRead = Shader.PropertyToID("_SidesRead");
             public static readonly int TriangleCount = Shader.PropertyToID("_TriangleCount");
             public static readonly int Resolution = Shader.PropertyToID("_Resolution");

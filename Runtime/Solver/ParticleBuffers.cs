@@ -155,7 +155,7 @@ namespace Rill
         public void Describe(StageDescription stage) => buffers.Describe(stage);
     }
 
-    /// <summary>Properties of the particles' buffers in all shaders.</summary>
+    /// <summary>Properties of the buffers of particles and cells in all shaders.</summary>
     static class ParticleIds
     {
         public static readonly int Positions = Shader.PropertyToID("_Positions");
@@ -163,6 +163,8 @@ namespace Rill
         public static readonly int Velocities = Shader.PropertyToID("_Velocities");
         public static readonly int Ids = Shader.PropertyToID("_Ids");
         public static readonly int Counters = Shader.PropertyToID("_Counters");
+        public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+        public static readonly int Order = Shader.PropertyToID("_Order");
         public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
     }
 }

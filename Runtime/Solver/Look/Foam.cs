@@ -253,7 +253,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.FluidGroups, fluidGroups);
             cmd.SetComputeIntParam(shader, Ids.FoamSeed, step.Input.foamSeed);
 
-            cmd.SetComputeBufferParam(shader, averageCells, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, averageCells, ParticleIds.CellStarts, step.Search.CellStarts);
             cmd.SetComputeBufferParam(shader, averageCells, ParticleIds.Velocities, step.Particles.Velocities);
             Buffers.Bind(cmd, shader, averageCells);
             CoarseGrid.Dispatch(cmd, shader, averageCells, cellTotal);
@@ -280,7 +280,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int FoamCounters = Shader.PropertyToID("_FoamCounters");
             public static readonly int FoamLimits = Shader.PropertyToID("_FoamLimits");
             public static readonly int FoamRates = Shader.PropertyToID("_FoamRates");

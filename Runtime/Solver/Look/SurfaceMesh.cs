@@ -324,7 +324,7 @@ namespace Rill
 
             int place = placeBricks.For(withColliders);
             BindColliders(step, place);
-            cmd.SetComputeBufferParam(shader, place, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, place, ParticleIds.CellStarts, step.Search.CellStarts);
             Buffers.Bind(cmd, shader, place);
             ThreadGroups.Dispatch(cmd, shader, place, ((long)top + ParticleBuffers.Group - 1) / ParticleBuffers.Group);
 
@@ -348,7 +348,7 @@ namespace Rill
             BindColliders(step, find);
             Buffers.Bind(cmd, shader, find);
             cmd.SetComputeTextureParam(shader, find, Ids.MeshFieldOut, field);
-            cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, find, ParticleIds.CellStarts, step.Search.CellStarts);
             cmd.SetComputeBufferParam(shader, find, SurfaceWorkspace.Id, workspace.Memory);
             cmd.DispatchCompute(shader, find, arguments, BrickArgumentsAt);
         }
@@ -398,7 +398,7 @@ namespace Rill
             }
             BindVertices(cmd, finishMesh);
             cmd.SetComputeBufferParam(shader, finishMesh, ParticleIds.Positions, step.Particles.Positions);
-            cmd.SetComputeBufferParam(shader, finishMesh, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, finishMesh, ParticleIds.CellStarts, step.Search.CellStarts);
             cmd.DispatchCompute(shader, finishMesh, arguments, VertexArgumentsAt);
         }
 
@@ -453,7 +453,6 @@ namespace Rill
             public static readonly int SmoothStep = Shader.PropertyToID("_SmoothStep");
             public static readonly int Surface = Shader.PropertyToID("_Surface");
             public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");
             public static readonly int MeshFieldOut = Shader.PropertyToID("_MeshFieldOut");
         }

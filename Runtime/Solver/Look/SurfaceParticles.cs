@@ -254,7 +254,7 @@ namespace Rill
             if (step.Resting != null)
             {
                 step.Resting.Bind(cmd, shader, kernel);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+                cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStarts);
             }
             cmd.SetComputeBufferParam(shader, kernel, SurfaceWorkspace.Id, workspace.Memory);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
@@ -263,7 +263,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int PlaneList = Shader.PropertyToID("_PlaneList");
             public static readonly int CoarseSurface = Shader.PropertyToID("_CoarseSurface");
             public static readonly int SurfaceVersion = Shader.PropertyToID("_SurfaceVersion");

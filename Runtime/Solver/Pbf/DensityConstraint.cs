@@ -75,7 +75,7 @@ namespace Rill
                 step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, step.Coarse.Bins);
             }
-            cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, build, ParticleIds.CellStarts, step.Search.CellStarts);
             Dispatch(step, build, step.Particles.Predicted, step.Particles.Multipliers);
             cmd.EndSample(ListMarker);
         }
@@ -116,7 +116,6 @@ namespace Rill
         static class Ids
         {
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
         }
     }
 }

@@ -138,7 +138,7 @@ namespace Rill
         public void DispatchOrdered(CommandBuffer cmd, ComputeShader asks, int kernel, ParticleBuffers particles, GraphicsBuffer cellStarts)
         {
             Buffers.Bind(cmd, asks, kernel);
-            cmd.SetComputeBufferParam(asks, kernel, Ids.CellStarts, cellStarts);
+            cmd.SetComputeBufferParam(asks, kernel, ParticleIds.CellStarts, cellStarts);
             cmd.SetComputeBufferParam(asks, kernel, ParticleIds.Counters, particles.Counters);
             particles.DispatchSorted(cmd, asks, kernel);
         }
@@ -204,7 +204,7 @@ namespace Rill
             prefixSum.Record(cmd, cellHistogram, cellStarts, cells + 1);
 
             Buffers.Bind(cmd, shader, scatterOrder);
-            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellStarts, cellStarts);
+            cmd.SetComputeBufferParam(shader, scatterOrder, ParticleIds.CellStarts, cellStarts);
             particles.Bind(cmd, shader, scatterOrder);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.SortedArguments, particles.SortedArguments);
             particles.DispatchAlive(cmd, shader, scatterOrder);
@@ -212,7 +212,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Predicted = Shader.PropertyToID("_Predicted");
             public static readonly int SortedIds = Shader.PropertyToID("_SortedIds");
             public static readonly int SortedArguments = Shader.PropertyToID("_SortedArguments");

@@ -169,7 +169,7 @@ namespace Rill
 
         void BindCells(in StepContext step, int kernel, GraphicsBuffer found)
         {
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            step.Commands.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStarts);
             step.Commands.SetComputeBufferParam(shader, kernel, Ids.Found, found);
             BindParticles(step, kernel);
         }
@@ -189,7 +189,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Points = Shader.PropertyToID("_Points");
             public static readonly int Detectors = Shader.PropertyToID("_Detectors");
             public static readonly int Results = Shader.PropertyToID("_Results");

@@ -64,8 +64,8 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.Distances);
             }
             particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStartsAtRest);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.Order);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStartsAtRest);
             Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
@@ -114,8 +114,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Order = Shader.PropertyToID("_Order");
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
         }

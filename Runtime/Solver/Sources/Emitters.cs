@@ -140,7 +140,7 @@ namespace Rill
             }
 
             cmd.SetComputeBufferParam(shader, find, Ids.EmitterPositions, positions);
-            cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, find, ParticleIds.CellStarts, step.Search.CellStarts);
             particles.Bind(cmd, shader, find);
             Buffers.Bind(cmd, shader, find);
             cmd.DispatchCompute(shader, find, ParticleBuffers.Groups(emitter.candidates), 1, 1);
@@ -163,7 +163,7 @@ namespace Rill
             int kernel = variants.For(step.Colliders != null);
             step.Colliders?.BindShapes(cmd, shader, kernel);
             particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStarts);
             Buffers.Bind(cmd, shader, kernel);
             step.BindWaking(shader, kernel);
             cmd.DispatchCompute(shader, kernel, ParticleBuffers.Groups(cells), 1, 1);
@@ -214,7 +214,6 @@ namespace Rill
         static class Ids
         {
             public static readonly int EmitterPositions = Shader.PropertyToID("_EmitterPositions");
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
         }
     }
 }

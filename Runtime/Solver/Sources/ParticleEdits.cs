@@ -108,8 +108,8 @@ namespace Rill
             commands.SetComputeIntParam(shader, Ids.BatchCount, count);
             step.Colliders?.BindShapes(commands, shader, kernel);
             buffers.Bind(commands, shader, kernel);
-            commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStartsAtRest);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
+            commands.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStartsAtRest);
+            commands.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.Order);
             commands.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
             commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count + 1), 1, 1);
         }
@@ -141,9 +141,7 @@ namespace Rill
             public static readonly int ShapeCenter = Shader.PropertyToID("_ShapeCenter");
             public static readonly int ShapeHalf = Shader.PropertyToID("_ShapeHalf");
             public static readonly int ShapeRotation = Shader.PropertyToID("_ShapeRotation");
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int ShiftBy = Shader.PropertyToID("_ShiftBy");
-            public static readonly int Order = Shader.PropertyToID("_Order");
         }
     }
 }

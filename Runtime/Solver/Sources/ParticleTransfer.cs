@@ -203,8 +203,8 @@ namespace Rill
             RecordParameters(cmd, from, to, region, TransferRule.Move);
             taker.BindConstants(shader);
             Bind(cmd, markApart, from, to);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.CellStarts, taker.Search.CellStartsAtRest);
-            cmd.SetComputeBufferParam(shader, markApart, Ids.Order, taker.Search.Order);
+            cmd.SetComputeBufferParam(shader, markApart, ParticleIds.CellStarts, taker.Search.CellStartsAtRest);
+            cmd.SetComputeBufferParam(shader, markApart, ParticleIds.Order, taker.Search.Order);
             Dispatch(cmd, markApart, from);
             RecordWrites(cmd, from, to);
         }
@@ -313,8 +313,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Order = Shader.PropertyToID("_Order");
             public static readonly int FrameOffset = Shader.PropertyToID("_FrameOffset");
             public static readonly int FrameRotation = Shader.PropertyToID("_FrameRotation");
             public static readonly int RegionSize = Shader.PropertyToID("_RegionSize");
