@@ -107,6 +107,41 @@ namespace Host.Tests
             Assert.That(findings.Looked, Is.EqualTo("2 files"));
         }
 
+        static SyntheticPackage WithStages(SyntheticPackage package) => package
+            .Add("Runtime/Stages/StageShader.cs.meta", "fileFormatVersion: 2\nguid: 0000000000000000000000000000000a\n")
+            .Add("Runtime/Simulation/FluidShaders.cs.meta", "fileFormatVersion: 2\nguid: 0000000000000000000000000000000b\n")
+            .Add("Shaders/Two.compute.meta", "fileFormatVersion: 2\nguid: 0000000000000000000000000000000c\n");
+
+        [Test]
+        public void A_stage_has_an_asset_that_refers_to_its_shaders_and_stands_in_the_list()
+        {
+            WithStages(package).Add("Runtime/Stages/Two.asset.meta", "fileFormatVersion: 2\nguid: 0000000000000000000000000000000d\n");
+            IReadOnlyDictionary<string, string> texts = StageAssets.Texts(package.Tree, new[] { "Two" }, new Findings());
+            Assert.That(texts.Keys, Is.EquivalentTo(new[] { "Runtime/Stages/Two.asset", "Runtime/FluidShaders.asset" }), "its .meta stays");
+            Assert.That(texts["Runtime/Stages/Two.asset"], Does.Contain("guid: 0000000000000000000000000000000a")
+                .And.Contain("  compute: {fileID: 7200000, guid: 0000000000000000000000000000000c, type: 3}\n  shader: {fileID: 0}\n"));
+            Assert.That(texts["Runtime/FluidShaders.asset"],
+                Does.EndWith("  stages:\n  - {fileID: 11400000, guid: 0000000000000000000000000000000d, type: 2}\n"));
+        }
+
+        [Test]
+        public void A_new_stage_gets_a_meta_with_the_guid_by_which_the_list_refers_to_it()
+        {
+            IReadOnlyDictionary<string, string> texts = StageAssets.Texts(WithStages(package).Tree, new[] { "Two" }, new Findings());
+            string meta = texts["Runtime/Stages/Two.asset.meta"];
+            string guid = meta.Split('\n').Single(line => line.StartsWith("guid: ")).Substring("guid: ".Length);
+            Assert.That(guid, Has.Length.EqualTo(32));
+            Assert.That(texts["Runtime/FluidShaders.asset"], Does.Contain(guid));
+        }
+
+        [Test]
+        public void A_stage_without_a_shader_is_named()
+        {
+            var findings = new Findings();
+            StageAssets.Texts(WithStages(package).Tree, new[] { "Thre" }, findings);
+            Assert.That(findings.Faults.Single(), Does.Contain("Thre.compute").And.Contain("row of Features"));
+        }
+
         [Test]
         public void A_package_without_shaders_has_nothing_to_generate()
         {

@@ -12,6 +12,7 @@ namespace Host.Check
         {
             new HlslFiles(),
             new KernelNeedsFile(),
+            new StageAssets(),
             new ReferencePage(),
             new ArchitecturePage(),
         };

@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Security.Cryptography;
+using System.Text;
+
+namespace Host.Check
+{
+    /// <summary>The assets by which Unity takes a stage's shaders into a build: one for each stage that a row of Rill.Features names, and the
+    /// list of all of them.</summary>
+    sealed class StageAssets : GeneratedFiles
+    {
+        const string Stages = "Runtime/Stages/", List = "Runtime/FluidShaders.asset";
+        const string StageScript = "Runtime/Stages/StageShader.cs", ListScript = "Runtime/Simulation/FluidShaders.cs";
+
+        public override IReadOnlyDictionary<string, string> Texts(PackageTree package, Findings findings)
+        {
+            if (!package.Has(StageScript) || !package.Has(ListScript))
+                return null;
+            string assembly = Path.Combine(package.Assemblies, "Rill.dll");
+            if (!File.Exists(assembly))
+            {
+                findings.Fault($"{assembly} is not there: build it first (Headless~/rill does)");
+                return null;
+            }
+            return Texts(package, StagesOf(Assembly.LoadFrom(assembly)), findings);
+        }
+
+        /// <param name="stages">Names of stages, each once, in the order of the list.</param>
+        public static IReadOnlyDictionary<string, string> Texts(PackageTree package, IEnumerable<string> stages, Findings findings)
+        {
+            var texts = new Dictionary<string, string>();
+            var list = new StringBuilder(Head(GuidOf(package, ListScript), "FluidShaders")).Append("  stages:\n");
+            foreach (string stage in stages)
+            {
+                string compute = Find(package, stage + ".compute"), shader = Find(package, stage + ".shader");
+                if (compute == null && shader == null)
+                {
+                    findings.Fault($"a row of Features names the stage {stage}, but Shaders has no {stage}.compute and no {stage}.shader. Write one, or correct the row.");
+                    continue;
+                }
+                string path = $"{Stages}{stage}.asset";
+                texts.Add(path, Head(GuidOf(package, StageScript), stage) + $"  compute: {Reference(package, compute, 7200000)}\n  shader: {Reference(package, shader, 4800000)}\n");
+                if (!package.Has(path + ".meta"))
+                    texts.Add(path + ".meta", $"fileFormatVersion: 2\nguid: {NewGuid(path)}\nNativeFormatImporter:\n  externalObjects: {{}}\n  mainObjectFileID: 11400000\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n");
+                list.Append($"  - {{fileID: 11400000, guid: {GuidOf(package, path)}, type: 2}}\n");
+            }
+            texts.Add(List, list.ToString());
+            return texts;
+        }
+
+        static IEnumerable<string> StagesOf(Assembly rill)
+        {
+            var features = (Array)rill.GetType("Rill.Features", true).GetField("All").GetValue(null);
+            return features.Cast<object>().SelectMany(feature => (string[])feature.GetType().GetField("Stages").GetValue(feature)).Distinct();
+        }
+
+        static string Find(PackageTree package, string name) =>
+            package.Files.FirstOrDefault(file => file.StartsWith("Shaders/", StringComparison.Ordinal) && file.EndsWith("/" + name, StringComparison.Ordinal));
+
+        static string Reference(PackageTree package, string file, int fileId) =>
+            file == null ? "{fileID: 0}" : $"{{fileID: {fileId}, guid: {GuidOf(package, file)}, type: 3}}";
+
+        static string GuidOf(PackageTree package, string path) => package.Has(path + ".meta")
+            ? package.Read(path + ".meta").Split('\n').First(line => line.StartsWith("guid: ", StringComparison.Ordinal)).Substring("guid: ".Length).Trim()
+            : NewGuid(path);
+
+        // As Headless~/Engine/tools/make-meta gives them, which writes those of new shaders.
+        static string NewGuid(string path) => Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant();
+
+        static string Head(string script, string name) =>
+            "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &11400000\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n" +
+            "  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  m_GameObject: {fileID: 0}\n" +
+            $"  m_Enabled: 1\n  m_EditorHideFlags: 0\n  m_Script: {{fileID: 11500000, guid: {script}, type: 3}}\n  m_Name: {name}\n  m_EditorClassIdentifier: \n";
+    }
+}
