@@ -12,9 +12,9 @@ namespace Rill.Editor
 
         internal static void Release()
         {
-            FluidSimulation.KeepsNothing = true;
+            SolverOwner.SuspendsNothing = true;
             foreach (FluidSimulation fluid in Resources.FindObjectsOfTypeAll<FluidSimulation>())
-                fluid.ReleaseKept();
+                fluid.ReleaseSuspended();
         }
     }
 }

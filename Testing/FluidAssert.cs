@@ -29,7 +29,7 @@ namespace Rill.Testing
         {
             if (fluid == null)
                 throw new ArgumentNullException(nameof(fluid));
-            return fluid.MeasureNow();
+            return fluid.Results.Measurements.MeasureNow();
         }
 
         /// <summary>
@@ -175,35 +175,38 @@ namespace Rill.Testing
         }
 
         static string NameFurthest(FluidSimulation fluid, int count)
-            => Name(" ", fluid.FindParticles(Math.Min(count, MaxNamed), particle => particle.outside > 0f ? -particle.outside : float.NaN),
+            => Name(" ", Find(fluid, particle => particle.outside > 0f ? -particle.outside : float.NaN, Math.Min(count, MaxNamed)),
                 particle => Invariant($"{particle.outside:0.000} m too far"));
 
         static string NameFastest(FluidSimulation fluid)
-            => Name(" The fastest: ", fluid.FindParticles(MaxNamed, particle => -math.length(particle.velocity)), particle => Invariant(
+            => Name(" The fastest: ", Find(fluid, particle => -math.length(particle.velocity)), particle => Invariant(
                 $"{-particle.measure:0.000} m/s by {particle.velocity.x:0.00}, {particle.velocity.y:0.00}, {particle.velocity.z:0.00}"));
 
         static string NameAtBoundary(FluidDetector detector)
             => Name(" Nearest to its boundary: ",
-                detector.Simulation.FindParticles(MaxNamed, particle => math.abs(detector.DistanceTo(particle.world))),
+                Find(detector.Simulation, particle => math.abs(detector.DistanceTo(particle.world))),
                 particle => Invariant($"{particle.measure:0.000} m {(detector.DistanceTo(particle.world) < 0f ? "inside" : "outside")}"));
 
         // What is in the way of emitters that found no room.
         static string NameBlocked(FluidSimulation fluid)
         {
             var named = "";
-            foreach (FluidEmitter emitter in fluid.FindBlockedEmitters())
+            foreach (FluidEmitter emitter in fluid.Inputs.Parts.FindBlockedEmitters())
                 named += Invariant($" Emitter '{emitter.name}' gave up {emitter.Blocked};") + Name(" nearest to it: ",
-                    fluid.FindParticles(MaxNamed, particle => math.distance(particle.world, emitter.transform.position)),
+                    Find(fluid, particle => math.distance(particle.world, emitter.transform.position)),
                     particle => Invariant($"{particle.measure:0.000} m away"));
             return named;
         }
 
-        static string Name(string heading, List<FluidSimulation.FoundParticle> particles, Func<FluidSimulation.FoundParticle, string> what)
+        static List<FoundParticle> Find(FluidSimulation fluid, Func<FoundParticle, float> measure, int maxCount = MaxNamed)
+            => fluid.Results.Measurements.FindParticles(maxCount, measure);
+
+        static string Name(string heading, List<FoundParticle> particles, Func<FoundParticle, string> what)
         {
             if (particles.Count == 0)
                 return "";
             var named = new List<string>();
-            foreach (FluidSimulation.FoundParticle particle in particles)
+            foreach (FoundParticle particle in particles)
                 named.Add(Invariant($"Particle {particle.id} is at {particle.position.x:0.000}, {particle.position.y:0.000}, {particle.position.z:0.000} m in the box's frame, ")
                     + what(particle));
             return heading + string.Join("; ", named) + ".";

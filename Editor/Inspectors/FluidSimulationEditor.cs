@@ -122,7 +122,7 @@ namespace Rill.Editor
         void DrawEstimates()
         {
             InspectorRows.Text("Volumes hold", Invariant($"about {FillEstimate.Particles(Simulation):N0} particles"));
-            long bytes = Simulation.EstimatedBytes;
+            long bytes = Simulation.SolverOwner.EstimatedBytes;
             if (bytes > 0)
                 InspectorRows.Text("GPU memory", MemoryRows.Text(bytes, Simulation.Capacity) + ", without optional stages");
         }
@@ -214,7 +214,7 @@ namespace Rill.Editor
             if (Time.frameCount - memoryAt >= MemoryInterval)
             {
                 memoryAt = Time.frameCount;
-                MemoryRows.List(Simulation.Describe(), memory);
+                MemoryRows.List(Simulation.Results.Describe(), memory);
             }
             InspectorRows.Text("All buffers", MemoryRows.Text(MemoryRows.Total(memory), Simulation.Capacity));
             foreach (MemoryRows.Row row in memory)

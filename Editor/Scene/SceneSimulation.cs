@@ -100,12 +100,12 @@ namespace Rill.Editor
             if (stepsDue > 0)
             {
                 stepsDue--;
-                Fluid.GiveTime(Fluid.FixedStep);
+                Fluid.Clock.GiveTime(Fluid.FixedStep);
             }
             else if (IsPaused)
-                Fluid.GiveTime(0f);
+                Fluid.Clock.GiveTime(0f);
             else if (passed > 0.0)
-                Fluid.GiveTime((float)passed);
+                Fluid.Clock.GiveTime((float)passed);
             // Also while it is paused: what a frame draws is gone with it.
             EditorApplication.QueuePlayerLoopUpdate();
             SceneView.RepaintAll();

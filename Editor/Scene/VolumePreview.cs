@@ -116,7 +116,7 @@ namespace Rill.Editor
             NativeArray<float4> positions = default;
             try
             {
-                positions = fluid.PositionsOf(volume, out int inside, out _, out _);
+                positions = fluid.Editing.Filling.PositionsOf(volume, out int inside, out _, out _);
                 if (inside == 0)
                     return null;
                 MadeCount++;

@@ -94,7 +94,7 @@ namespace Rill
             volume = volume,
             wetVolume = wetVolume,
             estimate = estimate,
-            shiftSince = fluid.WorldShift - levelShift,
+            shiftSince = fluid.Box.WorldShift - levelShift,
             levelIsKnown = levelIsKnown ? 1u : 0u,
         };
 
@@ -109,7 +109,7 @@ namespace Rill
             volume = record.volume,
             wetVolume = record.wetVolume,
             estimate = record.estimate,
-            levelShift = fluid.WorldShift - record.shiftSince - moved,
+            levelShift = fluid.Box.WorldShift - record.shiftSince - moved,
             levelIsKnown = record.levelIsKnown != 0,
         };
 
@@ -243,8 +243,8 @@ namespace Rill
         {
             if (ReferenceEquals(fluid, null))
                 return;
-            level += Vector3.Dot(fluid.WorldShift - levelShift, up);
-            levelShift = fluid.WorldShift;
+            level += Vector3.Dot(fluid.Box.WorldShift - levelShift, up);
+            levelShift = fluid.Box.WorldShift;
         }
 
         // Forces and moments of all parts as they were measured, their volume, and means over it.

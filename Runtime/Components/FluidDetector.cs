@@ -154,7 +154,7 @@ namespace Rill
                 return false;
             sample = latest;
             if (latest.valid)
-                sample.position += Simulation.WorldShift - latestShift;
+                sample.position += Simulation.Box.WorldShift - latestShift;
             sample.age = latest.valid ? AgeOf(latest.time) : 0f;
             return sample.valid;
         }

@@ -58,7 +58,7 @@ namespace Rill
 
         /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago. Begins again
         /// when this is disabled.</summary>
-        public int Drained => Simulation != null && Number >= 0 ? Simulation.DrainedCount(Number) : 0;
+        public int Drained => Simulation != null && Number >= 0 ? Simulation.Inputs.Parts.DrainedCount(Number) : 0;
 
         internal override PartKind PartKind => PartKind.Drain;
 

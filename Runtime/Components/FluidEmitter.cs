@@ -276,7 +276,7 @@ namespace Rill
             }
         }
 
-        int Count(EmitterStates.Word word) => Simulation != null && Number >= 0 ? Simulation.EmitterCount(Number, word) : 0;
+        int Count(EmitterStates.Word word) => Simulation != null && Number >= 0 ? Simulation.Inputs.Parts.EmitterCount(Number, word) : 0;
 
         // m/s.
         float LeavingSpeed => mode == EmitterMode.Fill && shape != EmitterShape.MeshSurface ? speed : math.max(speed, MinSpeed);

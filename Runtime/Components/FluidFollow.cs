@@ -88,7 +88,7 @@ namespace Rill
 
         // Without which it follows all the same.
         string HandOverProblem => handOverTo == null ? null
-            : Fluid.HandOverProblem(handOverTo) is string problem ? $"it hands nothing over: {problem}" : null;
+            : Fluid.Editing.Recentering.HandOverProblem(handOverTo) is string problem ? $"it hands nothing over: {problem}" : null;
 
         string RefillProblem => refill == null ? null
             : refill.ProblemWith(Fluid.ParticleSpacing) is string problem ? $"it fills nothing: {problem}" : null;

@@ -60,7 +60,7 @@ namespace Rill
                 return false;
             sample = latest;
             if (frame.spacing > 0f)
-                sample.Shift(Simulation.WorldShift - frame.shift, frame.up);
+                sample.Shift(Simulation.Box.WorldShift - frame.shift, frame.up);
             sample.age = latest.step > 0 || latest.valid ? AgeOf(latest.time) : 0f;
             return sample.valid;
         }

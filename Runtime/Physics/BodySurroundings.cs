@@ -57,7 +57,7 @@ namespace Rill
             if (!water.IsAnswered && !float.IsNaN(knownLevel))
                 water.Assume(knownLevel);
             if (!water.HasWater)
-                return new StillWater { isPending = !water.IsAnswered && fluid.DropsTime && weight > 0f };
+                return new StillWater { isPending = !water.IsAnswered && fluid.Clock.DropsTime && weight > 0f };
             samples.Clear();
             foreach (BodyPart part in parts)
                 SurfaceSamples.Append(samples, part.shape, part.field, fluid.ParticleSpacing);
@@ -103,7 +103,7 @@ namespace Rill
                 high = math.max(high, middle + half);
                 volume += part.volume;
             }
-            if (fluid.DropsTime && mass < fluid.Material.density * volume)
+            if (fluid.Clock.DropsTime && mass < fluid.Material.density * volume)
                 return 1f;
             float draft = mass / (fluid.Material.density * volume) * (high - low) / fluid.ParticleSpacing;
             return math.saturate((HeavyDraft - draft) / (HeavyDraft - LightDraft));
@@ -112,13 +112,13 @@ namespace Rill
         // Those whose surface may come before a face of the body. The domain's walls are solids too.
         bool FindSolids(List<BodyPart> parts)
         {
-            frame = fluid.Frame;
+            frame = fluid.Box.Frame;
             size = fluid.DomainSize / fluid.ParticleSpacing;
             solids.Clear();
             isNearWall = false;
-            ColliderSet set = fluid.ColliderSet;
+            ColliderSet set = fluid.Inputs.Colliders.Set;
             for (int i = 0; i < set.Count; i++)
-                if (MayBeNear(parts, set.Items[i]) && !IsOwn(parts, fluid.ColliderOwner(i))
+                if (MayBeNear(parts, set.Items[i]) && !IsOwn(parts, fluid.Inputs.Colliders.OwnerOf(i))
                     && ColliderDistance.TryMake(set.Items[i], out ColliderDistance solid) && IsNear(parts, solid))
                     solids.Add(solid);
             foreach (BodyPart part in parts)
@@ -170,7 +170,7 @@ namespace Rill
             Vector3 middle = Vector3.zero;
             foreach (BodyPart part in parts)
                 middle += (Vector3)part.shape.end.position / parts.Count;
-            frame = fluid.Frame;
+            frame = fluid.Box.Frame;
             Vector3 right = Vector3.Cross(up, Mathf.Abs(up.x) < 0.7f ? Vector3.right : Vector3.forward).normalized;
             Vector3 forward = Vector3.Cross(right, up);
             for (int i = 0; i < WaterBeside.MaxPoints; i++)
@@ -204,7 +204,8 @@ namespace Rill
 
         StillWater Sum(Vector3 center, Vector3 up, float weightOfWater, bool isNear, float weight)
         {
-            var sum = new StillWater { weight = weight, level = water.Level, velocity = fluid.RateOfTime * water.Velocity + fluid.BoxVelocity };
+            Vector3 velocity = fluid.Clock.RateOfTime * water.Velocity + fluid.Box.Velocity;
+            var sum = new StillWater { weight = weight, level = water.Level, velocity = velocity };
             float lowest = float.PositiveInfinity;
             foreach (SurfaceSample sample in samples)
             {

@@ -158,7 +158,7 @@ namespace Rill
                 return false;
             FindColliders();
             foreach (FluidCollider collider in colliders)
-                if (fluid.IsNear(collider))
+                if (fluid.Inputs.Colliders.IsNear(collider))
                     return true;
             return false;
         }

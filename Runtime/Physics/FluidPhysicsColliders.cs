@@ -200,14 +200,14 @@ namespace Rill
         void OnEnable()
         {
             fluid = GetComponent<FluidSimulation>();
-            fluid.ColliderSource = this;
+            fluid.Inputs.Colliders.Source = this;
             shaders.Hold();
         }
 
         void OnDisable()
         {
-            if (fluid != null && ReferenceEquals(fluid.ColliderSource, this))
-                fluid.ColliderSource = null;
+            if (fluid != null && ReferenceEquals(fluid.Inputs.Colliders.Source, this))
+                fluid.Inputs.Colliders.Source = null;
             leavers.Clear();
             DropAll();
             shaders.Release();
@@ -285,7 +285,7 @@ namespace Rill
             }
             catch (Exception problem) when (fluid != null)
             {
-                fluid.Thrown.Log(problem, collider, fluid);
+                fluid.Inputs.Thrown.Log(problem, collider, fluid);
             }
         }
 

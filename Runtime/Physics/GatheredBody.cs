@@ -25,7 +25,7 @@ namespace Rill
             if (Body == null || Body.isKinematic)
                 return false;
             foreach (GatheredCollider part in Parts)
-                if (fluid.IsNear(part))
+                if (fluid.Inputs.Colliders.IsNear(part))
                     return true;
             return false;
         }

@@ -176,7 +176,7 @@ namespace Rill
             (reader, opened, time, problem) = (next, file, 0.0, null);
             frames = new FrameReadAhead(reader);
             (MissedFrames, hasJumped, goesBack, IsPlaying) = (0, true, speed < 0f, playOnEnable);
-            simulation.Playback = this;
+            simulation.Playback.Source = this;
         }
 
         /// <summary>Closes the recording. The fluid goes on from the frame that is shown.</summary>
@@ -185,7 +185,7 @@ namespace Rill
             if (!IsOpen)
                 return;
             if (simulation != null)
-                simulation.Playback = null;
+                simulation.Playback.Source = null;
             frames.Dispose();
             (frames, reader, opened) = (null, null, null);
             (ShownFrame, Lag, IsPlaying, IsDriven) = (-1, 0.0, false, false);

@@ -116,15 +116,15 @@ namespace Rill
             if (IsRecording || IsWriting)
                 throw new InvalidOperationException(
                     $"FluidRecorder '{name}' already records into '{path}': call Stop, and wait until IsWriting is false.");
-            if (!simulation.CanRecord)
+            if (!simulation.Playback.IsSupported)
                 throw new InvalidOperationException($"FluidRecorder '{name}' cannot record: {StageShader.MissingProblem("Recording")}");
             solver = simulation.Solver;
             header = new RecordingHeader(solver.Layout, fields);
             writer = new RecordingWriter(OpenFile(file), header, bufferedFrames);
             (path, problem, buffers) = (file, null, bufferedFrames);
             (lastFrame, lastStep) = (-1, simulation.StepCount);
-            simulation.AfterStep += OnStep;
-            simulation.AfterSteps += OnSteps;
+            simulation.Steps.AfterStep += OnStep;
+            simulation.Steps.AfterSteps += OnSteps;
             IsRecording = true;
         }
 
@@ -135,7 +135,7 @@ namespace Rill
             if (!IsRecording)
                 return;
             IsRecording = false;
-            simulation.AfterStep -= OnStep;
+            simulation.Steps.AfterStep -= OnStep;
             FinishIfAll();
         }
 
@@ -302,7 +302,7 @@ namespace Rill
         {
             if (IsRecording || recorded.Count + coming.Count > 0)
                 return;
-            simulation.AfterSteps -= OnSteps;
+            simulation.Steps.AfterSteps -= OnSteps;
             foreach (Transfer transfer in idle)
                 GpuBuffer.Release(ref transfer.buffer);
             idle.Clear();       // a callback that is late finds no frame

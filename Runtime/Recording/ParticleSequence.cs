@@ -31,7 +31,7 @@ namespace Rill
             this.prefix = prefix ?? throw new ArgumentNullException(nameof(prefix));
             this.format = format;
             Directory.CreateDirectory(folder);
-            simulation.AskForSurface += AskForDensity;
+            simulation.Results.Surface.Requesting += AskForDensity;
         }
 
         /// <summary>Calls of <see cref="Capture"/>.</summary>
@@ -51,7 +51,7 @@ namespace Rill
             if (disposed)
                 throw new ObjectDisposedException(nameof(ParticleSequence));
             string file = Path.Combine(folder, Invariant($"{prefix}_{Captured:000000}{ParticleFile.Extension(format)}"));
-            simulation.RequestFrame((frame, problem) => OnFrame(file, frame, problem));
+            ParticleExport.Request(simulation, (frame, problem) => OnFrame(file, frame, problem));
             Captured++;
         }
 
@@ -61,11 +61,11 @@ namespace Rill
             if (disposed)
                 return;
             disposed = true;
-            simulation.AskForSurface -= AskForDensity;
+            simulation.Results.Surface.Requesting -= AskForDensity;
         }
 
         // Of the coming steps, with their velocities.
-        void AskForDensity() => simulation.NeedsDensity = true;
+        void AskForDensity() => simulation.Steps.NeedsDensity = true;
 
         void OnFrame(string file, ParticleFrame frame, string problem)
         {

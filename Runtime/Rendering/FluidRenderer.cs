@@ -118,7 +118,7 @@ namespace Rill
         /// <summary>The domain's pose and this frame's time since the newest step.</summary>
         private protected void SetFrame(MaterialPropertyBlock properties)
         {
-            properties.SetVector(Ids.FrameLag, Simulation.FrameLag);
+            properties.SetVector(Ids.FrameLag, Simulation.Clock.FrameLag);
             properties.SetVector(Ids.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
             properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
         }

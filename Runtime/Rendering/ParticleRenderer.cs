@@ -99,7 +99,7 @@ namespace Rill
 
         private protected override void Draw()
         {
-            Simulation.NeedsDensity |= colorBy == Quantity.Density;
+            Simulation.Steps.NeedsDensity |= colorBy == Quantity.Density;
             SetProperties();
             int command = StereoInstancing.IsActive ? StereoInstancing.StereoCommand : StereoInstancing.MonoCommand;
             Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, Simulation.Solver.DrawArguments, 1, command);

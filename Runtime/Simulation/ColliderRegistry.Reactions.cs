@@ -43,7 +43,7 @@ namespace Rill
             }
             takenRotation = rotation;
             takenStep = fluid.StepCount;
-            takenShift = fluid.WorldShift;
+            takenShift = fluid.Box.WorldShift;
             double d = frame.Spacing;
             takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep
                 / VelocityExtrapolation.FractionAtOnce(input);
@@ -66,7 +66,7 @@ namespace Rill
                 }
                 catch (Exception problem)
                 {
-                    fluid.Thrown.Log(problem, taken[i].owner, fluid);
+                    fluid.Inputs.Thrown.Log(problem, taken[i].owner, fluid);
                 }
             }
             // What a listener changes, such as restarting the fluid, is of the next result.
@@ -95,7 +95,7 @@ namespace Rill
             double area = reactions.WettedArea(index, out double3 facing, out double3 at);
             if (!(area > 0.0))
                 return default;
-            Vector3 place = taken[index].place + fluid.WorldShift - takenShift;
+            Vector3 place = taken[index].place + fluid.Box.WorldShift - takenShift;
             var offset = (Vector3)(float3)(at * (taken[index].arm * spacing / area));
             double3 mean = facing / area;
             return new WettedArea((float)(area * spacing * spacing), place + takenRotation * offset,
@@ -123,7 +123,7 @@ namespace Rill
                 }
                 catch (Exception problem)
                 {
-                    fluid.Thrown.Log(problem, leavers[i], fluid);
+                    fluid.Inputs.Thrown.Log(problem, leavers[i], fluid);
                 }
             }
             leavers.Clear();

@@ -58,7 +58,7 @@ namespace Rill
             changed = reordered = false;
             DropOtherLayers(steps.fluid);
             foreach (ISceneCollider collider in SceneColliders.Enabled)
-                if (steps.fluid.Takes(collider))
+                if (steps.fluid.Inputs.Colliders.Takes(collider))
                     TryCollect(steps, collider);
             for (int i = 0; hasOwn && i < own.Count; i++)
                 TryCollect(steps, own[i]);
@@ -80,7 +80,7 @@ namespace Rill
             catch (Exception problem)
             {
                 Set.Count = before;
-                steps.fluid.Thrown.Log(problem, collider, steps.fluid);
+                steps.fluid.Inputs.Thrown.Log(problem, collider, steps.fluid);
             }
         }
 
@@ -91,7 +91,7 @@ namespace Rill
             ToDomain(ref motion, steps.frame);
             int before = LastIndex(collider);
             bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen))
-                && steps.fluid.WentAlong(last[before].motion.seen, motion.seen);
+                && steps.fluid.Box.WentAlong(last[before].motion.seen, motion.seen);
             bool skips = follows && steps.clock.FrameDropped > 0.0 && collider.IsCarried;
             if (follows)
                 Follow(ref motion, last[before].motion, steps.clock);
@@ -125,7 +125,7 @@ namespace Rill
             entry.track = goesOn ? last[before].track : ColliderTrack.At(pose);
             if (!goesOn)
                 collider.AwaitForce(steps.fluid);
-            entry.track.GoTo(steps.fluid.Teleported(entry.track.Pose));
+            entry.track.GoTo(steps.fluid.Box.Teleported(entry.track.Pose));
             if (skips)
                 entry.track.SkipTo(steps.frame.World(motion.start));
             entry.track.Follow(pose, steps.duration, steps.substepTime);
@@ -134,10 +134,11 @@ namespace Rill
         // Colliders of the last steps that the fluid takes no more: they have left it.
         void DropOtherLayers(FluidSimulation fluid)
         {
-            if (fluid.TakesAllLayers)
+            ColliderInputs inputs = fluid.Inputs.Colliders;
+            if (inputs.TakesAllLayers)
                 return;
             for (int i = 0; i < lastCount; i++)
-                if (last[i].owner is ISceneCollider collider && last[i].owner.IsThere && !fluid.Takes(collider) && last[i].owner.Leave(fluid))
+                if (last[i].owner is ISceneCollider collider && last[i].owner.IsThere && !inputs.Takes(collider) && last[i].owner.Leave(fluid))
                     leavers.Add(collider);
         }
 

@@ -101,8 +101,31 @@ namespace Rill
             solver = null;
         }
 
-        /// <summary>Asks for the particles as the commands executed so far leave them.</summary>
-        internal void Request(FluidSimulation of, ParticleFields wanted)
+        /// <summary>Requests a fluid's particles: see <see cref="FluidSimulation.RequestParticles"/>.</summary>
+        internal static bool TryRequest(FluidSimulation fluid, ParticleReadback readback, ParticleFields fields)
+        {
+            if (readback == null)
+                throw new ArgumentNullException(nameof(readback));
+            if ((fields & ParticleFields.All) == 0)
+                throw Limit.OutOfRange(nameof(fields), fields, "A request brings at least one field.");
+            bool isPending = readback.IsPending;
+            if (fluid.Solver == null && FeatureSupport.HasNoGraphics)
+                return false;
+            if (fluid.Solver == null)
+                throw new InvalidOperationException($"FluidSimulation '{fluid.name}' is not running: enable it before asking for its particles.");
+            if (isPending)
+                return false;
+            if (!fluid.Support.Gate.IsLoaded(Features.ParticleAccess))
+            {
+                readback.Fail();
+                return false;
+            }
+            readback.Request(fluid, fields & ParticleFields.All);
+            return true;
+        }
+
+        // Requests the particles as the commands executed so far leave them.
+        void Request(FluidSimulation of, ParticleFields wanted)
         {
             PbfSolver from = of.Solver;
             // Which particles a script has removed since the last step, only their positions tell.

@@ -8,7 +8,7 @@ namespace Rill.Editor.Tests
     public class KeptStateReloadTests
     {
         [TearDown]
-        public void KeepAgain() => FluidSimulation.KeepsNothing = false;
+        public void KeepAgain() => SolverOwner.SuspendsNothing = false;
 
         [Test]
         public void Disabled_fluids_give_back_what_they_keep_and_running_ones_go_on()

@@ -194,9 +194,9 @@ namespace Rill.Tests
             Lay(0, Frames);
             Scrub(0);
             Scrub(1);
-            Assert.That(scene.Fluid.FrameLag.w, Is.EqualTo(-Frame).Within(1e-5), "as when it plays");
+            Assert.That(scene.Fluid.Clock.FrameLag.w, Is.EqualTo(-Frame).Within(1e-5), "as when it plays");
             Scrub(9);
-            Assert.That(scene.Fluid.FrameLag.w, Is.Zero, "nothing moves into a jump");
+            Assert.That(scene.Fluid.Clock.FrameLag.w, Is.Zero, "nothing moves into a jump");
         }
 
         [Test]

@@ -50,7 +50,7 @@ namespace Host.Tests
             PlayerLoop.Frame(FrameTime);
             List<string> asked = Footprint.Of(() => PlayerLoop.Frame(FrameTime)).Work;
             Assert.That(simulation.IsRunning, Is.True);
-            Assert.That(asked, Is.EqualTo(Footprint.Explained(simulation.Describe())));
+            Assert.That(asked, Is.EqualTo(Footprint.Explained(simulation.Results.Describe())));
             Assert.That(Problems(simulation), Is.Empty);
         }
 
@@ -94,7 +94,7 @@ namespace Host.Tests
             for (int frame = 0; frame < 3; frame++)
                 PlayerLoop.Frame(FrameTime);
             Assert.That(simulation.IsRunning, Is.True);
-            Assert.That(simulation.ColliderCount, Is.EqualTo(1));
+            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(1));
         }
 
         [Test]

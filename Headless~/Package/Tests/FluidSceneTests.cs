@@ -61,7 +61,7 @@ namespace Host.Tests
 
             List<string> asked = Footprint.Of(() => PlayerLoop.Frame(FrameTime)).Work;
 
-            Assert.That(asked, Is.EqualTo(Footprint.Explained(simulation.Describe())));
+            Assert.That(asked, Is.EqualTo(Footprint.Explained(simulation.Results.Describe())));
         }
 
         [TestCaseSource(nameof(SceneNames))]
@@ -72,7 +72,7 @@ namespace Host.Tests
             PlayerLoop.Frame(FrameTime);
 
             var alive = BufferStorage.Live.Select(buffer => $"{buffer.Name} {buffer.Bytes}").OrderBy(entry => entry);
-            var explained = simulation.Describe().SelectMany(stage => stage.Buffers).Select(buffer => $"{buffer.name} {buffer.bytes}")
+            var explained = simulation.Results.Describe().SelectMany(stage => stage.Buffers).Select(buffer => $"{buffer.name} {buffer.bytes}")
                 .OrderBy(entry => entry);
             Assert.That(alive, Is.EqualTo(explained));
         }
@@ -82,7 +82,7 @@ namespace Host.Tests
         {
             FluidSimulation simulation = Build("everything off");
             PlayerLoop.Frame(FrameTime);
-            List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
+            List<StageDescription> off = simulation.Results.Describe().Where(stage => !stage.IsUsed).ToList();
             Assert.That(off.Select(stage => stage.Name),
                 Is.EquivalentTo(new[] { "Particle access", "Drains", "Transfer", "Resting regions", "Force fields", "Coarse correction", "Colliders",
                 "Particle tags", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam",
@@ -96,7 +96,7 @@ namespace Host.Tests
         {
             FluidSimulation simulation = Build("deep water in a large box");
             PlayerLoop.Frame(FrameTime);
-            StageDescription stage = simulation.Describe().Single(s => s.Name == "Coarse correction");
+            StageDescription stage = simulation.Results.Describe().Single(s => s.Name == "Coarse correction");
             Assert.That(stage.Kernels.Select(kernel => kernel.kernel), Has.Member("CoarseSolver.compute: SmoothLevel"),
                 "a box with levels above the tail");
 

@@ -254,7 +254,7 @@ namespace Host.Tests
             Footprint before = FullestFrame();
             simulation.StatisticsInterval = 1;
             var expected = FullestFrame().Since(before).Where(change => change.Contains(".compute"));
-            Assert.That(simulation.Describe().SelectMany(stage => stage.Kernels).Where(kernel => kernel.perStep == 0)
+            Assert.That(simulation.Results.Describe().SelectMany(stage => stage.Kernels).Where(kernel => kernel.perStep == 0)
                 .Select(kernel => "+1 " + Footprint.Short(kernel.kernel)), Is.EquivalentTo(expected));
         }
 
@@ -303,7 +303,7 @@ namespace Host.Tests
                 for (int i = 0; i < 2; i++)     // what finds the surface is asked in the first and there in the second
                     PlayerLoop.Frame(FrameTime);
                 Footprint frame = Footprint.Of(() => PlayerLoop.Frame(FrameTime));       // the third: none of the samples measures before the fourth
-                List<StageDescription> stages = simulation.Describe();
+                List<StageDescription> stages = simulation.Results.Describe();
                 // The sky and the copy of the opaque scene are the camera's, however many fluids it sees; the surface's particles and its mesh,
                 // with two sums, are found once a frame.
                 string[] others = { "BlitCopy.shader", "SkyboxProcedural.shader", "SurfaceParticles.compute", "SurfaceMesh.compute" };

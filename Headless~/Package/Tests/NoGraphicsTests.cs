@@ -13,7 +13,7 @@ namespace Host.Tests
     public class NoGraphicsTests : GraphicsFixture
     {
         const float FrameTime = 1f / 60f;
-        const string Notice = "stays empty, like every other: this player has no graphics device";
+        const string Notice = "is inactive, like every other: this player has no graphics device";
 
         [SetUp]
         public void TakeTheDeviceAway() => Player.Device = null;
@@ -57,7 +57,7 @@ namespace Host.Tests
             Assert.That(emitter.Emitted, Is.Zero);
             Assert.That(simulation.enabled, Is.True, "a game's own check that it left the fluid on shall hold");
             Assert.That(simulation.IsRunning, Is.False);
-            Assert.That(simulation.Describe(), Is.Empty);
+            Assert.That(simulation.Results.Describe(), Is.Empty);
             simulation.enabled = false;
             simulation.enabled = true;
             PlayerLoop.Frame(FrameTime);

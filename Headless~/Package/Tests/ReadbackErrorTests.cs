@@ -78,7 +78,7 @@ namespace Host.Tests
             Frames(6);
             Assert.That(fluid.TryGetStatistics(out _), Is.False, "an old one passes for new");
             Assert.That(Problems().Single(), Does.StartWith("did not get a measurement back"));
-            var refusal = Assert.Throws<InvalidOperationException>(() => fluid.MeasureNow());
+            var refusal = Assert.Throws<InvalidOperationException>(() => fluid.Results.Measurements.MeasureNow());
             Assert.That(refusal.Message, Does.Contain("'Pond'").And.Contain("did not get a measurement back"));
 
             ReadbackQueue.Fails = null;
@@ -101,7 +101,7 @@ namespace Host.Tests
             ReadbackQueue.CallsBackLate = callsBackLate;
             for (int i = 0; i < 3; i++)
             {
-                Assert.That(fluid.MeasureNow().particles, Is.EqualTo(500));
+                Assert.That(fluid.Results.Measurements.MeasureNow().particles, Is.EqualTo(500));
                 fluid.Advance(FrameTime);
                 fluid.FlushQueries();
                 Assert.That(probe.TryGetSample(out FluidProbeSample sample));

@@ -151,7 +151,7 @@ namespace Host.Tests
             EditorApplication.SayHierarchyChanged();
             EditModeScene.Step(1);
             Assert.That(emitter.Simulation, Is.SameAs(scene.Fluid));
-            Assert.That(scene.Fluid.ColliderCount, Is.Zero);
+            Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
         }
 
         [Test]
@@ -386,10 +386,10 @@ namespace Host.Tests
             Physics.SyncTransforms();
             scene.Simulate();
             EditModeScene.Step(1);
-            Assert.That(scene.Fluid.ColliderCount, Is.Zero);
+            Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
             box.transform.position = Vector3.zero;
             EditModeScene.Step(1);
-            Assert.That(scene.Fluid.ColliderCount, Is.EqualTo(1));
+            Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.EqualTo(1));
         }
 
         [Test]

@@ -59,7 +59,7 @@ namespace Host.Tests
             {
                 long before = NativeWork.ScriptBytes;
                 var watch = Stopwatch.StartNew();
-                using (NativeArray<float4> positions = volume.Fill(0.01f, 1))
+                using (NativeArray<float4> positions = volume.CreatePositions(0.01f, 1))
                 {
                     double milliseconds = watch.Elapsed.TotalMilliseconds;
                     Assert.That(positions.Length, Is.EqualTo(1000000).Within(30000));

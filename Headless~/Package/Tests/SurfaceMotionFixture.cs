@@ -126,7 +126,7 @@ namespace Host.Tests
             var start = new float4[now.Length];
             solver.Positions.GetData(now, 0, 0, now.Length);
             solver.StartPositions.GetData(start, 0, 0, now.Length);
-            float lag = simulation.FrameLag.x;
+            float lag = simulation.Clock.FrameLag.x;
             float3 sum = 0;
             for (int i = 0; i < now.Length; i++)
                 sum += now[i].xyz + (now[i].xyz - start[i].xyz) * lag;

@@ -45,7 +45,7 @@ namespace Host.Tests
         {
             build();
             // Both asks get one mesh.
-            simulation.AskForSurface += () => simulation.NeedMesh(FluidSurface.CellOf(SurfaceQuality.Medium), BoxWalls.All);
+            simulation.Results.Surface.Requesting += () => simulation.Results.Surface.RequestMesh(FluidSurface.CellOf(SurfaceQuality.Medium), BoxWalls.All);
             FieldInfo scale = pipeline["Unity.RenderPipelines.Core.Runtime"].GetType("UnityEngine.Experimental.Rendering.XRPass")
                 .GetField("TextureScale", BindingFlags.Static | BindingFlags.NonPublic);
             scale.SetValue(null, 0.5f);

@@ -114,7 +114,7 @@ namespace Rill
 
         private protected override void Draw()
         {
-            Simulation.NeedsFoam = settings;
+            Simulation.Steps.NeedsFoam = settings;
             FoamFrame foam = Frame;
             if (foam.particles == null || IsDrawnBySurface)
                 return;

@@ -228,7 +228,7 @@ namespace Rill
                 throw new InvalidOperationException($"{why}. Draw the fluid with a Particle Renderer there.");
             meshDraw = new MeshDraw(ShaderMaterial);
             active.Add(this);
-            Simulation.AskForSurface += Ask;
+            Simulation.Results.Surface.Requesting += Ask;
             BuiltInSurfaces.Begin();
         }
 
@@ -237,7 +237,7 @@ namespace Rill
             mesh = null;
             active.Remove(this);
             if (Simulation != null)
-                Simulation.AskForSurface -= Ask;
+                Simulation.Results.Surface.Requesting -= Ask;
             BuiltInSurfaces.End();
             RenderSetups.End();
             shadow?.Dispose();
@@ -264,10 +264,10 @@ namespace Rill
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
-            Simulation.NeedMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
+            Simulation.Results.Surface.RequestMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
             {
-                Simulation.NeedsSurface = true;
+                Simulation.Results.Surface.IsNeeded = true;
                 return;
             }
             bool casts = CastsShadow;
@@ -275,7 +275,7 @@ namespace Rill
             // Of a light that is not known, the shadow may fall anywhere.
             if (casts && light == null || watch.IsSeen(gameObject.layer, new FluidBox(Simulation), casts
                 ? light.transform.forward * QualitySettings.shadowDistance : Vector3.zero))
-                Simulation.NeedsSurface = true;
+                Simulation.Results.Surface.IsNeeded = true;
         }
 
         private protected override void Draw()

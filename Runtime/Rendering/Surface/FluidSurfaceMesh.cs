@@ -98,13 +98,13 @@ namespace Rill
                     enabled = false;
                 return;
             }
-            fluid.AskForSurface += Ask;
+            fluid.Results.Surface.Requesting += Ask;
         }
 
         void OnDisable()
         {
             if (fluid != null)
-                fluid.AskForSurface -= Ask;
+                fluid.Results.Surface.Requesting -= Ask;
             Hide();
             rendered?.Dispose();
             rendered = null;
@@ -124,8 +124,8 @@ namespace Rill
         {
             if (!IsWanted)
                 return;
-            fluid.NeedsSurface = true;
-            fluid.NeedMesh(FluidSurface.CellOf(quality), BoxWalls.All & ~hiddenWalls);
+            fluid.Results.Surface.IsNeeded = true;
+            fluid.Results.Surface.RequestMesh(FluidSurface.CellOf(quality), BoxWalls.All & ~hiddenWalls);
         }
 
         void LateUpdate() => DrawFrame();

@@ -71,7 +71,7 @@ namespace Rill
         /// <summary>Up in the domain's frame.</summary>
         public Vector3 rippleUp;
 
-        /// <summary>FluidSimulation.FrameLag.</summary>
+        /// <summary><see cref="FluidClock.FrameLag"/>.</summary>
         public Vector4 lag;
 
         /// <summary>World, of all that is drawn.</summary>
@@ -99,7 +99,7 @@ namespace Rill
                 exposure = 0.5f * solver.LastSubsteps,
                 cell = found.Cell, bricks = new Vector3Int(found.Bricks.x, found.Bricks.y, found.Bricks.z),
                 domainToWorld = fluid.DomainToWorld, lastDomainToWorld = fluid.DomainToWorld,
-                domainSize = box / spacing, spacing = spacing, lag = fluid.FrameLag,
+                domainSize = box / spacing, spacing = spacing, lag = fluid.Clock.FrameLag,
                 rayScale = quality == SurfaceQuality.Low ? 0.5f : 1f, fineLines = quality == SurfaceQuality.High ? int.MaxValue : FineLines,
                 bounds = new Bounds(fluid.DomainToWorld.MultiplyPoint3x4(box * (0.5f / spacing)), Vector3.one * (box.magnitude + 4f * spacing)),
             };

@@ -168,7 +168,7 @@ namespace Rill
                 return;
             }
             views = new CameraViews<WetnessView>(camera => new WetnessView(camera));
-            fluid.Recentered += Shift;
+            fluid.Editing.Recentering.Recentered += Shift;
             active.Add(this);
             BuiltInWetness.Begin();
         }
@@ -178,7 +178,7 @@ namespace Rill
             if (active.Remove(this))
                 BuiltInWetness.End();
             if (fluid != null)
-                fluid.Recentered -= Shift;
+                fluid.Editing.Recentering.Recentered -= Shift;
             views?.Dispose();
             views = null;
             grid?.Dispose();

@@ -27,7 +27,7 @@ namespace Rill
         public Vector3 Impulse => Force * Duration;
 
         /// <summary>How far the simulation was teleported since, m.</summary>
-        public Vector3 ShiftSince => ReferenceEquals(From, null) ? Vector3.zero : From.WorldShift - shift;
+        public Vector3 ShiftSince => ReferenceEquals(From, null) ? Vector3.zero : From.Box.WorldShift - shift;
 
         public FluidForce(FluidSimulation from, Vector3 force, Vector3 torque, in RelativeMotion motion, float duration = 0f, int step = 0,
             Vector3 shift = default, in WettedArea wetted = default)

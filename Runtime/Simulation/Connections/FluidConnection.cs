@@ -138,18 +138,18 @@ namespace Rill
             }
             attachedFirst = first;
             attachedSecond = second;
-            if (!first.Connect(this))
+            if (!first.Inputs.Connections.Connect(this))
                 Warn(TooManyProblem(first));
-            else if (!second.Connect(this))
+            else if (!second.Inputs.Connections.Connect(this))
                 Warn(TooManyProblem(second));
         }
 
         void Detach()
         {
             if (!ReferenceEquals(attachedFirst, null))
-                attachedFirst.Disconnect(this);
+                attachedFirst.Inputs.Connections.Disconnect(this);
             if (!ReferenceEquals(attachedSecond, null))
-                attachedSecond.Disconnect(this);
+                attachedSecond.Inputs.Connections.Disconnect(this);
             attachedFirst = attachedSecond = null;
             state.Close();
         }
@@ -163,7 +163,7 @@ namespace Rill
 
         void Warn(string problem) => Debug.LogWarning($"Rill: FluidConnection '{name}': {problem}", this);
 
-        int Count(FluidSimulation taker, TransferWord word) => taker != null ? taker.Transferred(this, word) : 0;
+        int Count(FluidSimulation taker, TransferWord word) => taker != null ? taker.Inputs.Connections.Transferred(this, word) : 0;
 
         static string TooManyProblem(FluidSimulation fluid)
             => Invariant($"FluidSimulation '{fluid.name}' has {ParticleTransfer.MaxTransfers} connections, the most it takes, and ") +

@@ -67,16 +67,16 @@ namespace Rill
         /// <returns>xyz, world space, m.</returns>
         /// <exception cref="ArgumentException">Field missing or unreadable, or size, velocity or transform is not finite, or the particles
         /// are too many for any simulation.</exception>
-        internal NativeArray<float4> Fill(float spacing, int seed)
+        internal NativeArray<float4> CreatePositions(float spacing, int seed)
         {
             if (ProblemWith(spacing) is string problem)
                 throw new ArgumentException(problem);
 
             var lattice = new VolumeLattice(LatticeCounts(spacing), spacing);
             if (shape == VolumeShape.Box)       // the lattice fits into it
-                return Fill(lattice, lattice.Total, default, seed);
+                return CreatePositions(lattice, lattice.Total, default, seed);
             using (var marks = new NativeArray<byte>(lattice.Total, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
-                return Fill(lattice, Mark(lattice, spacing, marks.AsSpan()), marks.AsSpan(), seed);
+                return CreatePositions(lattice, Mark(lattice, spacing, marks.AsSpan()), marks.AsSpan(), seed);
         }
 
         int Mark(in VolumeLattice lattice, float spacing, Span<byte> marks)
@@ -87,7 +87,7 @@ namespace Rill
             return lattice.Mark(new FieldVolume(sampler, Center, SignedScale, -0.5f * spacing), marks);
         }
 
-        NativeArray<float4> Fill(in VolumeLattice lattice, int inside, ReadOnlySpan<byte> marks, int seed)
+        NativeArray<float4> CreatePositions(in VolumeLattice lattice, int inside, ReadOnlySpan<byte> marks, int seed)
         {
             var positions = new NativeArray<float4>(inside, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             if (inside > 0)

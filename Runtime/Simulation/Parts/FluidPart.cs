@@ -105,7 +105,7 @@ namespace Rill
                 return false;
             }
             RigidPose pose = frame.Pose(transform.position, transform.rotation);
-            RigidPose first = follows && attached.WentAlong(lastPose, pose) ? lastPose : pose;
+            RigidPose first = follows && attached.Box.WentAlong(lastPose, pose) ? lastPose : pose;
             start = RigidPose.Between(first, pose, from);
             end = RigidPose.Between(first, pose, to);
             if (to >= 1f)
@@ -191,7 +191,7 @@ namespace Rill
         string NoSimulationProblem
             => "there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.";
 
-        string TooManyProblem => Invariant($"FluidSimulation '{attached.name}' has {attached.MaxLike(this)} of its kind, the most it ") +
+        string TooManyProblem => Invariant($"FluidSimulation '{attached.name}' has {attached.Inputs.Parts.MaxOf(this)} of its kind, the most it ") +
             "takes, and leaves this one out. Disable another and enable this again.";
 
         FluidSimulation Wanted => simulation != null ? simulation : GetComponentInParent<FluidSimulation>(true);
@@ -205,7 +205,7 @@ namespace Rill
                 return;
             }
             ShouldLog(NoSimulation, false);
-            attached.Attach(this);
+            attached.Inputs.Parts.Attach(this);
             if (ShouldLog(TooMany, Number < 0))
                 Say(TooManyProblem);
         }
@@ -221,7 +221,7 @@ namespace Rill
         void Detach()
         {
             if (attached != null)       // it may have been destroyed first
-                attached.Detach(this);
+                attached.Inputs.Parts.Detach(this);
             attached = null;
             Number = -1;
         }

@@ -146,7 +146,7 @@ namespace Rill
         FluidProbeSample Sample(Asked of, int index, NativeArray<uint> words)
         {
             float4 place = of.points[index];
-            Vector3 position = (Vector3)place.xyz + (fluid.WorldShift - of.frame.shift);
+            Vector3 position = (Vector3)place.xyz + (fluid.Box.WorldShift - of.frame.shift);
             FluidProbeSample sample = QueryResults.Probe(of.frame, words, buffers.PointAt(index), position, place.w > 0f, radius);
             sample.age = AgeOf(of);
             return sample;

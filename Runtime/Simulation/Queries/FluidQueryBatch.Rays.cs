@@ -144,7 +144,7 @@ namespace Rill
             if (ray.direction == Vector3.zero)      // it was not set
                 return new FluidRayHit { step = of.frame.step, time = of.frame.time };
             FluidRayHit found = QueryResults.Ray(of.frame, of.domain, words, buffers.RayAt(index), ray);
-            found.Shift(fluid.WorldShift - of.frame.shift);
+            found.Shift(fluid.Box.WorldShift - of.frame.shift);
             found.age = AgeOf(of);
             return found;
         }

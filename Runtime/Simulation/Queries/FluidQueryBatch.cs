@@ -80,7 +80,7 @@ namespace Rill
             rayUpload = new NativeArray<RayQuery>(rays, Allocator.Persistent);
             for (int i = 0; i < asked.Length; i++)
                 asked[i] = new Asked(points, rays);
-            fluid.Attach(this);
+            fluid.Results.Queries.Attach(this);
         }
 
         /// <summary>The fluid that is asked.</summary>
@@ -121,7 +121,7 @@ namespace Rill
             if (isDisposed)
                 return;
             isDisposed = true;
-            fluid.Detach(this);
+            fluid.Results.Queries.Detach(this);
             buffers?.Dispose();
             buffers = null;
             points.Dispose();
@@ -176,7 +176,7 @@ namespace Rill
                     continue;       // of another batch
                 Asked to = asked[slot];
                 to.frame = answer.frame;
-                to.frame.shift = fluid.WorldShift - answer.shiftSince - moved;
+                to.frame.shift = fluid.Box.WorldShift - answer.shiftSince - moved;
                 to.version = askedVersion = version;
                 to.pointCount = answer.points.Length;
                 to.rayCount = 0;
@@ -191,7 +191,7 @@ namespace Rill
             var answer = new SnapshotAnswer
             {
                 frame = of.frame,
-                shiftSince = fluid.WorldShift - of.frame.shift,
+                shiftSince = fluid.Box.WorldShift - of.frame.shift,
                 points = of.points.GetSubArray(0, of.pointCount).ToArray(),
                 words = words,
             };
@@ -202,7 +202,7 @@ namespace Rill
         void MakeBuffers() => buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived, OnLost);
 
         /// <summary>Whether a question is to be asked of the next state.</summary>
-        internal bool IsAsking => HasQuestions && (Repeats || askedVersion != version);
+        internal bool IsDue => HasQuestions && (Repeats || askedVersion != version);
 
         /// <summary>Results of before are dropped; what was asked once is asked again.</summary>
         internal void OnRestart()
@@ -214,10 +214,10 @@ namespace Rill
 
         /// <summary>Asks the questions about the current state.</summary>
         /// <param name="batches">Gets what is to be recorded.</param>
-        internal void Ask(PbfSolver solver, List<QueryBatch> batches, in QueryFrame frame, in DomainFrame domain, float3 up)
+        internal void Gather(PbfSolver solver, List<QueryBatch> batches, in QueryFrame frame, in DomainFrame domain, float3 up)
         {
             recorded = -1;
-            if (!IsAsking)
+            if (!IsDue)
                 return;
             MakeBuffers();
             int slot = buffers.FreeSlot(newest);

@@ -63,7 +63,7 @@ namespace Rill
             {
                 takenImpulse = takenImpulse,
                 takenRotation = takenRotation,
-                shiftSince = fluid.WorldShift - takenShift,
+                shiftSince = fluid.Box.WorldShift - takenShift,
                 takenStep = takenStep,
             };
         }
@@ -99,7 +99,7 @@ namespace Rill
             ReactionsRecord sums = contents.Get<ReactionsRecord>(SnapshotSection.Reactions);
             takenImpulse = sums.takenImpulse;
             takenRotation = sums.takenRotation;
-            takenShift = fluid.WorldShift - sums.shiftSince - moved;
+            takenShift = fluid.Box.WorldShift - sums.shiftSince - moved;
             takenStep = sums.takenStep;
         }
 
@@ -134,7 +134,7 @@ namespace Rill
             out IFluidCollider found, out ColliderMotion motion)
         {
             foreach (ISceneCollider collider in SceneColliders.Enabled)
-                if (fluid.Takes(collider) && IsOf(record, frame, tolerance, found = collider, out motion))
+                if (fluid.Inputs.Colliders.Takes(collider) && IsOf(record, frame, tolerance, found = collider, out motion))
                     return true;
             for (int i = 0; own != null && i < own.Count; i++)
                 if (IsOf(record, frame, tolerance, found = own[i], out motion))

@@ -46,6 +46,6 @@ namespace Rill
 
         /// <param name="moved">How far the fluid is from where it was in the snapshot, m.</param>
         public FluidForce ForceFrom(FluidSimulation fluid, Vector3 moved)
-            => new FluidForce(fluid, force, torque, motion, duration, step, fluid.WorldShift - shiftSince - moved, wetted);
+            => new FluidForce(fluid, force, torque, motion, duration, step, fluid.Box.WorldShift - shiftSince - moved, wetted);
     }
 }

@@ -84,7 +84,7 @@ namespace Rill.Editor.Tests
                 scene.Fluid.Advance(SourceScene.Step60 * 0.5f);        // half a step after the state
                 ParticleState state = scene.Read();
                 float4[] starts = GpuTest.Read<float4>(scene.Fluid.Solver.StartPositions, state.Count);
-                float lag = scene.Fluid.FrameLag.x;
+                float lag = scene.Fluid.Clock.FrameLag.x;
                 Assert.That(lag, Is.EqualTo(0.5f).Within(1e-3f));
                 ParticlePass.Particle[] seen = pass.See();
                 float longest = 0f;

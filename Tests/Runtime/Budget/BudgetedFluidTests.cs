@@ -143,7 +143,7 @@ namespace Rill.Tests
             Assert.That(warnings, Has.Count.EqualTo(3), "another mode");
             fluid.Budget = SolverBudget.Default;
             yield return null;
-            fluid.BudgetTime = new HeldTime { Factor = 20f };
+            fluid.Steps.Budget.TimeSource = new HeldTime { Factor = 20f };
             fluid.Budget = fraction;
             yield return Frames(Second);
             Assert.That(warnings, Has.Count.EqualTo(4), "switched off and on");
@@ -221,7 +221,7 @@ namespace Rill.Tests
             SolverSettings settings = fluid.Settings;
             settings.deepWater = DeepWater.Off;
             fluid.Settings = settings;
-            fluid.BudgetTime = time;
+            fluid.Steps.Budget.TimeSource = time;
             fluid.Budget = budget;
             fluid.StatisticsInterval = 0;
             gameObject.AddComponent<FluidVolume>().Size = new Vector3(0.2f, 0.3f, 0.2f);

@@ -27,9 +27,9 @@ namespace Rill.Tests
             stone.MeasuresForce = other.MeasuresForce = true;
             other.Friction = 0.5f;
             yield return Frames(8);
-            Assert.That((all.ColliderCount, one.ColliderCount, none.ColliderCount), Is.EqualTo((2, 1, 0)));
+            Assert.That((all.Inputs.Colliders.Count, one.Inputs.Colliders.Count, none.Inputs.Colliders.Count), Is.EqualTo((2, 1, 0)));
             Assert.That(one.Input.colliders.Items[0].friction, Is.Zero, "that of the stone");
-            Assert.That(none.Describe().Single(stage => stage.Name == "Colliders").IsUsed, Is.False, "which costs nothing");
+            Assert.That(none.Results.Describe().Single(stage => stage.Name == "Colliders").IsUsed, Is.False, "which costs nothing");
             Assert.That(stone.TryGetForceOf(all, out _) && stone.TryGetForceOf(one, out _) && other.TryGetForceOf(all, out _));
             Assert.That(stone.TryGetForceOf(none, out _) || other.TryGetForceOf(one, out _) || other.TryGetForceOf(none, out _), Is.False);
         }
@@ -54,7 +54,7 @@ namespace Rill.Tests
             else
                 stone.gameObject.layer = Other;
             yield return null;
-            Assert.That(fluid.ColliderCount, Is.Zero, "from the next step on");
+            Assert.That(fluid.Inputs.Colliders.Count, Is.Zero, "from the next step on");
             Assert.That(stone.TryGetForceOf(fluid, out _), Is.False, "it no more feels that fluid");
             yield return Frames(6);
             Assert.That(stone.TryGetForceOf(fluid, out _), Is.False, "nor what was on its way");
@@ -83,7 +83,7 @@ namespace Rill.Tests
                 yield return null;
             }
             Assert.That(frame, Is.Not.AllocatingGCMemory());
-            Assert.That(fluid.ColliderCount, Is.EqualTo(1));
+            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(1));
             LogAssert.NoUnexpectedReceived();
         }
 
@@ -96,14 +96,14 @@ namespace Rill.Tests
             yield return Frames(4);
             FluidSnapshotRequest request = fluid.RequestSnapshot();
             yield return Frames(4);
-            Assert.That(fluid.ColliderCount, Is.EqualTo(1));
+            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(1));
             fluid.Restore(request.Snapshot);
-            Assert.That(fluid.ColliderCount, Is.EqualTo(1));
+            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(1));
             fluid.FluidColliderLayers = 1 << Other;
             fluid.Restore(request.Snapshot);
-            Assert.That(fluid.ColliderCount, Is.Zero);
+            Assert.That(fluid.Inputs.Colliders.Count, Is.Zero);
             yield return Frames(4);
-            Assert.That(fluid.ColliderCount, Is.Zero);
+            Assert.That(fluid.Inputs.Colliders.Count, Is.Zero);
             Assert.That(stone.TryGetForceOf(fluid, out _), Is.False);
         }
 

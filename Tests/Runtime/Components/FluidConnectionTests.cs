@@ -49,7 +49,7 @@ namespace Rill.Tests
             for (int frame = 0; frame < 40; frame++)
             {
                 yield return null;
-                frames += changes.IsResampling ? 1 : 0;
+                frames += changes.Resolution.IsPending ? 1 : 0;
                 Assert.That(Own(left).Length + Own(right).Length, Is.EqualTo(All), $"particles of both in frame {frame}");
             }
             Assert.That(changes.Capacity, Is.EqualTo(3000));
@@ -97,7 +97,7 @@ namespace Rill.Tests
             Assert.That(Sleeps(right), Is.False, "which has no sleep speed");
         }
 
-        static bool Sleeps(FluidSimulation fluid) => fluid.Describe().Single(stage => stage.Name == "Resting regions").IsUsed;
+        static bool Sleeps(FluidSimulation fluid) => fluid.Results.Describe().Single(stage => stage.Name == "Resting regions").IsUsed;
 
         [UnityTest]
         public IEnumerator Water_at_rest_in_both_boxes_stays_level_and_calm(
@@ -241,7 +241,7 @@ namespace Rill.Tests
         {
             (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.6f, 0.5f), new Vector3(2f, 0.6f, 0.5f));
             Connect(left, right);
-            left.AskForSurface += () => left.NeedsSurface = true;
+            left.Results.Surface.Requesting += () => left.Results.Surface.IsNeeded = true;
             yield return Frames(3);
             SurfaceParticles surface = left.Solver.Surface;
             int drawn = (int)GpuTest.Read<uint>(surface.Counters, surface.Counters.count)[(int)SurfaceParticles.Counter.Drawn];

@@ -105,7 +105,7 @@ namespace Rill.Tests
                 float4[] expected = inside.Select(i => float3.zero + (Point(i) + random.NextFloat3(-0.02f, 0.02f)) * Spacing)
                     .Select(local => new float4((float3)volume.transform.position + (float3)(volume.transform.rotation * (Vector3)local),
                         0f)).ToArray();
-                using (Unity.Collections.NativeArray<float4> positions = volume.Fill(Spacing, 7))
+                using (Unity.Collections.NativeArray<float4> positions = volume.CreatePositions(Spacing, 7))
                     Compare.Same("positions", positions.ToArray(), expected);
                 Assert.That(expected.Length, Is.GreaterThan(500));
             }

@@ -82,7 +82,7 @@ namespace Rill.Tests
             Assert.That(statistics.Particles, Is.GreaterThan(100));
             Assert.That(statistics.spawned, Is.GreaterThanOrEqualTo(statistics.Particles));
             Assert.That(statistics.refused, Is.Zero);
-            List<StageDescription> stages = simulation.Describe();
+            List<StageDescription> stages = simulation.Results.Describe();
             Assert.That(stages.Single(stage => stage.Name == "Foam").Kernels.Count, Is.EqualTo(9));
             Assert.That(stages.Single(stage => stage.Name == "FluidFoam").Kernels.Single().kernel,
                 Is.EqualTo("FoamParticles.shader, a draw in each pass of each camera"));
@@ -93,7 +93,7 @@ namespace Rill.Tests
             yield return null;
             Assert.That(simulation.Solver.Foam, Is.Null);
             Assert.That(foam.TryGetStatistics(out _), Is.False);
-            Assert.That(simulation.Describe().Single(stage => stage.Name == "Foam").Buffers, Is.Empty);
+            Assert.That(simulation.Results.Describe().Single(stage => stage.Name == "Foam").Buffers, Is.Empty);
         }
 
         [UnityTest]

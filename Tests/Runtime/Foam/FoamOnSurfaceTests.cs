@@ -128,7 +128,7 @@ namespace Rill.Tests
             Assert.That(Textures(), Does.Not.Contain(Layer));
             Assert.That(Stage("FluidSurface").Kernels.Select(kernel => kernel.kernel), Has.None.Contains("Foam"));
 
-            StageDescription Stage(string name) => scene.Fluid.Describe().Single(stage => stage.Name == name);
+            StageDescription Stage(string name) => scene.Fluid.Results.Describe().Single(stage => stage.Name == name);
             IEnumerable<string> Textures() => Stage("FluidSurface").Buffers.Select(texture => texture.name);
         }
 

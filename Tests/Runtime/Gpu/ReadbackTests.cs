@@ -119,8 +119,8 @@ namespace Rill.Tests
 
         static readonly Action<FluidSimulation>[] Waits =
         {
-            fluid => fluid.MeasureNow(),
-            fluid => fluid.FindBlockedEmitters(),
+            fluid => fluid.Results.Measurements.MeasureNow(),
+            fluid => fluid.Inputs.Parts.FindBlockedEmitters(),
             fluid => fluid.FlushQueries(),
         };
 

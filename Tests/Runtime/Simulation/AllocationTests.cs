@@ -40,7 +40,7 @@ namespace Rill.Tests
             TestDelegate frame = () =>
             {
                 collider.localPosition = new Vector3(0.1f * Mathf.Sin(simulation.StepCount), 0f, 0f);
-                simulation.NeedsSurface = true;
+                simulation.Results.Surface.IsNeeded = true;
                 simulation.Advance(Step);
                 foreach (FluidRenderer renderer in renderers)
                     renderer.DrawFrame();

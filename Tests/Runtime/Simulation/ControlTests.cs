@@ -71,7 +71,7 @@ namespace Rill.Tests
                 else
                     scene.Fluid.RemoveInside(FluidShape.Box(new Vector3(-0.25f, 0f, 0f), new Vector3(0.5f, 1f, 0.5f)));
                 ParticleFrame frame = null;
-                scene.Fluid.RequestFrame((found, problem) => frame = found);
+                ParticleExport.Request(scene.Fluid, (found, problem) => frame = found);
                 scene.Fluid.RequestParticles(readback, ParticleFields.Velocities | ParticleFields.Ids);
                 AsyncGPUReadback.WaitAllRequests();
                 Compare.Same("ids of the file", frame.Ids, left);
@@ -79,7 +79,7 @@ namespace Rill.Tests
                 Compare.Same("ids of the readback", readback.Ids.ToArray(), left);
                 Assert.That(readback.Velocities.ToArray().All(v => math.all(math.isfinite(v))));
                 Assert.That(() => readback.Positions, Throws.InvalidOperationException, "they were not asked for");
-                FluidStatistics statistics = scene.Fluid.MeasureNow();
+                FluidStatistics statistics = scene.Fluid.Results.Measurements.MeasureNow();
                 Assert.That((statistics.particles, statistics.nonFinite), Is.EqualTo((left.Length, 0)));
             }
         }

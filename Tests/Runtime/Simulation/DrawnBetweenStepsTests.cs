@@ -129,7 +129,7 @@ namespace Rill.Tests
             float before = seen.Last();
             yield return Frames(3, 144);
             Assert.That(seen.Last(), Is.EqualTo(before).Within(1e-6f));
-            Vector4 lag = fluid.FrameLag;
+            Vector4 lag = fluid.Clock.FrameLag;
             Assert.That(lag.x, Is.EqualTo(lag.z), "no motion between the two frames");
         }
 
@@ -142,7 +142,7 @@ namespace Rill.Tests
             for (int frame = 0; frame < 12; frame++)
             {
                 yield return Frames(1, 144);
-                Vector4 lag = fluid.FrameLag;
+                Vector4 lag = fluid.Clock.FrameLag;
                 Assert.That(lag.y - lag.w, Is.EqualTo(1.0 / 144.0).Within(1e-6), $"frame {frame}");
                 Assert.That(lag.y, Is.EqualTo(fluid.FrameTime - fluid.FluidTime).Within(1e-6));
                 lags.Add(lag.y);

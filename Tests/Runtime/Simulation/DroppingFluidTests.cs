@@ -39,18 +39,18 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Fluid("Basin", new Vector3(0.4f, 0.4f, 0.3f), 0.05f, 200, new Vector3(0.4f, 0.1f, 0.3f));
             yield return Frames(2);
-            Assert.That((fluid.DropsTime, fluid.RateOfTime), Is.EqualTo((false, 1f)));
+            Assert.That((fluid.Clock.DropsTime, fluid.Clock.RateOfTime), Is.EqualTo((false, 1f)));
             Time.timeScale = 6f;
             yield return Frames(10);
             Assert.That(said, Has.Count.EqualTo(1));
             Assert.That(said[0], Does.Contain("'Basin' drops time, and runs slower than the game: frames of 0.1 s need 6 fixed steps"));
             Time.timeScale = 0f;
             yield return Frames(20);
-            Assert.That(fluid.DropsTime);
-            Assert.That(fluid.RateOfTime, Is.EqualTo(Rate).Within(1e-3f));
+            Assert.That(fluid.Clock.DropsTime);
+            Assert.That(fluid.Clock.RateOfTime, Is.EqualTo(Rate).Within(1e-3f));
             Time.timeScale = 1f;
             yield return Frames(14);
-            Assert.That((fluid.DropsTime, fluid.RateOfTime), Is.EqualTo((false, 1f)));
+            Assert.That((fluid.Clock.DropsTime, fluid.Clock.RateOfTime), Is.EqualTo((false, 1f)));
             Assert.That(said, Has.Count.EqualTo(1));
         }
 
@@ -93,13 +93,13 @@ namespace Rill.Tests
                 case Between.SnapshotAndRestore:
                     FluidSnapshot snapshot = Take();
                     Advance(12, 1f);
-                    Assert.That((fluid.DropsTime, fluid.RateOfTime), Is.EqualTo((false, 1f)));
+                    Assert.That((fluid.Clock.DropsTime, fluid.Clock.RateOfTime), Is.EqualTo((false, 1f)));
                     fluid.Restore(FluidSnapshot.FromBytes(snapshot.ToBytes()));
                     break;
                 case Between.Teleport: fluid.Teleport(); break;
             }
-            Assert.That(fluid.DropsTime);
-            Assert.That(fluid.RateOfTime, Is.EqualTo(Rate).Within(1e-3f));
+            Assert.That(fluid.Clock.DropsTime);
+            Assert.That(fluid.Clock.RateOfTime, Is.EqualTo(Rate).Within(1e-3f));
             Advance(1, 6f);
             Assert.That(said, Is.Empty);
             Advance(1, 6f);
@@ -111,9 +111,9 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Basin();
             Advance(4, 6f);
-            Assert.That(fluid.DropsTime);
+            Assert.That(fluid.Clock.DropsTime);
             fluid.Restart();
-            Assert.That((fluid.DropsTime, fluid.RateOfTime), Is.EqualTo((false, 1f)));
+            Assert.That((fluid.Clock.DropsTime, fluid.Clock.RateOfTime), Is.EqualTo((false, 1f)));
             Advance(4, 6f);
             Assert.That(said, Is.Empty);
         }

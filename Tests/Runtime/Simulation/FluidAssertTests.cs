@@ -228,7 +228,7 @@ namespace Rill.Tests
             FluidSimulation fluid = Fluid("Dam", new Vector3(1f, 0.6f, 0.5f), 0.05f, 2000, new Vector3(0.4f, 0.4f, 0.5f));
             yield return FailToSettle(FluidAssert.Settles(fluid, within: 0.3f));
             Assert.That(unsettled, Does.Match(@"has not settled in 0\.3 s: jitter \d\.\d+ m/s and rms speed [1-9]?\d?\.?\d+ m/s of 0\.050"));
-            Assert.That(fluid.MeasureNow().speed, Is.GreaterThan(0.2f));
+            Assert.That(fluid.Results.Measurements.MeasureNow().speed, Is.GreaterThan(0.2f));
         }
 
         [UnityTest]
@@ -311,7 +311,7 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Pool(setUp: f =>
             {
-                f.BudgetTime = new TwoMilliseconds();
+                f.Steps.Budget.TimeSource = new TwoMilliseconds();
                 SolverBudget budget = f.Budget;
                 budget.mode = BudgetMode.Milliseconds;
                 budget.milliseconds = 3f;
@@ -330,7 +330,7 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Pool(setUp: f =>
             {
-                f.BudgetTime = new TwoMilliseconds { Kind = GpuTimeKind.Modeled };
+                f.Steps.Budget.TimeSource = new TwoMilliseconds { Kind = GpuTimeKind.Modeled };
                 SolverBudget budget = f.Budget;
                 budget.mode = BudgetMode.Milliseconds;
                 f.Budget = budget;

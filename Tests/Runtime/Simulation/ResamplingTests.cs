@@ -26,7 +26,7 @@ namespace Rill.Tests
         IEnumerator Change(float spacing)
         {
             fluid.ParticleSpacing = spacing;
-            for (int i = 0; i < 8 && fluid.IsResampling; i++)
+            for (int i = 0; i < 8 && fluid.Resolution.IsPending; i++)
                 yield return null;
             Assert.That(fluid.ParticleSpacing, Is.EqualTo(spacing));
         }
@@ -88,7 +88,7 @@ namespace Rill.Tests
             float volume = Volume(fluid), fastest = FluidAssert.Measure(fluid).speedMax;
             fluid.ParticleSpacing = factor * Spacing;
             int step = fluid.StepCount;
-            for (int i = 0; i < 8 && fluid.IsResampling; i++)
+            for (int i = 0; i < 8 && fluid.Resolution.IsPending; i++)
             {
                 Assert.That(fluid.StepCount, Is.EqualTo(step), "it stands until then: what it did meanwhile would be lost");
                 yield return null;
@@ -110,9 +110,9 @@ namespace Rill.Tests
             AsyncGPUReadback.WaitAllRequests();
             yield return Frames(2);
             fluid.ParticleSpacing = 0.04f;
-            Assert.That(fluid.IsResampling);
+            Assert.That(fluid.Resolution.IsPending);
             fluid.Restore(request.Snapshot);
-            Assert.That(fluid.IsResampling, Is.False);
+            Assert.That(fluid.Resolution.IsPending, Is.False);
             int step = fluid.StepCount;
             yield return Frames(6);
             Assert.That((fluid.ParticleSpacing, fluid.StepCount), Is.EqualTo((Spacing, step + 6)));
@@ -128,7 +128,7 @@ namespace Rill.Tests
                 "a spacing of 0.025 m, more than the capacity of 1,000"));
             fluid.ParticleSpacing = 0.025f;
             yield return Frames(10);
-            Assert.That((fluid.ParticleSpacing, fluid.IsResampling), Is.EqualTo((Spacing, false)));
+            Assert.That((fluid.ParticleSpacing, fluid.Resolution.IsPending), Is.EqualTo((Spacing, false)));
             Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(12 * 6 * 12));
             Assert.That(fluid.StepCount, Is.GreaterThan(step + 4), "it goes on");
 

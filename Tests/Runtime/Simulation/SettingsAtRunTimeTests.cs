@@ -89,7 +89,7 @@ namespace Rill.Tests
             budget.mode = BudgetMode.Milliseconds;
             budget.minIterations = 2;
             budget.maxIterations = 4;
-            fluid.BudgetTime = new Unhurried();
+            fluid.Steps.Budget.TimeSource = new Unhurried();
             fluid.Budget = budget;
             yield return Frames(5);
             Assert.That(fluid.BudgetState.iterations, Is.InRange(2, 4));

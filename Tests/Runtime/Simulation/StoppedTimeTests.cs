@@ -315,6 +315,6 @@ namespace Rill.Tests
             return component;
         }
 
-        static float Fastest(FluidSimulation fluid) => fluid.MeasureNow().speedMax;
+        static float Fastest(FluidSimulation fluid) => fluid.Results.Measurements.MeasureNow().speedMax;
     }
 }

@@ -97,7 +97,7 @@ namespace Rill.Tests
             var outlet = drain.AddComponent<FluidDrain>();
             (outlet.Simulation, outlet.Size) = (fluid, Vector3.one * 0.1f);
             yield return Frames(20);
-            int drained = (int)fluid.MeasureNow().drained;
+            int drained = (int)fluid.Results.Measurements.MeasureNow().drained;
             // The rock and the drain are at other places in the box then.
             fluid.transform.position += new Vector3(turns ? 0f : 0.45f, 0f, 0f);
             fluid.transform.rotation = Quaternion.Euler(0f, turns ? 180f : 0f, 0f);
@@ -109,7 +109,7 @@ namespace Rill.Tests
                 fastest = math.max(fastest, Fastest(fluid));
             }
             Assert.That(fastest, Is.LessThan(8f), "pushed out of the rock; 0.4 m in a step are 24 m/s");
-            Assert.That(fluid.MeasureNow().drained - drained, Is.LessThan(60), "a drain that sweeps 0.45 m takes over 70");
+            Assert.That(fluid.Results.Measurements.MeasureNow().drained - drained, Is.LessThan(60), "a drain that sweeps 0.45 m takes over 70");
         }
 
         [UnityTest]
@@ -167,6 +167,6 @@ namespace Rill.Tests
             return child.AddComponent<T>();
         }
 
-        static float Fastest(FluidSimulation fluid) => fluid.MeasureNow().speedMax;
+        static float Fastest(FluidSimulation fluid) => fluid.Results.Measurements.MeasureNow().speedMax;
     }
 }

@@ -17,7 +17,7 @@ namespace Rill.Tests
             using (SourceScene scene = Scene())
             {
                 var source = new Source { throws = true };
-                scene.Fluid.ColliderSource = source;
+                scene.Fluid.Inputs.Colliders.Source = source;
                 ExpectOnce("planted in Gather", "without Source in each frame");
                 scene.Step(5);
                 Assert.That(scene.Fluid.StepCount, Is.EqualTo(5));
@@ -33,13 +33,13 @@ namespace Rill.Tests
             {
                 var source = new Source { throws = true };
                 source.colliders.Add(new Sphere("Ball"));
-                scene.Fluid.ColliderSource = source;
+                scene.Fluid.Inputs.Colliders.Source = source;
                 ExpectOnce("planted in Gather", "without Source");
                 scene.Step();
-                Assert.That(scene.Fluid.ColliderCount, Is.Zero);
+                Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
                 source.throws = false;
                 scene.Step();
-                Assert.That(scene.Fluid.ColliderCount, Is.EqualTo(1));
+                Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.EqualTo(1));
             }
         }
 
@@ -53,14 +53,14 @@ namespace Rill.Tests
                 source.colliders.Add(new Sphere("Faulty") { throwsIn = where });
                 source.colliders.Add(new Sphere("After"));
                 source.colliders.Add(null);
-                scene.Fluid.ColliderSource = source;
+                scene.Fluid.Inputs.Colliders.Source = source;
                 if (where == "Name")
                     ((Sphere)source.colliders[1]).throwsIn += " Describe";
                 ExpectOnce("planted in " + (where == "Name" ? "Describe" : where), where == "Name" ? "without Sphere in" : "without Sphere 'Faulty'");
                 ExpectOnce("NullReferenceException", "without a collider that is null");
                 scene.Step(3);
                 Assert.That(scene.Fluid.StepCount, Is.EqualTo(3));
-                Assert.That(scene.Fluid.ColliderCount, Is.EqualTo(2));
+                Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.EqualTo(2));
                 LogAssert.NoUnexpectedReceived();
             }
         }
@@ -74,7 +74,7 @@ namespace Rill.Tests
                 Sphere faulty = new Sphere("Faulty") { throwsIn = "SetForce", measures = true }, whole = new Sphere("Whole") { measures = true };
                 source.colliders.Add(faulty);
                 source.colliders.Add(whole);
-                scene.Fluid.ColliderSource = source;
+                scene.Fluid.Inputs.Colliders.Source = source;
                 ExpectOnce("planted in SetForce", "without Sphere 'Faulty'");
                 for (int i = 0; i < 4; i++)
                 {
@@ -104,7 +104,7 @@ namespace Rill.Tests
         {
             using (SourceScene scene = Scene())
             {
-                scene.Fluid.ColliderSource = new Source { throws = true };
+                scene.Fluid.Inputs.Colliders.Source = new Source { throws = true };
                 for (int i = 0; i < 2; i++)
                 {
                     ExpectOnce("planted in Gather", "without Source");

@@ -165,7 +165,7 @@ namespace Rill.Tests
         {
             var contents = new SnapshotContents();
             SnapshotCapture capture = scene.Fluid.Solver.Capture(contents);
-            scene.Fluid.Solver.CaptureReactions(capture, contents, scene.Fluid.ColliderSet, default);
+            scene.Fluid.Solver.CaptureReactions(capture, contents, scene.Fluid.Inputs.Colliders.Set, default);
             return new HashSet<GraphicsBuffer>(capture.Buffers);
         }
     }

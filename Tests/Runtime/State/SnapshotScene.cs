@@ -80,8 +80,8 @@ namespace Rill.Tests
                 Move();
                 if (made.draws)
                 {
-                    Fluid.NeedsFoam = FoamSettings.Default;
-                    Fluid.NeedsSurface = true;
+                    Fluid.Steps.NeedsFoam = FoamSettings.Default;
+                    Fluid.Results.Surface.IsNeeded = true;
                 }
                 Fluid.Advance(made.FrameTime(frame));
             }

@@ -65,7 +65,7 @@ namespace Rill.Tests
             scene.Root.SetActive(true);
             yield return Frames(8);
             var found = new DrawnMesh(Found);
-            float lag = scene.Fluid.FrameLag.x;
+            float lag = scene.Fluid.Clock.FrameLag.x;
             Assert.That(math.abs(lag), Is.GreaterThan(0.1f));
             float[] floats = Vertices(mesh.Mesh);
             Matrix4x4 toWorld = root.localToWorldMatrix, fluidToWorld = scene.Fluid.DomainToWorld, normalToWorld = toWorld.inverse.transpose;

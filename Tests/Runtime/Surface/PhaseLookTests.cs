@@ -155,7 +155,7 @@ namespace Rill.Tests
         // Kernels and textures of the surface.
         string[] Work()
         {
-            StageDescription stage = scene.Fluid.Describe().Single(one => one.Name == "FluidSurface");
+            StageDescription stage = scene.Fluid.Results.Describe().Single(one => one.Name == "FluidSurface");
             return stage.Kernels.Select(kernel => kernel.kernel).Concat(stage.Buffers.Select(texture => texture.name)).ToArray();
         }
     }

@@ -50,9 +50,9 @@ namespace Host.Check
         {
             ("MeshSdfBaker.Complete", "WaitForCompletion", "a bake that is waited for is a tool; Step does not wait"),
             ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is canceled"),
-            ("FluidSimulation.FindParticles", "GetData", "for the assertions of Rill.Testing, which nothing of a game calls"),
-            ("StatisticsPass.Complete", "Complete", "the same: FluidSimulation.MeasureNow"),
-            ("EmitterStates.Complete", "Complete", "the same: FluidSimulation.FindBlockedEmitters"),
+            ("Measurements.FindParticles", "GetData", "for the assertions of Rill.Testing, which nothing of a game calls"),
+            ("StatisticsPass.Complete", "Complete", "the same: Measurements.MeasureNow"),
+            ("EmitterStates.Complete", "Complete", "the same: SceneParts.FindBlockedEmitters"),
             ("Drains.Complete", "Complete", "the same"),
             ("Queries.Complete", "Complete", "for tests and tools of a user, as FlushQueries and Flush say; nothing else of the package calls it"),
             ("QueryBatch.Complete", "Complete", "the same"),

@@ -30,7 +30,7 @@ namespace Host.Commands
                 for (int i = 0; i < Frames; i++)
                     PlayerLoop.Frame(1f / 60f);
                 foreach (FluidSimulation simulation in Object.FindObjectsOfType<FluidSimulation>())
-                    Write(simulation.name, simulation.Describe(), System.Console.Out);
+                    Write(simulation.name, simulation.Results.Describe(), System.Console.Out);
                 WriteBuild(Object.FindObjectsOfType<MonoBehaviour>(true), System.Console.Out);
                 return 0;
             });

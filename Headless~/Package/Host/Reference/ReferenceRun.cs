@@ -201,7 +201,7 @@ namespace Host.Reference
             Vector4[] positions = new Vector4[alive], velocities = new Vector4[alive];
             solver.Positions.GetData(positions, 0, 0, alive);
             solver.Velocities.GetData(velocities, 0, 0, alive);
-            float lag = fluid.FrameLag.y;
+            float lag = fluid.Clock.FrameLag.y;
             var particles = new double3[alive];
             for (int i = 0; i < alive; i++)
             {

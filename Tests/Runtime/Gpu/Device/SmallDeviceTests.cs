@@ -17,7 +17,7 @@ namespace Rill.Tests
             var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 6000, deepWater);
             scene.Fluid.KeepStateOnDisable = false;
             scene.Fluid.enabled = false;
-            scene.Fluid.PretendedLimits = limits;
+            scene.Fluid.Support.PretendedLimits = limits;
             scene.Fluid.enabled = true;
             return scene.Fill(0.2f);
         }
@@ -90,7 +90,7 @@ namespace Rill.Tests
             {
                 scene.Fluid.KeepStateOnDisable = false;
                 scene.Fluid.enabled = false;
-                scene.Fluid.PretendedLimits = new DeviceLimits(buffers, buffers, threads, 16384);
+                scene.Fluid.Support.PretendedLimits = new DeviceLimits(buffers, buffers, threads, 16384);
                 scene.Fluid.enabled = true;
                 Assert.That(scene.Fluid.IsRunning, Is.False);
             }

@@ -467,11 +467,11 @@ namespace Rill.Tests
             using (SourceScene scene = new SourceScene(Vector3.one, Spacing, 2000).Fill(0.2f))
             {
                 FluidSimulation fluid = scene.Fluid;
-                fluid.AskForSurface += () =>
+                fluid.Results.Surface.Requesting += () =>
                 {
-                    fluid.NeedsSurface = true;
-                    fluid.NeedMesh(finestFirst ? 0.5f : 1f, BoxWalls.Left);
-                    fluid.NeedMesh(finestFirst ? 1f : 0.5f, BoxWalls.Top);
+                    fluid.Results.Surface.IsNeeded = true;
+                    fluid.Results.Surface.RequestMesh(finestFirst ? 0.5f : 1f, BoxWalls.Left);
+                    fluid.Results.Surface.RequestMesh(finestFirst ? 1f : 0.5f, BoxWalls.Top);
                 };
                 scene.Step(2);
                 Assert.That((fluid.Solver.Mesh.Cell, fluid.Solver.MeshWalls), Is.EqualTo((0.5f, (int)(BoxWalls.Left | BoxWalls.Top))));
@@ -487,10 +487,10 @@ namespace Rill.Tests
             {
                 FluidSimulation fluid = scene.Fluid;
                 fluid.Gravity = Vector3.zero;
-                fluid.AskForSurface += () =>
+                fluid.Results.Surface.Requesting += () =>
                 {
-                    fluid.NeedsSurface = true;
-                    fluid.NeedMesh(0.5f, BoxWalls.All);
+                    fluid.Results.Surface.IsNeeded = true;
+                    fluid.Results.Surface.RequestMesh(0.5f, BoxWalls.All);
                 };
                 using (var places = new NativeArray<float3>(Clumps(random).Select(p => p - 32f * Spacing).ToArray(), Allocator.Persistent))
                 using (var velocities = new NativeArray<float3>(places.Length, Allocator.Persistent))

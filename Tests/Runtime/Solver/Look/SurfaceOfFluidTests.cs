@@ -41,11 +41,11 @@ namespace Rill.Tests
 
         void Frame(bool draws, float time = Step)
         {
-            fluid.NeedsSurface = draws;
+            fluid.Results.Surface.IsNeeded = draws;
             fluid.Advance(time);
         }
 
-        StageDescription Description => fluid.Describe().Single(stage => stage.Name == "Surface particles");
+        StageDescription Description => fluid.Results.Describe().Single(stage => stage.Name == "Surface particles");
 
         [Test]
         public void A_fluid_whose_surface_nothing_draws_has_no_buffer_and_no_dispatch_for_it()

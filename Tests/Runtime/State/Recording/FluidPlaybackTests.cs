@@ -79,7 +79,7 @@ namespace Rill.Tests
                 Assert.That(scene.Fluid.FrameTime - scene.Fluid.FluidTime, Is.EqualTo(0.25 / 60.0).Within(1e-6));
                 for (int i = 0; i < state.Count; i++)
                 {
-                    float3 path = (state.positions[i].xyz - before[i].xyz) * scene.Fluid.FrameLag.x;     // as DrawnParticles.hlsl draws it
+                    float3 path = (state.positions[i].xyz - before[i].xyz) * scene.Fluid.Clock.FrameLag.x;     // as DrawnParticles.hlsl draws it
                     Assert.That(math.distance(path, state.velocities[i].xyz * (0.25f / 60f)), Is.LessThan(1e-4f));
                 }
             }
@@ -124,13 +124,13 @@ namespace Rill.Tests
                 var file = new MemoryStream();
                 recorder.OpenFile = _ => file;
                 recorder.Record("memory");
-                live.Fluid.NeedsSurface = true;
+                live.Fluid.Results.Surface.IsNeeded = true;
                 live.Step();
                 recorder.enabled = false;
                 live.Fluid.FlushQueries();
 
                 FluidPlayback playback = RecordedWater.Play(scene, file.ToArray());
-                scene.Fluid.NeedsSurface = true;
+                scene.Fluid.Results.Surface.IsNeeded = true;
                 scene.Step();
                 scene.Fluid.FlushQueries();
                 Assert.That(actual.TryGetSample(out FluidProbeSample played));

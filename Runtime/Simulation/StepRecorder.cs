@@ -1,0 +1,188 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using static System.FormattableString;
+
+namespace Rill
+{
+    /// <summary>Makes the input of a fluid's steps from its settings and the scene, and records them.</summary>
+    sealed class StepRecorder
+    {
+        const int TooViscous = 0;       // problem of the log
+
+        readonly FluidSimulation fluid;
+        SolverSettings settings;        // of the steps of this frame, as the budget has them
+        StepInput input;
+        bool isTooViscous;
+        OnceLog log;
+
+        public StepRecorder(FluidSimulation fluid)
+        {
+            this.fluid = fluid;
+            Budget = new FluidBudget(fluid);
+            Passes = new ScriptPasses(fluid);
+        }
+
+        public FluidBudget Budget { get; }
+
+        public ScriptPasses Passes { get; }
+
+        /// <summary>The last step.</summary>
+        public ref readonly StepInput Input => ref input;
+
+        /// <summary>Settings of the steps of this frame: the fluid's own, or those that its budget chose.</summary>
+        public ref readonly SolverSettings Settings => ref settings;
+
+        /// <summary>Set every frame by what draws the density, which then is summed with the velocities of the next steps.</summary>
+        public bool NeedsDensity { get; set; }
+
+        /// <summary>Set every frame by what draws foam, which then is made in the next steps; none where it was not set.</summary>
+        public FoamSettings? NeedsFoam { get; set; }
+
+        /// <summary>Raised after the commands of a fixed step, with its number: for what is recorded of the state that it leaves.</summary>
+        public event Action<CommandBuffer, int> AfterStep;
+
+        /// <summary>Raised after the commands of all steps of a frame, with whether they were executed.</summary>
+        public event Action<bool> AfterSteps;
+
+        /// <summary>Why a dynamic viscosity is not reached; null where it is.</summary>
+        public string Problem => isTooViscous ? TooViscousProblem : null;
+
+        /// <summary>Lets problems be logged again, as the fluid begins.</summary>
+        public void Begin()
+        {
+            isTooViscous = false;
+            log.Reset();
+        }
+
+        /// <summary>Chooses the settings of a frame's steps.</summary>
+        /// <param name="frameTime">Fluid time of the frame, s.</param>
+        public void BeginFrame(float frameTime) => settings = Budget.BeginFrame(frameTime, input, GravityStep);
+
+        /// <summary>Substep that <see cref="Prepare"/> is going to choose, s.</summary>
+        public float SubstepTime => fluid.FixedStep / settings.StableSubsteps(GravityStep);
+
+        /// <summary>Makes the input of the steps of a frame. Its gravity is that in the domain's frame, less the acceleration of the frame
+        /// itself since the last steps.</summary>
+        /// <param name="duration">Time in which the box moved. Not that of the steps, since frames and steps differ, s.</param>
+        public void Prepare(float duration)
+        {
+            SceneInputs inputs = fluid.Inputs;
+            fluid.GetPose(out Vector3 position, out Quaternion rotation);
+            float3 acceleration = fluid.Box.Accelerate(position, duration);
+            Vector3 felt = fluid.Inertial ? fluid.Gravity - (Vector3)acceleration : fluid.Gravity;
+            input = new StepInput
+            {
+                timeStep = fluid.FixedStep,
+                gravity = Quaternion.Inverse(rotation) * felt + inputs.Parts.UniformField(fluid.Box.Frame),
+                settings = settings,
+                material = fluid.Material,
+                needsDensity = NeedsDensity,
+                colliders = inputs.Colliders.Set,
+                tracksPhases = fluid.TrackPhases,
+                foam = NeedsFoam ?? default,
+                foamSeed = fluid.Seed,
+            };
+            NeedsDensity = false;
+            NeedsFoam = null;
+            fluid.Support.Gate.TurnOffMissing(fluid.Solver, ref input);
+            if (inputs.Connections.Neighbors is StepConnections neighbors)
+            {
+                input.settings.sleepSpeed = 0f;     // what sleeps does not feel what comes
+                input.connections = neighbors;
+            }
+            fluid.Support.BeginSteps();
+            input.settings.relaxation = settings.StableRelaxation(fluid.Solver.IsDeep(input));
+            input.settings.substeps = settings.StableSubsteps(GravityStep);
+            CheckViscosity();
+        }
+
+        /// <summary>Makes the input of a step in which nothing acts, so that each particle goes on as it is.</summary>
+        public void PrepareStill()
+        {
+            SolverSettings stillSettings = fluid.Settings;
+            stillSettings.substeps = 1;
+            stillSettings.iterations = 0;
+            stillSettings.deepWater = DeepWater.Off;
+            stillSettings.sleepSpeed = 0f;
+            stillSettings.numericalDamping = 1f;
+            FluidMaterial still = fluid.Material;
+            still.velocitySmoothing = still.dynamicViscosity = still.shearModulus = still.vorticity = still.artificialPressure = 0f;
+            settings = stillSettings;
+            input = new StepInput
+            {
+                timeStep = fluid.FixedStep, gravity = float3.zero, settings = settings, material = still, needsDensity = NeedsDensity
+            };
+            NeedsDensity = false;
+            NeedsFoam = null;
+            fluid.Support.BeginSteps();
+            fluid.Support.TurnOffRefused(ref input, settings);
+        }
+
+        /// <summary>Records the steps of a frame.</summary>
+        /// <param name="problem">Says why the fluid cannot go on; null where it can, or where a pass of a script disabled it.</param>
+        public bool TryRecord(CommandBuffer commands, int steps, out string problem)
+        {
+            problem = null;
+            try
+            {
+                for (int i = 0; i < steps; i++)
+                {
+                    input.frameFrom = i / (float)steps;
+                    input.frameTo = (i + 1) / (float)steps;
+                    input.sources = fluid.Inputs.Parts.Collect(input);
+                    input.takesParticles = i == 0;
+                    fluid.Support.TurnOffRefused(ref input, settings);
+                    if (!Passes.Record(commands, ref input))
+                        return false;
+                    input.needsDensity |= input.sources != null && input.sources.hasWind;
+                    Budget.BeginStep(commands);
+                    fluid.Solver.Step(commands, input);
+                    AfterStep?.Invoke(commands, fluid.StepCount + i + 1);
+                    Budget.EndStep(commands);
+                }
+                return true;
+            }
+            catch (ArgumentException refusal)       // a stage that this scene needs is more than the device holds
+            {
+                problem = refusal.Message;
+                return false;
+            }
+        }
+
+        /// <summary>Raises <see cref="AfterSteps"/>.</summary>
+        public void RaiseAfterSteps(bool areExecuted) => AfterSteps?.Invoke(areExecuted);
+
+        // How far gravity and the strongest field carry a particle in a step, d. The acceleration of the box is left out: a jerk of it lasts
+        // one step, and its cost would come as a hitch.
+        float GravityStep => (fluid.Gravity.magnitude + fluid.Inputs.Parts.MaxFieldAcceleration) * fluid.FixedStep * fluid.FixedStep
+            / fluid.ParticleSpacing;
+
+        // Checks the input as it is recorded: with the substeps that are taken.
+        void CheckViscosity()
+        {
+            isTooViscous = ImplicitViscosity.IsNeeded(input)
+                && ImplicitViscosity.Strength(input, fluid.Solver.Layout) > ImplicitViscosity.MaxStrength;
+            if (isTooViscous && log.ShouldLog(TooViscous))
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {TooViscousProblem}", fluid);
+        }
+
+        string TooViscousProblem
+        {
+            get
+            {
+                double strength = ImplicitViscosity.Strength(input, fluid.Solver.Layout), beyond = strength / ImplicitViscosity.MaxStrength;
+                double substeps = Math.Ceiling(input.settings.substeps * beyond);
+                float viscosity = fluid.Material.dynamicViscosity;
+                string remedy = substeps <= SolverSettings.MaxSubsteps ? Invariant($"Take {substeps} substeps or a particle spacing of")
+                    : "Take a particle spacing of";
+                return Invariant($"its dynamic viscosity of {viscosity:G4} Pa s is more than ") +
+                    Invariant($"{ImplicitViscosity.MaxPasses} passes solve: at this spacing and substep that is ") +
+                    Invariant($"{viscosity / beyond:G3} Pa s. Flow over many particles is braked less: up to ") +
+                    Invariant($"{100.0 * ImplicitViscosity.ErrorLeft(strength):G2} % of what should end in a substep goes on. {remedy} ") +
+                    Invariant($"{fluid.ParticleSpacing * Math.Sqrt(beyond):G3} m, or lower the viscosity.");
+            }
+        }
+    }
+}
