@@ -272,7 +272,7 @@ namespace Rill
 
         int ISceneCollider.Layer => gameObject.layer;
 
-        bool IFluidCollider.IsThere => this != null && isActiveAndEnabled;
+        bool IFluidCollider.IsAlive => this != null && isActiveAndEnabled;
 
         int IFluidCollider.Teleports => Teleports;
 
@@ -284,7 +284,7 @@ namespace Rill
 
         void IFluidCollider.SetForce(in FluidForce force) => SetForce(force);
 
-        void IFluidCollider.TellContacts(FluidSimulation fluid)
+        void IFluidCollider.RaiseContacts(FluidSimulation fluid)
         {
             int index = IndexOf(fluid);
             if (index < 0 || !contacts.HasListeners)
@@ -330,9 +330,9 @@ namespace Rill
                 Awaited = fluid;
         }
 
-        void IFluidCollider.TellExit(FluidSimulation fluid)
+        void IFluidCollider.RaiseExit(FluidSimulation fluid)
         {
-            if (((IFluidCollider)this).IsThere)     // disabled or destroyed since
+            if (((IFluidCollider)this).IsAlive)     // disabled or destroyed since
                 contacts.Raise(ContactChange.Exit, FluidContact.Exit(this, fluid));
         }
 

@@ -187,7 +187,7 @@ namespace Rill
             region = default;
             pose = default;
             if (ShouldLog(NoSize, IsEmpty))
-                Say(SizeProblem);
+                Warn(SizeProblem);
             if (IsEmpty || !TryGetPose(frame, out PoseInDomain place))
             {
                 latest.valid = false;

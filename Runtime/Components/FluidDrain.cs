@@ -87,7 +87,7 @@ namespace Rill
                 return false;
             float3 half = Half / spacing;
             if (ShouldLog(NoSize, IsEmpty))
-                Say(SizeProblem);
+                Warn(SizeProblem);
             if (IsEmpty)
                 return false;
             region = new DrainRegion
@@ -158,7 +158,7 @@ namespace Rill
                 return DrainRegion.NoEmitter;
             bool takes = TargetTakes;
             if (ShouldLog(NoTarget, !takes))
-                Say(TargetProblem);
+                Warn(TargetProblem);
             return takes ? (uint)recycleTo.Number : DrainRegion.NoEmitter;
         }
     }

@@ -219,9 +219,9 @@ namespace Rill
             takenAlong = result.velocity;
             searchSteps = result.StepsOfASearch;
             if (fraction.due > 0 && ShouldLog(TooFast, rate > 1.01f * MaxRateOf(spacing, step)))
-                Say(RateProblem(spacing, step));
+                Warn(RateProblem(spacing, step));
             if (fraction.due > 0 && ShouldLog(Torn, IsTorn(Simulation)))
-                Say(TornProblem(Simulation));
+                Warn(TornProblem(Simulation));
             return true;
         }
 
@@ -229,9 +229,9 @@ namespace Rill
         void IEmitter.ReportRefused()
         {
             if (ShouldLog(Shut, IsShut))
-                Say(ShutProblem);
+                Warn(ShutProblem);
             if (ShouldLog(NoCapacity, Refused > 0))
-                Say(CapacityProblem);
+                Warn(CapacityProblem);
         }
 
         private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
@@ -369,7 +369,7 @@ namespace Rill
         {
             FindPositions(spacing);
             if (ShouldLog(NoShape, positionsProblem != null))
-                Say(ShapeProblem);
+                Warn(ShapeProblem);
             return positions != null;
         }
 

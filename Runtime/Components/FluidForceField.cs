@@ -85,7 +85,7 @@ namespace Rill
             float3 half = Half / spacing;
             bool bounded = bounds != ForceFieldBounds.None;
             if (ShouldLog(NoSize, IsEmpty))
-                Say(SizeProblem);
+                Warn(SizeProblem);
             if (IsEmpty)
                 return false;
             bool isWind = kind == ForceFieldKind.Wind;

@@ -175,7 +175,7 @@ namespace Rill
             problems.AddIfAny(tooManyIsKnown ? TooManyProblem : null);
             foreach (IFluidCollider collider in taken)
             {
-                if (!collider.IsThere)
+                if (!collider.IsAlive)
                     continue;
                 if (collider.Describe(out _) is string problem)
                     problems.Add($"The collider '{collider.Name}' is left out: {problem}");
@@ -217,7 +217,7 @@ namespace Rill
         void Update()
         {
             for (int i = 0; i < leavers.Count; i++)
-                leavers[i].TellExit(fluid);
+                leavers[i].RaiseExit(fluid);
             leavers.Clear();
             foreach (GatheredBody body in bodies)
                 body.Carry(fluid, true);
@@ -312,7 +312,7 @@ namespace Rill
                     taken[kept++] = gathered;
                     continue;
                 }
-                if (gathered.Leave(fluid) && gathered.IsThere)
+                if (gathered.Leave(fluid) && gathered.IsAlive)
                     leavers.Add(gathered);
                 Drop(gathered);
             }

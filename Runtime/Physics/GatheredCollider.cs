@@ -30,7 +30,7 @@ namespace Rill
 
         public string Name => Collider.name;
 
-        public bool IsThere => !isDropped && Collider != null && Collider.enabled && Collider.gameObject.activeInHierarchy;
+        public bool IsAlive => !isDropped && Collider != null && Collider.enabled && Collider.gameObject.activeInHierarchy;
 
         public int Teleports => 0;
 
@@ -79,7 +79,7 @@ namespace Rill
         public bool TryDescribe(out ColliderMotion motion)
         {
             motion = default;
-            if (!IsThere)
+            if (!IsAlive)
                 return false;
             string problem = Describe(out motion);
             if (problem != null && !problemIsKnown)
@@ -155,7 +155,7 @@ namespace Rill
             hasForce = true;
         }
 
-        public void TellContacts(FluidSimulation fluid)
+        public void RaiseContacts(FluidSimulation fluid)
         {
             if (!source.ListensToContacts)
                 return;
@@ -187,7 +187,7 @@ namespace Rill
             AwaitsForce = record.Has(ForceRecord.Awaits);
         }
 
-        public void TellExit(FluidSimulation fluid)
+        public void RaiseExit(FluidSimulation fluid)
         {
             if (Collider != null)       // destroyed since
                 source.Tell(ContactChange.Exit, FluidContact.Exit(Collider, fluid));

@@ -88,7 +88,7 @@ namespace Rill
         {
             if (fluid.Solver.KeepsParticles && log.ShouldLog(OutsideNotSaved))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}' takes a snapshot without the particles that are kept outside its box. Put " +
-                    $"the box where they are first, or fill their place after you restore it.", fluid);
+                    $"the box where they are first, or fill that space after you restore it.", fluid);
         }
 
         // Whether the fluid runs, before another hands particles over.
@@ -109,7 +109,7 @@ namespace Rill
 
         string OutsideFullProblem
             => Invariant($"removed {fluid.Solver.RefusedToKeep:N0} particles that its box left behind: its kept capacity of ") +
-            Invariant($"{fluid.KeptCapacity:N0} is full. Raise it, or let the box move within a smaller place.");
+            Invariant($"{fluid.KeptCapacity:N0} is full. Raise it, or let the box move within a smaller region.");
 
         string TakerFullProblem
             => Invariant($"removed {fluid.Solver.RefusedToHandOver:N0} particles that its box left behind: the capacity ") +

@@ -91,7 +91,7 @@ namespace Rill
             if (hasLastPosition)
             {
                 float3 velocity = (position - lastPosition) / duration;
-                if (lastDuration > 0f)      // each velocity is that in the middle of its time
+                if (lastDuration > 0f)      // each velocity is that at the center of its time
                     acceleration = (velocity - lastVelocity) / (0.5f * (lastDuration + duration));
                 lastVelocity = velocity;
                 lastDuration = duration;
@@ -169,7 +169,7 @@ namespace Rill
         public string LostPoseProblem
             => Invariant($"its transform is not finite (position {fluid.transform.position}, rotation ") +
             Invariant($"{fluid.transform.rotation}). The fluid goes on where it last was, at {validPosition}. Set position, rotation and scale of ") +
-            "this object and its parents to numbers that multiply to a place.";
+            "this object and its parents to numbers that multiply to a finite pose.";
 
         /// <summary>Puts into a snapshot how the box came to where it is.</summary>
         public void Save(ref TimeRecord to)

@@ -7,12 +7,12 @@ namespace Rill
     {
         public readonly FluidSimulation fluid;
         public readonly DomainFrame frame;
-        /// <summary>Of the domain, d.</summary>
+        /// <summary>Size of the domain, d.</summary>
         public readonly float3 size;
         public readonly FixedStepClock clock;
         /// <summary>Fluid time of the steps, s.</summary>
         public readonly float duration;
-        /// <summary>s.</summary>
+        /// <summary>Length of a substep, s.</summary>
         public readonly float substepTime;
 
         public CollectedSteps(FluidSimulation fluid, in DomainFrame frame, float3 size, FixedStepClock clock, float duration, float substepTime)

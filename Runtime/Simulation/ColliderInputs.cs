@@ -45,7 +45,7 @@ namespace Rill
         public IFluidCollider OwnerOf(int index) => registry.OwnerOf(index);
 
         /// <summary>Raises the events of colliders that have left the fluid.</summary>
-        public void RaiseLeft() => registry.TellExit(fluid);
+        public void RaiseExits() => registry.RaiseExit(fluid);
 
         /// <summary>Gathers the colliders that can touch the fluid in the coming steps.</summary>
         /// <param name="duration">Fluid time of the steps, s.</param>
@@ -73,16 +73,16 @@ namespace Rill
         }
 
         /// <summary>Lets colliders begin where they are: they have not moved through the fluid since the last steps.</summary>
-        public void ResetMotion() => registry.Jumped = true;
+        public void ResetMotion() => registry.IsMotionReset = true;
 
         /// <summary>Drops the forces on colliders that have not come back yet.</summary>
-        public void DropForces() => registry.ForgetForces(fluid);
+        public void DropForces() => registry.DropForces(fluid);
 
         public void Clear() => registry.Clear();
 
-        public void Save(ref TimeRecord to) => to.collidersJump = registry.Jumped ? 1u : 0u;
+        public void Save(ref TimeRecord to) => to.collidersJump = registry.IsMotionReset ? 1u : 0u;
 
-        public void Load(in TimeRecord from) => registry.Jumped = from.collidersJump != 0;
+        public void Load(in TimeRecord from) => registry.IsMotionReset = from.collidersJump != 0;
 
         public void Save(SnapshotContents contents, in DomainFrame frame)
             => contents.SetIfAny(SnapshotSection.Colliders, registry.Save(frame));
@@ -140,7 +140,7 @@ namespace Rill
         void Deliver() => registry.Deliver(fluid.Solver?.Reactions, fluid, fluid.ParticleSpacing);
 
         string TooManyProblem => Invariant($"takes {ColliderSet.Most} colliders at a time; {registry.LeftOutCount} more are in its box ") +
-            $"and left out, '{(registry.FirstLeftOut.IsThere ? registry.FirstLeftOut.Name : "")}' first. Merge meshes into one field, " +
+            $"and left out, '{(registry.FirstLeftOut.IsAlive ? registry.FirstLeftOut.Name : "")}' first. Merge meshes into one field, " +
             "or disable colliders that the fluid does not reach.";
     }
 }

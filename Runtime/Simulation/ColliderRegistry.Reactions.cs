@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What the fluid does to colliders: asked for after the steps of a frame, handed to them when it has come.
+    // Forces of the fluid on colliders: requested after the steps of a frame, and handed to them when they have come.
     sealed partial class ColliderRegistry
     {
         // A collider whose sums are pending.
@@ -13,7 +13,7 @@ namespace Rill
         {
             public IFluidCollider owner;
             public RelativeMotion motion;
-            public Vector3 place;   // world space, m
+            public Vector3 position;    // world space, m
             public float arm;       // of the moment, d
             public bool delivered;
         }
@@ -37,7 +37,7 @@ namespace Rill
             {
                 taken[i].owner = entries[i].owner;
                 taken[i].arm = Set.Items[i].MomentArm;
-                taken[i].place = frame.WorldPoint(Set.Items[i].end.position);
+                taken[i].position = frame.WorldPoint(Set.Items[i].end.position);
                 if (Set.Items[i].reacts)
                     taken[i].motion = entries[i].track.Take();
             }
@@ -69,17 +69,17 @@ namespace Rill
                     fluid.Inputs.Thrown.Log(problem, taken[i].owner, fluid);
                 }
             }
-            // What a listener changes, such as restarting the fluid, is of the next result.
+            // Changes by listeners, such as a restart of the fluid, act on the next result.
             for (int i = 0; i < takenCount; i++)
                 if (taken[i].delivered)
-                    taken[i].owner.TellContacts(fluid);
+                    taken[i].owner.RaiseContacts(fluid);
         }
 
         void Deliver(ColliderReactions reactions, FluidSimulation fluid, float spacing, double scale, int index)
         {
             IFluidCollider owner = taken[index].owner;
             bool left = index >= Set.Count || !ReferenceEquals(entries[index].owner, owner);
-            if (left || !owner.IsThere || !owner.MeasuresForce)
+            if (left || !owner.IsAlive || !owner.MeasuresForce)
                 return;
             reactions.Get(index, out double3 sum, out double3 moment);
             var force = (Vector3)(float3)(sum * scale);
@@ -95,15 +95,15 @@ namespace Rill
             double area = reactions.WettedArea(index, out double3 facing, out double3 at);
             if (!(area > 0.0))
                 return default;
-            Vector3 place = taken[index].place + fluid.Box.WorldShift - takenShift;
+            Vector3 position = taken[index].position + fluid.Box.WorldShift - takenShift;
             var offset = (Vector3)(float3)(at * (taken[index].arm * spacing / area));
             double3 mean = facing / area;
-            return new WettedArea((float)(area * spacing * spacing), place + takenRotation * offset,
+            return new WettedArea((float)(area * spacing * spacing), position + takenRotation * offset,
                 math.length(mean) > WettedArea.MinFacing ? takenRotation * (Vector3)(float3)math.normalize(mean) : Vector3.zero);
         }
 
-        /// <summary>Drops what the colliders felt of a fluid that begins again, or goes on from another state: also what is pending.</summary>
-        public void ForgetForces(FluidSimulation fluid)
+        /// <summary>Drops the forces on colliders of a fluid that begins again, or goes on from another state: also what is pending.</summary>
+        public void DropForces(FluidSimulation fluid)
         {
             for (int i = 0; i < Set.Count; i++)
                 entries[i].owner.Leave(fluid);
@@ -113,13 +113,13 @@ namespace Rill
         }
 
         /// <summary>Calls the listeners of colliders that have left the box. They may do anything to the scene.</summary>
-        public void TellExit(FluidSimulation fluid)
+        public void RaiseExit(FluidSimulation fluid)
         {
             for (int i = 0; i < leavers.Count; i++)
             {
                 try
                 {
-                    leavers[i].TellExit(fluid);
+                    leavers[i].RaiseExit(fluid);
                 }
                 catch (Exception problem)
                 {

@@ -17,7 +17,7 @@ namespace Rill
             public int teleports;
         }
 
-        /// <summary>What the solver takes: in the domain's frame, d.</summary>
+        /// <summary>Colliders as the solver takes them: in the domain's frame, d.</summary>
         public readonly ColliderSet Set = new ColliderSet();
 
         Entry[] entries, last;      // null until there was a collider
@@ -25,8 +25,8 @@ namespace Rill
         int lastCount;
         bool changed, reordered;    // of the colliders since the last steps, as far as they are collected
 
-        /// <summary>What moved since the last steps has not moved through the fluid.</summary>
-        public bool Jumped { get; set; }
+        /// <summary>Whether colliders begin where they are: they have not moved through the fluid since the last steps.</summary>
+        public bool IsMotionReset { get; set; }
 
         /// <summary>Those near the box beyond the most that a fluid takes.</summary>
         public int LeftOutCount { get; private set; }
@@ -62,7 +62,7 @@ namespace Rill
                     TryCollect(steps, collider);
             for (int i = 0; hasOwn && i < own.Count; i++)
                 TryCollect(steps, own[i]);
-            Jumped = false;
+            IsMotionReset = false;
             if (changed || Set.Count != lastCount)
                 Set.Version++;
             if (reordered)
@@ -90,7 +90,8 @@ namespace Rill
                 return;
             ToDomain(ref motion, steps.frame);
             int before = LastIndex(collider);
-            bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen))
+            bool follows = before >= 0 && last[before].teleports == collider.Teleports
+                && (!IsMotionReset || motion.seen.Equals(last[before].motion.seen))
                 && steps.fluid.Box.WentAlong(last[before].motion.seen, motion.seen);
             bool skips = follows && steps.clock.FrameDropped > 0.0 && collider.IsCarried;
             if (follows)
@@ -109,7 +110,7 @@ namespace Rill
                 LeftOutCount++;
                 return;
             }
-            if (motion.deforming != null && !TryDeform(ref motion, follows && !Jumped ? last[before].motion : motion, steps.clock))
+            if (motion.deforming != null && !TryDeform(ref motion, follows && !IsMotionReset ? last[before].motion : motion, steps.clock))
                 return;
             int index = Set.Count++;
             reordered |= before != index;
@@ -138,7 +139,7 @@ namespace Rill
             if (inputs.TakesAllLayers)
                 return;
             for (int i = 0; i < lastCount; i++)
-                if (last[i].owner is ISceneCollider collider && last[i].owner.IsThere && !inputs.Takes(collider) && last[i].owner.Leave(fluid))
+                if (last[i].owner is ISceneCollider collider && last[i].owner.IsAlive && !inputs.Takes(collider) && last[i].owner.Leave(fluid))
                     leavers.Add(collider);
         }
 
@@ -210,7 +211,7 @@ namespace Rill
         /// <summary>Whether a collider is near enough to a fluid's box to be felt.</summary>
         public static bool IsNear(IFluidCollider collider, in DomainFrame frame, float3 size)
         {
-            if (!collider.IsThere || collider.Describe(out ColliderMotion motion) != null)
+            if (!collider.IsAlive || collider.Describe(out ColliderMotion motion) != null)
                 return false;
             ToDomain(ref motion, frame);
             return IsNear(motion, size);

@@ -45,7 +45,7 @@ namespace Rill
         /// <summary>Whether the fluid has a feature that no step asks for; where not, that is logged once.</summary>
         public bool HasBesideSteps(Feature feature) => Gate.Holds(feature);
 
-        /// <summary>What this device lacks for any fluid; null where it lacks nothing.</summary>
+        /// <summary>Ability that this device lacks for any fluid; null where it lacks none.</summary>
         public static string MissingAbility => DeviceGate.MissingAbility();
 
         /// <summary>Whether fluids are inactive because the player has no graphics device.</summary>

@@ -26,7 +26,7 @@ namespace Rill
         /// <summary>Time by which the steps of that last frame stayed behind it, s: less than a step.</summary>
         public double FrameLag { get; private set; }
 
-        /// <summary>The same of the frame before it.</summary>
+        /// <summary>Time by which the steps of the frame before it stayed behind, s.</summary>
         public double LastFrameLag { get; private set; }
 
         /// <summary>Time that the cap dropped of the last frame that took steps, s.</summary>

@@ -121,7 +121,7 @@ namespace Rill
         }
 
         /// <summary>Ends a frame that shows a recording.</summary>
-        /// <param name="lag">Time by which the recorded state stays behind the frame, s.</param>
+        /// <param name="lag">Time by which the recorded state lags the frame, s.</param>
         /// <param name="follows">Whether it goes on from the frame before.</param>
         public void EndShown(double lag, bool follows)
         {

@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What a <see cref="FluidSimulation"/> does while no camera sees its box.</summary>
+    /// <summary>Behavior of a <see cref="FluidSimulation"/> while no camera sees its box.</summary>
     public enum FluidCullingMode
     {
         /// <summary>Goes on as ever.</summary>

@@ -153,7 +153,7 @@ namespace Rill
             SolverLayout layout = from.Layout;
             StepInput input = fluid.Input;
             Vector4 lag = fluid.Clock.FrameLag;
-            // What acts in one of several substeps is not taken to last.
+            // A force in one of several substeps is not taken to last.
             float atOnce = input.settings.substeps == 1 ? VelocityExtrapolation.FractionAtOnce(input) : 1f;
             return new Frame
             {

@@ -18,13 +18,14 @@ namespace Rill
         /// is, which is logged.</summary>
         public float ParticleSpacing { get => particleSpacing; set => Resolution.Change(value, Resolution.Capacity, !layoutChanged); }
 
-        /// <summary>Most particles, 1 to 16,777,216. A running fluid keeps its water, as with another <see cref="ParticleSpacing"/>.</summary>
+        /// <summary>Maximum number of particles, 1 to 16,777,216. A running fluid keeps its water, as with another
+        /// <see cref="ParticleSpacing"/>.</summary>
         public int Capacity { get => capacity; set => Resolution.Change(Resolution.Spacing, value, !layoutChanged); }
 
         /// <summary>Sets box, resolution and capacity; a running fluid starts again.</summary>
         /// <param name="size">Inner size of the box, m.</param>
         /// <param name="spacing">Distance between particles at rest, m.</param>
-        /// <param name="particles">Most particles.</param>
+        /// <param name="particles">Maximum number of particles.</param>
         public void Configure(Vector3 size, float spacing, int particles)
         {
             domainSize = size;
@@ -33,13 +34,13 @@ namespace Rill
             layoutChanged = true;
         }
 
-        /// <summary>What the fluid is. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Properties of the fluid. Out-of-range values are clamped with a warning.</summary>
         public FluidMaterial Material { get => material; set { material = value; Changed(); } }
 
         /// <summary>Dynamic viscosity, Pa s, 0 (off) to 1e6: that of <see cref="Material"/>. Acts as <see cref="Iterations"/> does.</summary>
         public float DynamicViscosity { get => material.dynamicViscosity; set { material.dynamicViscosity = value; Changed(); } }
 
-        /// <summary>What the solver spends on a step. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Settings of the solver: its effort in a step. Out-of-range values are clamped with a warning.</summary>
         public SolverSettings Settings { get => solver; set { solver = value; Changed(); } }
 
         /// <summary>Jacobi iterations of the density constraint a substep, 1 to 50: those of <see cref="Settings"/>. Acts from the next step
@@ -77,7 +78,7 @@ namespace Rill
             }
         }
 
-        /// <summary>What the budget chose, why, and the error that it costs.</summary>
+        /// <summary>The settings that the budget chose, the reason, and the error that they cost.</summary>
         public BudgetState BudgetState => Steps.Budget.State;
 
         /// <summary>Acceleration in world space, m/s². One that is not finite becomes the default, with a warning.</summary>
@@ -90,7 +91,7 @@ namespace Rill
         /// <summary>Length of a fixed step, s.</summary>
         public float FixedStep => 1f / stepRate;
 
-        /// <summary>Steps that one frame takes at most, 1 to 16. Acts in the next frame. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Maximum number of steps in a frame, 1 to 16. Acts in the next frame. Out-of-range values are clamped with a warning.</summary>
         public int MaxStepsPerFrame { get => maxStepsPerFrame; set { maxStepsPerFrame = value; Changed(); } }
 
         /// <summary>Whether acceleration of this object acts on the fluid.</summary>
@@ -100,10 +101,10 @@ namespace Rill
         /// or another layer of its object, takes out has left the fluid. Without effect on what a <c>FluidPhysicsColliders</c> takes.</summary>
         public LayerMask FluidColliderLayers { get => fluidColliderLayers; set => fluidColliderLayers = value; }
 
-        /// <summary>Whether time stands still.</summary>
+        /// <summary>Whether the simulation is frozen.</summary>
         public bool Paused { get => paused; set => paused = value; }
 
-        /// <summary>What the fluid does while no camera sees its box; it goes on by default.</summary>
+        /// <summary>Behavior while no camera sees the box; the fluid goes on by default.</summary>
         /// <remarks>
         /// Cameras that are enabled and draw this object's layer count, in the frame and where they are before its steps. A camera that a script
         /// renders while it is disabled, the scene view, and a shadow of water that is out of sight do not count. While the fluid is slowed or
@@ -123,7 +124,8 @@ namespace Rill
         /// <see cref="FluidCullingMode.AlwaysSimulate"/>.</summary>
         public bool IsCulled => Clock.IsCulled;
 
-        /// <summary>Of the small offsets from the lattice with which fluid is filled in. Acts at the next <see cref="Restart"/> or fill.</summary>
+        /// <summary>Seed of the random offsets of initial particle positions from the lattice. Acts at the next <see cref="Restart"/>
+        /// or fill.</summary>
         public int Seed { get => seed; set => seed = value; }
 
         /// <summary>Snapshot that a restart begins with instead of the volumes; null for the volumes.</summary>
@@ -150,8 +152,8 @@ namespace Rill
         /// <summary>Whether the fluid is disabled and keeps its water.</summary>
         public bool HasKeptState => SolverOwner.IsSuspended;
 
-        /// <summary>Most particles that <see cref="Recenter"/> keeps outside the box where it is told to, 1 to 16,777,216. Acts when it first
-        /// keeps some, and after a <see cref="Restart"/>. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Maximum number of particles that <see cref="Recenter"/> keeps outside the box where it is told to, 1 to 16,777,216. Acts when it
+        /// first keeps some, and after a <see cref="Restart"/>. Out-of-range values are clamped with a warning.</summary>
         public int KeptCapacity { get => keptCapacity; set { keptCapacity = value; Changed(); } }
 
         /// <summary>Particles that are kept outside the box, as far as the GPU has told: two or three frames ago.</summary>
@@ -337,7 +339,7 @@ namespace Rill
         /// <remarks>
         /// Memory stays that of the box, however large the world. Setting the transform instead takes the water along. The part of the box that
         /// is new is empty: <see cref="Fill(FluidShape, Vector3, int, float)"/> of the whole box fills it and leaves the rest as it is.
-        /// What is handed over keeps place, velocity, phase and lifetime, and gets a new id. It does not look for room.
+        /// A particle that is handed over keeps position, velocity, phase and lifetime, and gets a new id. It does not look for room.
         /// </remarks>
         /// <param name="position">Of this object, world space, m.</param>
         /// <param name="leaving">What happens to particles that then lie outside. What was kept before comes back in any case.</param>

@@ -56,7 +56,7 @@ namespace Rill
         [Range(1, 16)]
         [SerializeField] int maxStepsPerFrame = 4;
 
-        [Tooltip("Whether acceleration of this object acts on the fluid: on for a glass that is shaken, off for a window that follows the player.")]
+        [Tooltip("Lets acceleration of this object act on the fluid: on for a glass that is shaken, off for a window that follows the player.")]
         [SerializeField] bool inertial = true;
 
         [Tooltip("Layers whose Fluid Colliders act on this fluid. Fluid Physics Colliders has layers of its own.")]
@@ -65,7 +65,7 @@ namespace Rill
         [Tooltip("Freezes the simulation.")]
         [SerializeField] bool paused;
 
-        [Tooltip("What the fluid does while no enabled camera sees its box within the Culling Distance. Always Simulate: it goes on. " +
+        [Tooltip("Behavior while no enabled camera sees its box within the Culling Distance. Always Simulate: it goes on. " +
             "Slow: its time passes at the Culled Rate. Pause: its time stands still.")]
         [SerializeField] FluidCullingMode cullingMode = FluidCullingMode.AlwaysSimulate;
 
@@ -149,7 +149,7 @@ namespace Rill
         /// <summary>The last step.</summary>
         internal StepInput Input => Steps.Input;
 
-        /// <summary>What stopped the fluid; null for nothing.</summary>
+        /// <summary>Problem that stopped the fluid; null for none.</summary>
         [field: NonSerialized] internal string Failure { get; private set; }
 
         /// <summary>Whether the Editor simulates this fluid without Play. Set before it is enabled there, and taken back when it is
@@ -360,7 +360,7 @@ namespace Rill
             shaders.Release();
         }
 
-        // As the fluid is disabled; false where there is nothing to keep.
+        // Keeps the solver of a fluid that is disabled; false where there is none to keep.
         bool TrySuspend()
         {
             if (!keepStateOnDisable || SolverOwner.SuspendsNothing || !IsRunning || Failure != null || IsInEditMode)
@@ -371,7 +371,7 @@ namespace Rill
             return true;
         }
 
-        // As the fluid is enabled: what moved meanwhile has not moved through the fluid, as after a pause.
+        // Takes the solver back as the fluid is enabled. As after a pause, nothing has moved through the fluid meanwhile.
         bool TryResume()
         {
             if (SolverOwner.SuspendedIsOutdated)

@@ -4,8 +4,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What is found of the state that a frame leaves: the surface, answers to queries, statistics, and what the fluid does to
-    /// colliders. Records it after the steps, and requests what comes back.</summary>
+    /// <summary>Results of the state that a frame leaves: the surface, queries, statistics, and forces on colliders. Records them after the
+    /// steps, and requests what comes back.</summary>
     sealed class FrameResults
     {
         public readonly SurfaceRequests Surface;
@@ -46,7 +46,7 @@ namespace Rill
         public void BeginFrame()
         {
             PendingReadbacks.FinishResumed();
-            fluid.Inputs.Colliders.RaiseLeft();
+            fluid.Inputs.Colliders.RaiseExits();
             LogLost();
             fluid.Solver?.RequestLost();
         }

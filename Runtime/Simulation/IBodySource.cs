@@ -9,7 +9,8 @@ namespace Rill
         /// <summary>Lists those that it knows.</summary>
         void ListBodies(List<ICarriedBody> bodies);
 
-        /// <summary>What carries a body, also of one that was not near the box in the newest steps. Null where it is none of this source.</summary>
+        /// <summary>Returns the carrier of a body, also of one that was not near the box in the newest steps; null where it is not of this
+        /// source.</summary>
         ICarriedBody CarrierOf(Component body);
     }
 }

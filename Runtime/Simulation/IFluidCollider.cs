@@ -5,11 +5,11 @@ namespace Rill
     /// <summary>A collider as a fluid sees it: a <see cref="FluidCollider"/>, or one that a source of this fluid gathered.</summary>
     interface IFluidCollider
     {
-        /// <summary>Of its object, for messages.</summary>
+        /// <summary>Name of its object, for messages.</summary>
         string Name { get; }
 
         /// <summary>Whether it can be taken now: enabled, and not destroyed.</summary>
-        bool IsThere { get; }
+        bool IsAlive { get; }
 
         /// <summary>Grows each time that it went somewhere else without moving there.</summary>
         int Teleports { get; }
@@ -20,11 +20,11 @@ namespace Rill
         /// <summary>Whether the fluid carries its body.</summary>
         bool IsCarried { get; }
 
-        /// <summary>Shape and place now, in world space and meters; its poses are both the present one.</summary>
-        /// <returns>Why it is no collider; null where it is one.</returns>
+        /// <summary>Shape and pose now, in world space and meters; its poses are both the present one.</summary>
+        /// <returns>Why it is not a collider; null where it is one.</returns>
         string Describe(out ColliderMotion motion);
 
-        /// <summary>As <see cref="Describe"/>; a problem is logged once, by name.</summary>
+        /// <summary>Describes it as <see cref="Describe"/> does; a problem is logged once, by name.</summary>
         /// <returns>Whether it is a collider.</returns>
         bool TryDescribe(out ColliderMotion motion);
 
@@ -35,10 +35,10 @@ namespace Rill
         void SetForce(in FluidForce force);
 
         /// <summary>Calls the listeners to what the newest result of a fluid has changed. They may do anything to the scene.</summary>
-        void TellContacts(FluidSimulation fluid);
+        void RaiseContacts(FluidSimulation fluid);
 
         /// <summary>Drops the result of a fluid that it has left.</summary>
-        /// <returns>Whether listeners have to be told, by <see cref="TellExit"/>.</returns>
+        /// <returns>Whether listeners have to be told, by <see cref="RaiseExit"/>.</returns>
         bool Leave(FluidSimulation fluid);
 
         /// <summary>Puts what is known of a fluid's force into a snapshot.</summary>
@@ -49,6 +49,6 @@ namespace Rill
         void LoadForce(FluidSimulation fluid, in ForceRecord record, Vector3 moved);
 
         /// <summary>Calls the listeners to its leaving a fluid.</summary>
-        void TellExit(FluidSimulation fluid);
+        void RaiseExit(FluidSimulation fluid);
     }
 }

@@ -9,7 +9,7 @@ namespace Rill
         /// <summary>Whether its frames have the particles' ids.</summary>
         bool HasIds { get; }
 
-        /// <summary>Time that what is shown lies behind the frame, s.</summary>
+        /// <summary>Time by which the shown state lags the frame, s.</summary>
         double Lag { get; }
 
         /// <summary>Goes on by some time.</summary>

@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What happens to particles that lie outside of a box that was put elsewhere.</summary>
+    /// <summary>Treatment of particles that lie outside of a box that was put elsewhere.</summary>
     public enum LeavingParticles
     {
         /// <summary>They are removed and count as drained.</summary>

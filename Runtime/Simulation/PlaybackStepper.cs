@@ -11,7 +11,7 @@ namespace Rill
 
         public PlaybackStepper(FluidSimulation fluid) => this.fluid = fluid;
 
-        /// <summary>What replaces the steps; null for none. The fluid then goes on from what is shown.</summary>
+        /// <summary>Playback whose frames replace the steps; null for none. The fluid then goes on from what is shown.</summary>
         public IFluidPlayback Source
         {
             get => source;

@@ -49,7 +49,7 @@ namespace Rill
             RequestWater(pending);
         }
 
-        /// <summary>Notes that scripts have changed the water: what is on its way lacks the change.</summary>
+        /// <summary>Marks the water that is on its way as outdated, since scripts have changed the fluid.</summary>
         public void MarkChanged()
         {
             if (pending != null)

@@ -53,7 +53,7 @@ namespace Rill
         {
             if (isRecording)
                 throw new InvalidOperationException(
-                    $"FluidSimulation '{fluid.name}' is recording a step in this pass of BeforeStep, which is no time for {act}: do it in Update.");
+                    $"FluidSimulation '{fluid.name}' is recording a step in this pass of BeforeStep, where {act} is not allowed: do it in Update.");
         }
 
         /// <exception cref="InvalidOperationException">Called in a pass.</exception>

@@ -90,7 +90,7 @@ namespace Rill
             Commands = null;
         }
 
-        /// <summary>What the buffers will take on the GPU, without optional stages; 0 where the fluid cannot run.</summary>
+        /// <summary>Memory that the buffers will take on the GPU, bytes, without optional stages; 0 where the fluid cannot run.</summary>
         public long EstimatedBytes => TryMakeLayout(out SolverLayout layout, out _) ? layout.EstimatedBytes : 0;
 
         /// <summary>Why the settings allow no solver; null where they do.</summary>

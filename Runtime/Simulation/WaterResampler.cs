@@ -7,12 +7,12 @@ namespace Rill
     /// <summary>The particles of a fluid at another spacing: as many as its volume holds, where the old ones were densest, with their
     /// velocities.</summary>
     /// <remarks>
-    /// New particles lie on a cubic lattice. Its places are ranked by the density of the old particles there, and the best are taken: so the volume
+    /// New particles lie on a cubic lattice. Its sites are ranked by the density of the old particles there, and the best are taken: so the volume
     /// is kept to a particle, whatever the surface. What is thinner than the new spacing becomes a part of the rest.
     /// </remarks>
     sealed class WaterResampler
     {
-        const float MinDensity = 0.1f;          // of rest: places below it are in the air
+        const float MinDensity = 0.1f;          // of rest: sites below it are in the air
         const float Jitter = 0.02f;             // new spacings: a perfect lattice keeps balances that do not last
         const int Ranks = 1 << 16;
         const float MaxDensity = 2f;
@@ -31,7 +31,7 @@ namespace Rill
         /// <param name="tags">As many, or none.</param>
         /// <param name="ratio">Old spacing over new.</param>
         /// <param name="size">Of the domain, new spacings.</param>
-        /// <param name="colliders">In old spacings: what touches one is no place for a new particle.</param>
+        /// <param name="colliders">In old spacings: no new particle touches one.</param>
         /// <param name="down">Along gravity in the domain's frame: the lattice lies on that side.</param>
         public WaterResampler(ReadOnlySpan<float4> positions, ReadOnlySpan<float4> velocities, ReadOnlySpan<uint> tags, float ratio, float3 size,
             float3 down, ColliderSet colliders)
@@ -54,7 +54,7 @@ namespace Rill
                     this.tags[Count] = tags[i];
                 Count++;
             }
-            // Across gravity whole layers from wall to wall, a little closer or wider, and along it as much the other way, so that a place
+            // Across gravity whole layers from wall to wall, a little closer or wider, and along it as much the other way, so that a site
             // stands for a cube of the new spacing.
             int along = math.abs(down.x) > 0.7f ? 0 : math.abs(down.z) > 0.7f ? 2 : 1;
             step = size / math.max(math.round(size), 1f);
@@ -108,10 +108,10 @@ namespace Rill
             toTags = tags?.AsSpan(0, Count).ToArray();
         }
 
-        // The places with the highest density; of equal ones those that a hash says.
+        // Returns the sites with the highest density; among equal ones a hash decides.
         int3[] Choose(int count)
         {
-            var places = new List<int3>();
+            var sites = new List<int3>();
             var ranks = new List<int>();
             var histogram = new int[Ranks];
             int3 last = (int3)math.floor((size - 0.5f * step - origin) / step + 1e-3f);
@@ -120,19 +120,19 @@ namespace Rill
                 int3 at = At(cell);
                 if (!HasNear(at))
                     continue;
-                // The lattice's places in this cell.
+                // The sites of the new lattice in this cell.
                 int3 from = math.max((int3)math.ceil(((float3)(at + low) * support - origin) / step), 0);
                 int3 to = math.min((int3)math.ceil(((float3)(at + low + 1) * support - origin) / step) - 1, last);
                 for (int z = from.z; z <= to.z; z++)
                     for (int y = from.y; y <= to.y; y++)
                         for (int x = from.x; x <= to.x; x++)
                         {
-                            var place = new int3(x, y, z);
-                            float density = Density(origin + step * place);
-                            if (density < MinDensity || Touches(origin + step * place))
+                            var site = new int3(x, y, z);
+                            float density = Density(origin + step * site);
+                            if (density < MinDensity || Touches(origin + step * site))
                                 continue;
                             int rank = math.min((int)(density / MaxDensity * Ranks), Ranks - 1);
-                            places.Add(place);
+                            sites.Add(site);
                             ranks.Add(rank);
                             histogram[rank]++;
                         }
@@ -140,17 +140,17 @@ namespace Rill
             int least = Ranks - 1, above = 0;
             while (least > 0 && above + histogram[least] < count)
                 above += histogram[least--];
-            // Of the last rank the first by their hashes.
+            // Of those with the last rank, the first by their hashes are taken.
             var ties = new List<(uint hash, int index)>();
             var chosen = new List<int3>(count);
-            for (int i = 0; i < places.Count; i++)
+            for (int i = 0; i < sites.Count; i++)
                 if (ranks[i] > least)
-                    chosen.Add(places[i]);
+                    chosen.Add(sites[i]);
                 else if (ranks[i] == least)
-                    ties.Add((Hash(places[i]), i));
+                    ties.Add((Hash(sites[i]), i));
             ties.Sort();
             for (int i = 0; i < ties.Count && chosen.Count < count; i++)
-                chosen.Add(places[ties[i].index]);
+                chosen.Add(sites[ties[i].index]);
             return chosen.ToArray();
         }
 
@@ -259,6 +259,6 @@ namespace Rill
 
         int3 At(int index) => new int3(index % cells.x, index / cells.x % cells.y, index / (cells.x * cells.y));
 
-        static uint Hash(int3 place) => math.hash(place);
+        static uint Hash(int3 site) => math.hash(site);
     }
 }

@@ -102,7 +102,7 @@ namespace Rill.Tests
             IFluidCollider last = taken[2];
 
             first.enabled = false;
-            Assert.That(taken[0].IsThere, Is.False, "at once");
+            Assert.That(taken[0].IsAlive, Is.False, "at once");
             Assert.That(taken[0].TryDescribe(out _), Is.False);
             Assert.That(Objects(Gather()), Is.EqualTo(new Collider[] { second, third }), "in the same order");
             Assert.That(Gather()[1], Is.SameAs(last), "the same to the fluid");
@@ -120,7 +120,7 @@ namespace Rill.Tests
             taken = Gather();
             IFluidCollider destroyed = taken[0];
             Object.DestroyImmediate(first.gameObject);
-            Assert.That(destroyed.IsThere, Is.False);
+            Assert.That(destroyed.IsAlive, Is.False);
             Assert.That(destroyed.TryDescribe(out _), Is.False);
             Assert.That(Gather(), Is.Empty);
         }

@@ -29,7 +29,7 @@ namespace Rill
         const float ErrorMargin = 0.8f;
         const float FirstSaveSeconds = 2f, MaxSaveSeconds = 60f;
         const float ErrorGain = 0.3f;
-        /// <summary>What a change does to the error shows only after a while.</summary>
+        /// <summary>Time after which the effect of a change on the error shows, s.</summary>
         const float ErrorSeconds = 1f, SavedSeconds = 2f;
 
         readonly CostFactor factor = new CostFactor();
@@ -181,7 +181,7 @@ namespace Rill
             float wait = lastStep == Step.Save ? SavedSeconds : lastStep == Step.Up && judgesError ? ErrorSeconds : UpSeconds;
             if (roomFor < UpSeconds || sinceChange < wait)
                 return false;
-            // What was saved was needed: the next saving waits longer.
+            // The saving was too much: the next one waits longer.
             if (lastStep == Step.Save)
                 saveSeconds = Math.Min(saveSeconds * 2f, MaxSaveSeconds);
             factorBeforeUp = factor.Value;

@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What a <see cref="SolverBudget"/> is given as.</summary>
+    /// <summary>Unit in which a <see cref="SolverBudget"/> is given.</summary>
     public enum BudgetMode
     {
         /// <summary>There is none: the solver's settings hold as they stand.</summary>

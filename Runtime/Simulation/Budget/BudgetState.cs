@@ -3,18 +3,18 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a budget chose, why, and what it costs.</summary>
+    /// <summary>The settings that a budget chose, the reason, and their cost.</summary>
     public struct BudgetState
     {
         /// <summary>Why it chose that.</summary>
         public BudgetReason reason;
-        /// <summary>Where the time comes from.</summary>
+        /// <summary>Source of the time.</summary>
         public GpuTimeKind source;
-        /// <summary>What the steps of a frame may take, ms.</summary>
+        /// <summary>Time that the steps of a frame may take, ms.</summary>
         public float targetMilliseconds;
-        /// <summary>What they take, ms, as a running mean; 0 while unknown.</summary>
+        /// <summary>Time that they take, ms, as a running mean; 0 while unknown.</summary>
         public float milliseconds;
-        /// <summary>What they would take with the next better settings, ms; 0 if there are none or nothing is known.</summary>
+        /// <summary>Time that they would take with the next better settings, ms; 0 if there are none or nothing is known.</summary>
         public float nextMilliseconds;
         /// <summary>Substeps of a step that it chose.</summary>
         public int substeps;

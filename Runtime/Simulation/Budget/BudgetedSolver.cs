@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What a budget has to know of a simulation.</summary>
+    /// <summary>State of a simulation that a budget has to know.</summary>
     struct BudgetScene
     {
         public SolverSettings asked;
@@ -18,7 +18,7 @@ namespace Rill
     /// <summary>A simulation's budget while it runs: the ladder of its scene, the controller and the source of time together.</summary>
     sealed class BudgetedSolver : IDisposable
     {
-        /// <summary>Of the running mean of steps in a frame.</summary>
+        /// <summary>Weight of a new frame in the running mean of steps in a frame.</summary>
         const float StepsGain = 0.05f;
 
         readonly IGpuTimeSource source;
@@ -50,7 +50,7 @@ namespace Rill
                 bounds.minSubsteps = Math.Max(budget.minSubsteps, Math.Min(asked.substeps, budget.maxSubsteps));
             ladder.IsElastic = scene.elastic;
             if (ladder.Build(scene.deepWater, scene.gravityStep, bounds))
-                TakeUp(isStarted ? state.substeps : asked.substeps, isStarted ? state.iterations : asked.iterations, scene.particles);
+                Continue(isStarted ? state.substeps : asked.substeps, isStarted ? state.iterations : asked.iterations, scene.particles);
 
             StepTime time = source.Read(seconds, work);
             var reading = new BudgetReading
@@ -101,7 +101,7 @@ namespace Rill
 
         public void Dispose() => source.Dispose();
 
-        void TakeUp(int substeps, int iterations, float particles)
+        void Continue(int substeps, int iterations, float particles)
         {
             int rung = ladder.Nearest(substeps, iterations, particles);
             if (isStarted)

@@ -19,7 +19,7 @@ namespace Rill
         /// <summary>Replaces the player's own source of GPU time, for tests; null is the player's own.</summary>
         public IGpuTimeSource TimeSource { get; set; }
 
-        /// <summary>What the budget chose, why, and the error that it costs.</summary>
+        /// <summary>The settings that the budget chose, the reason, and the error that they cost.</summary>
         public BudgetState State => budgeted != null ? budgeted.State : default;
 
         /// <summary>Lets a budget that is too small be logged again.</summary>

@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>
     /// The cost model, scaled so that it explains how the whole frame's GPU time goes along with the fluid's work. All that the
-    /// frame spends besides is no matter as long as it does not change with that work.
+    /// frame spends besides does not matter as long as it does not change with that work.
     /// </summary>
     /// <remarks>
     /// The slope of a regression that forgets, drawn towards the device factor that the user gave; without one, towards the frame's

@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>Where a budget's GPU time comes from.</summary>
+    /// <summary>Source of a budget's GPU time.</summary>
     public enum GpuTimeKind
     {
         /// <summary>Nothing tells: no budget can be held.</summary>

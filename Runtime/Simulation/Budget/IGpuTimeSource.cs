@@ -6,7 +6,7 @@ namespace Rill
     /// <summary>GPU time of a simulation's steps, some frames late.</summary>
     interface IGpuTimeSource : IDisposable
     {
-        /// <summary>What the newest readings are; None while nothing comes.</summary>
+        /// <summary>Kind of the newest readings; None while there are none.</summary>
         GpuTimeKind Kind { get; }
 
         /// <summary>Around the commands of a step.</summary>

@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What the last frames recorded, so that a time that comes late meets the work that it is of.</summary>
+    /// <summary>Work that the last frames recorded, so that a time that comes late is matched with its own.</summary>
     sealed class WorkHistory
     {
         const int Frames = 8;
@@ -21,7 +21,7 @@ namespace Rill
         /// <param name="framesAgo">1 for the frame before, to 8.</param>
         public int Steps(int framesAgo) => steps[At(framesAgo)];
 
-        /// <summary>Of one step by the cost model, ms; 0 before there was such a frame.</summary>
+        /// <summary>Time of one step by the cost model, ms; 0 before there was such a frame.</summary>
         /// <param name="framesAgo">1 for the frame before, to 8.</param>
         public float StepCost(int framesAgo) => stepCosts[At(framesAgo)];
 

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What a reading of the force on a collider has changed.</summary>
+    /// <summary>Changes by a reading of the force on a collider.</summary>
     [Flags]
     enum ContactChange
     {
@@ -22,7 +22,7 @@ namespace Rill
         /// <summary>Without any force, until the water has left, s: drops bounce.</summary>
         public const float QuietTime = 0.2f;
 
-        /// <summary>Of the threshold: below it the next hit can come.</summary>
+        /// <summary>Fraction of the threshold below which the next hit can come.</summary>
         public const float CalmFraction = 0.5f;
 
         bool touches, hits;
@@ -41,7 +41,7 @@ namespace Rill
             to.lastWetted = last;
         }
 
-        /// <summary>As it was saved.</summary>
+        /// <summary>Returns a watch that goes on from a saved state.</summary>
         public static ContactWatch Of(in ForceRecord record) => new ContactWatch
         {
             touches = record.Has(ForceRecord.Touches),
@@ -52,11 +52,11 @@ namespace Rill
         };
 
         /// <summary>Returns what a reading says is wet, or where the last one was that did.</summary>
-        /// <param name="place">Of the collider, where there was none, m.</param>
-        public WettedArea Follow(in WettedArea wetted, Vector3 place)
+        /// <param name="position">Of the collider, where there was none, m.</param>
+        public WettedArea Follow(in WettedArea wetted, Vector3 position)
         {
             if (!(wetted.Area > 0f))
-                return wasWet ? last.Dry : new WettedArea(0f, place, Vector3.zero);
+                return wasWet ? last.Dry : new WettedArea(0f, position, Vector3.zero);
             wasWet = true;
             last = wetted;
             return wetted;

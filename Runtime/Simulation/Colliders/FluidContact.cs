@@ -12,14 +12,14 @@ namespace Rill
         /// <summary>The fluid that touches it.</summary>
         public readonly FluidSimulation Fluid;
 
-        /// <summary>What the fluid gave to the collider in the steps of this reading, N s, world space; zero where it left.</summary>
+        /// <summary>Impulse that the fluid gave to the collider in the steps of this reading, N s, world space; zero where it left.</summary>
         public readonly Vector3 Impulse;
 
         /// <summary>Area of the collider's surface that water touches after the last step of the reading, m²; zero where it left, and where
         /// what hit has bounced off since.</summary>
         public readonly float Area;
 
-        /// <summary>Center of that area, world space, m; without an area that of the last reading that had one, or the middle of the
+        /// <summary>Center of that area, world space, m; without an area that of the last reading that had one, or the center of the
         /// collider.</summary>
         public readonly Vector3 Point;
 
@@ -47,7 +47,7 @@ namespace Rill
             Normal = wetted.Normal;
         }
 
-        /// <summary>Of a collider that has left a fluid's box.</summary>
+        /// <summary>Contact of a collider that has left a fluid's box.</summary>
         internal static FluidContact Exit(Component collider, FluidSimulation fluid)
         {
             return new FluidContact(collider, new FluidForce(fluid, Vector3.zero, Vector3.zero, default, 0f, fluid.StepCount),

@@ -2,13 +2,13 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What one simulation did to a collider, as a mean over some steps, and how the collider moved in them. World space.</summary>
+    /// <summary>Force of one simulation on a collider, as a mean over some steps, and how the collider moved in them. World space.</summary>
     readonly struct FluidForce
     {
         public readonly FluidSimulation From;
         /// <summary>N.</summary>
         public readonly Vector3 Force;
-        /// <summary>About the middle of the collider, N m.</summary>
+        /// <summary>Torque about the center of the collider, N m.</summary>
         public readonly Vector3 Torque;
         /// <summary>How the collider moved meanwhile, as the simulation saw it.</summary>
         public readonly RelativeMotion Motion;

@@ -3,7 +3,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What keeps the water of two fluids apart.</summary>
+    /// <summary>Reason that keeps the water of two fluids apart.</summary>
     enum ConnectionFault
     {
         None,

@@ -65,7 +65,7 @@ namespace Rill
                     continue;
                 PbfSolver solver = fluid.Solver, otherSolver = other.Solver;
                 TransferRegion toThis = connection.RegionTo(fluid), toOther = connection.RegionTo(other);
-                connection.State.Meet(fluid, other, toThis, toOther);
+                connection.State.PrepareExchange(fluid, other, toThis, toOther);
                 neighbors.AddNeighbor(new StepNeighbor { solver = otherSolver, region = toThis });
                 if (connection.State.TakenInFrame == Time.frameCount)
                     continue;       // the other has taken for both

@@ -7,10 +7,10 @@ namespace Rill
 {
     /// <summary>
     /// Lets the water of two fluids flow from one box into the other where the boxes overlap. Each particle belongs to the fluid on whose
-    /// side of the middle of the overlap it is; each fluid feels the other's particles in its own box.
+    /// side of the center of the overlap it is; each fluid feels the other's particles in its own box.
     /// </summary>
     /// <remarks>
-    /// Both fluids have the same spacing, material, step rate and orientation. A particle that is handed over keeps place, velocity, phase
+    /// Both fluids have the same spacing, material, step rate and orientation. A particle that is handed over keeps position, velocity, phase
     /// and lifetime, and gets a new id. Where the capacity of its new fluid is full, it stays where it is and waits.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Connection"), Icon(PackagePaths.Icon), ManualPage("control.md")]
@@ -18,6 +18,8 @@ namespace Rill
     {
         /// <summary>Spacings that the boxes overlap by at least: two support radii, for what is felt of the other fluid.</summary>
         public const float MinOverlap = 4f;
+
+        const int Waiting = 0;      // problem of the log
 
         [Tooltip("One of the fluids.")]
         [SerializeField] FluidSimulation first;
@@ -29,8 +31,8 @@ namespace Rill
 
         readonly FluidConnectionState state = new FluidConnectionState();
         [NonSerialized] FluidSimulation attachedFirst, attachedSecond;
-        [NonSerialized] ConnectionFault said;
-        [NonSerialized] bool saidWaiting;
+        [NonSerialized] ConnectionFault loggedFault;
+        [NonSerialized] OnceLog log;
 
         /// <summary>One of the fluids.</summary>
         public FluidSimulation First { get => first; set { first = value; Attach(); } }
@@ -46,13 +48,13 @@ namespace Rill
         /// far as the GPU has told: two or three frames ago.</summary>
         public int HandedToSecond => Count(attachedSecond, TransferWord.Handed);
 
-        /// <summary>And from the second to the first.</summary>
+        /// <summary>Number of those handed from the second to the first.</summary>
         public int HandedToFirst => Count(attachedFirst, TransferWord.Handed);
 
         /// <summary>Particles that are on the second fluid's side and wait in the first, since the second's capacity is full; as old.</summary>
         public int WaitingForSecond => Count(attachedSecond, TransferWord.Held);
 
-        /// <summary>And those that wait in the second for the first.</summary>
+        /// <summary>Number of those that wait in the second for the first.</summary>
         public int WaitingForFirst => Count(attachedFirst, TransferWord.Held);
 
         internal FluidConnectionState State => state;
@@ -83,11 +85,11 @@ namespace Rill
         internal bool CanFlow()
         {
             state.Look(attachedFirst, attachedSecond);
-            Say(state.Fault);
+            LogOnce(state.Fault);
             return state.Fault == ConnectionFault.None;
         }
 
-        /// <summary>What goes to one of the fluids, where water can flow.</summary>
+        /// <summary>Region whose particles go to one of the fluids, where water can flow.</summary>
         internal TransferRegion RegionTo(FluidSimulation fluid) => state.RegionTo(fluid == attachedFirst);
 
         /// <summary>The fluid at the other end.</summary>
@@ -97,9 +99,8 @@ namespace Rill
         internal void ReportWaiting()
         {
             bool waits = WaitingForFirst > 0 || WaitingForSecond > 0;
-            if (waits && !saidWaiting)
+            if (waits && log.ShouldLog(Waiting))
                 Warn(FullProblem(attachedFirst, WaitingForFirst) ?? FullProblem(attachedSecond, WaitingForSecond));
-            saidWaiting |= waits;
         }
 
         void OnEnable()
@@ -130,10 +131,10 @@ namespace Rill
             Detach();
             if (!isActiveAndEnabled)
                 return;
-            said = ConnectionFault.None;
+            loggedFault = ConnectionFault.None;
             if (first == null || second == null || first == second)
             {
-                Say(Fault);
+                LogOnce(Fault);
                 return;
             }
             attachedFirst = first;
@@ -154,11 +155,11 @@ namespace Rill
             state.Close();
         }
 
-        void Say(ConnectionFault fault)
+        void LogOnce(ConnectionFault fault)
         {
-            if (fault != said && fault != ConnectionFault.None)
+            if (fault != loggedFault && fault != ConnectionFault.None)
                 Warn(FluidConnectionState.Describe(fault, FirstNow, SecondNow));
-            said = fault;
+            loggedFault = fault;
         }
 
         void Warn(string problem) => Debug.LogWarning($"Rill: FluidConnection '{name}': {problem}", this);

@@ -4,7 +4,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>Where two boxes overlap, whose side of it is whose, and whether the fluids in them have met.</summary>
+    /// <summary>The overlap of two boxes, the side of it that each fluid owns, and whether the fluids have met.</summary>
     sealed class FluidConnectionState
     {
         const float SameAngle = 0.1f;       // degrees
@@ -26,11 +26,11 @@ namespace Rill
         public int TakenInFrame { get; set; } = -1;
 
         /// <summary>Before a step of either: parts what both were filled with, where they have not met or one began again.</summary>
-        public void Meet(FluidSimulation a, FluidSimulation b, in TransferRegion toA, in TransferRegion toB)
+        public void PrepareExchange(FluidSimulation a, FluidSimulation b, in TransferRegion toA, in TransferRegion toB)
         {
             if (one == b.Solver)
             {
-                Meet(b, a, toB, toA);
+                PrepareExchange(b, a, toB, toA);
                 return;
             }
             bool hasMet = one == a.Solver && other == b.Solver && oneGeneration == one.Generation && otherGeneration == other.Generation;
@@ -62,13 +62,13 @@ namespace Rill
             Fault = FaultBetween(first, second, out toFirst, out toSecond);
         }
 
-        /// <summary>What keeps the fluids apart, as last looked at.</summary>
+        /// <summary>Fault that keeps the fluids apart, as last looked at.</summary>
         public ConnectionFault Fault { get; private set; }
 
-        /// <summary>What goes to the first fluid or to the second, where nothing keeps them apart.</summary>
+        /// <summary>Region whose particles go to the first fluid or to the second, where nothing keeps them apart.</summary>
         public TransferRegion RegionTo(bool isFirst) => isFirst ? toFirst : toSecond;
 
-        /// <summary>What keeps two fluids apart now.</summary>
+        /// <summary>Returns the fault that keeps two fluids apart now.</summary>
         public static ConnectionFault FaultBetween(FluidSimulation a, FluidSimulation b)
             => FaultBetween(a, b, out _, out _);
 
@@ -120,10 +120,10 @@ namespace Rill
                     continue;
                 axis = a;
                 overlap = depth;
-                float middle = 0.5f * (low[a] + high[a]);
+                float center = 0.5f * (low[a] + high[a]);
                 region.plane = 0f;
                 region.plane[a] = isBefore ? 1f : -1f;
-                region.plane.w = isBefore ? middle : -middle;
+                region.plane.w = isBefore ? center : -center;
             }
             if (axis < 0 || overlap < FluidConnection.MinOverlap - 1e-3f)
                 return false;

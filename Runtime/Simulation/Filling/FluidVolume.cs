@@ -8,7 +8,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a <see cref="FluidVolume"/> has the shape of.</summary>
+    /// <summary>Shape of a <see cref="FluidVolume"/>.</summary>
     public enum VolumeShape
     {
         /// <summary>A box with sides along the axes of the object.</summary>
@@ -24,7 +24,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Volume"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
     public sealed class FluidVolume : MonoBehaviour, IHasProblems
     {
-        [Tooltip("A box or a sphere around this object, or the inside of a baked mesh in its own place.")]
+        [Tooltip("A box or a sphere around this object, or the inside of a baked mesh at its own position.")]
         [SerializeField] VolumeShape shape = VolumeShape.Box;
 
         [Tooltip("Size of the box, m, around this object.")]
@@ -96,7 +96,7 @@ namespace Rill
             return positions;
         }
 
-        // Of the box around the shape, m.
+        // Size of the box around the shape, m.
         float3 Extent
         {
             get
@@ -107,7 +107,7 @@ namespace Rill
             }
         }
 
-        // Of that box, m, in this object's frame without its scale.
+        // Center of that box, m, in this object's frame without its scale.
         float3 Center => shape == VolumeShape.SignedDistanceField ? (float3)field.Bounds.center * SignedScale : float3.zero;
 
         float Scale => math.abs(transform.lossyScale.x);
@@ -123,7 +123,6 @@ namespace Rill
             problems.AddIfAny(ProblemWith(fluid != null && fluid.ParticleSpacing > 0f ? fluid.ParticleSpacing : float.PositiveInfinity));
         }
 
-        // Why it cannot be filled with particles of this spacing; null where it can.
         /// <summary>Why it cannot be filled with particles of a spacing, m; null where it can.</summary>
         internal string ProblemWith(float spacing)
         {
@@ -165,27 +164,27 @@ namespace Rill
 
             public SphereVolume(float radius) => this.radius = radius;
 
-            public bool Contains(float3 place) => math.length(place) <= radius * (1f + 1e-4f);
+            public bool Contains(float3 point) => math.length(point) <= radius * (1f + 1e-4f);
         }
 
         readonly struct FieldVolume : IVolume
         {
             readonly FieldSampler field;
-            readonly float3 middle, scale;
+            readonly float3 center, scale;
             readonly float evenScale, maxDistance;
 
-            /// <param name="middle">Of the field's bounds, scaled, m.</param>
+            /// <param name="center">Center of the field's bounds, scaled, m.</param>
             /// <param name="scale">The same along all axes but for its signs: a negative one mirrors.</param>
-            public FieldVolume(in FieldSampler field, float3 middle, float3 scale, float maxDistance)
+            public FieldVolume(in FieldSampler field, float3 center, float3 scale, float maxDistance)
             {
                 this.field = field;
-                this.middle = middle;
+                this.center = center;
                 this.scale = scale;
                 this.maxDistance = maxDistance;
                 evenScale = math.abs(scale.x);
             }
 
-            public bool Contains(float3 place) => field.TrySample((place + middle) / scale, out float distance)
+            public bool Contains(float3 point) => field.TrySample((point + center) / scale, out float distance)
                 && distance * evenScale <= maxDistance;
         }
     }

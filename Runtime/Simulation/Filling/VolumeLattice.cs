@@ -14,7 +14,7 @@ namespace Rill
 
         readonly int3 counts;
         readonly float spacing;
-        readonly float3 first;      // point, spacings from the middle
+        readonly float3 first;      // point, spacings from the center
 
         public VolumeLattice(int3 counts, float spacing)
         {
@@ -45,10 +45,10 @@ namespace Rill
 
         /// <summary>Writes the particles: each a little off its point.</summary>
         /// <param name="marks">By <see cref="Mark"/>; empty where all points are inside.</param>
-        /// <param name="middle">Of the lattice in the object's frame without its scale, m.</param>
+        /// <param name="offset">Center of the lattice in the object's frame without its scale, m.</param>
         /// <param name="center">Position of the object, world space, m.</param>
         /// <param name="positions">xyz, world space, m; as many as are inside.</param>
-        public void Fill(ReadOnlySpan<byte> marks, Random random, float3 middle, float3 center, Quaternion rotation, Span<float4> positions)
+        public void Fill(ReadOnlySpan<byte> marks, Random random, float3 offset, float3 center, Quaternion rotation, Span<float4> positions)
         {
             int point = 0, filled = 0;
             for (int z = 0; z < counts.z; z++)
@@ -57,7 +57,7 @@ namespace Rill
                     {
                         if (marks.Length > 0 && marks[point++] == 0)
                             continue;
-                        float3 local = middle + (first + new float3(x, y, z) + random.NextFloat3(-Jitter, Jitter)) * spacing;
+                        float3 local = offset + (first + new float3(x, y, z) + random.NextFloat3(-Jitter, Jitter)) * spacing;
                         positions[filled++] = new float4(center + (float3)(rotation * (Vector3)local), 0f);
                     }
         }

@@ -18,7 +18,7 @@ namespace Rill
         [NonSerialized] FluidSimulation attached;
         RigidPose lastPose;         // at the end of the last steps, in the domain's frame
         [NonSerialized] bool follows;               // whether it came from there
-        [NonSerialized] int said;           // bit p: problem p was logged and is still there
+        [NonSerialized] OnceLog log;
         [NonSerialized] ClampedSettings clamped;
 
         /// <summary>The fluid that this acts on; null while there is none or this is disabled. Setting null means the nearest above it.</summary>
@@ -39,7 +39,7 @@ namespace Rill
         [field: NonSerialized] internal int Number { get; set; } = -1;
 
         /// <summary>Problems of every part; those of a kind of its own come from <see cref="FirstOwnProblem"/> on.</summary>
-        const int NoPlace = 0, NoSimulation = 1, TooMany = 2;
+        const int InvalidPose = 0, NoSimulation = 1, TooMany = 2;
         private protected const int FirstOwnProblem = 3;
 
         /// <summary>Each kind has numbers of its own in a simulation.</summary>
@@ -49,7 +49,7 @@ namespace Rill
         /// <returns>What was wrong and what it became; null if nothing was.</returns>
         private protected abstract string ValidateValues();
 
-        /// <summary>What is wrong with a part of this kind in a simulation.</summary>
+        /// <summary>Lists what is wrong with a part of this kind in a simulation.</summary>
         private protected abstract void ListOwnProblems(FluidSimulation fluid, List<string> problems);
 
         /// <summary>The stages that a part of this kind makes a fluid use.</summary>
@@ -75,21 +75,16 @@ namespace Rill
         internal virtual void OnRestart() => Teleport();
 
         /// <summary>Whether a problem is there that is yet to be logged: true once for as long as it stays.</summary>
-        private protected bool ShouldLog(int problem, bool isThere)
-        {
-            bool isNew = isThere && (said >> problem & 1) == 0;
-            said = isThere ? said | 1 << problem : said & ~(1 << problem);
-            return isNew;
-        }
+        private protected bool ShouldLog(int problem, bool isThere) => log.ShouldLog(problem, isThere);
 
-        private protected void Say(string problem) => Debug.LogWarning($"Rill: {GetType().Name} '{name}': {problem}", this);
+        private protected void Warn(string problem) => Debug.LogWarning($"Rill: {GetType().Name} '{name}': {problem}", this);
 
-        /// <summary>Where this is and how it is turned in the domain's frame, d; false, and logged once, where that is no place.</summary>
-        internal bool TryGetPose(in DomainFrame frame, out PoseInDomain place)
+        /// <summary>Gives the pose of this part in the domain's frame, d; false, and logged once, where the pose is not finite.</summary>
+        internal bool TryGetPose(in DomainFrame frame, out PoseInDomain pose)
         {
-            bool isSomewhere = IsSomewhere();
-            place = isSomewhere ? frame.ToDomain(transform.position, transform.rotation) : default;
-            return isSomewhere;
+            bool isValid = HasValidPose();
+            pose = isValid ? frame.ToDomain(transform.position, transform.rotation) : default;
+            return isValid;
         }
 
         /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was
@@ -99,7 +94,7 @@ namespace Rill
         private protected bool TryGetMotion(in DomainFrame frame, float from, float to, out RigidPose start, out RigidPose end)
         {
             start = end = default;
-            if (!IsSomewhere())
+            if (!HasValidPose())
             {
                 Teleport();
                 return false;
@@ -119,13 +114,13 @@ namespace Rill
         /// <summary>How this came to where it is, for a snapshot.</summary>
         private protected PartRecord SavePart(in DomainFrame frame)
         {
-            bool isSomewhere = Limit.IsPose(transform.position, transform.rotation);
+            bool isValid = Limit.IsPose(transform.position, transform.rotation);
             return new PartRecord
             {
                 number = (uint)Number,
-                now = isSomewhere ? new PoseRecord(frame.Pose(transform.position, transform.rotation)) : default,
+                now = isValid ? new PoseRecord(frame.Pose(transform.position, transform.rotation)) : default,
                 last = follows ? new PoseRecord(lastPose) : default,
-                follows = isSomewhere && follows ? 1u : 0u,
+                follows = isValid && follows ? 1u : 0u,
             };
         }
 
@@ -176,12 +171,12 @@ namespace Rill
             Attach();
         }
 
-        bool IsSomewhere()
+        bool HasValidPose()
         {
-            bool isNowhere = !Limit.IsPose(transform.position, transform.rotation);
-            if (ShouldLog(NoPlace, isNowhere))
-                Say(PoseProblem);
-            return !isNowhere;
+            bool isInvalid = !Limit.IsPose(transform.position, transform.rotation);
+            if (ShouldLog(InvalidPose, isInvalid))
+                Warn(PoseProblem);
+            return !isInvalid;
         }
 
         string PoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null
@@ -201,21 +196,21 @@ namespace Rill
             attached = Wanted;
             if (attached == null)
             {
-                StartCoroutine(SayWhileAlone());
+                StartCoroutine(WarnIfDetached());
                 return;
             }
             ShouldLog(NoSimulation, false);
             attached.Inputs.Parts.Attach(this);
             if (ShouldLog(TooMany, Number < 0))
-                Say(TooManyProblem);
+                Warn(TooManyProblem);
         }
 
         // A frame later: what is instantiated is put below its fluid right after.
-        IEnumerator SayWhileAlone()
+        IEnumerator WarnIfDetached()
         {
             yield return null;
             if (isActiveAndEnabled && ShouldLog(NoSimulation, attached == null))
-                Say(NoSimulationProblem);
+                Warn(NoSimulationProblem);
         }
 
         void Detach()

@@ -2,12 +2,12 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Where a detector was when it asked.</summary>
+    /// <summary>Pose of a detector when its query was recorded.</summary>
     struct DetectorPose
     {
         /// <summary>World space, m.</summary>
         public Vector3 position;
-        /// <summary>Of its shape, m³.</summary>
+        /// <summary>Volume of its shape, m³.</summary>
         public float volume;
     }
 }

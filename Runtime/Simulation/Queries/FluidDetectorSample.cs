@@ -3,7 +3,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a <see cref="FluidDetector"/> found in its shape at the end of one step. World space, SI units.</summary>
+    /// <summary>Result of a <see cref="FluidDetector"/> for its shape at the end of one step. World space, SI units.</summary>
     public struct FluidDetectorSample
     {
         /// <summary>Whether all below was measured. False before the first result since a restart; a volume of 0 that is valid is an empty
@@ -15,7 +15,7 @@ namespace Rill
         public double time;
         /// <summary>Fluid time from there to the current frame when this sample was asked for, s.</summary>
         public float age;
-        /// <summary>Where the detector's center was, m.</summary>
+        /// <summary>Position of the detector's center, m.</summary>
         public Vector3 position;
         /// <summary>Volume of the water in the shape at rest, m³: each particle stands for a cube of the spacing.</summary>
         public float volume;
@@ -42,7 +42,7 @@ namespace Rill
             : Invariant($"{volume:0.#####} m³, {fill:P0} full, velocity {velocity:0.00} m/s, step {step}, {age:0.000} s old");
     }
 
-    /// <summary>A volume for each phase, m³: an array that is no object.</summary>
+    /// <summary>A volume for each phase, m³: an array that is not an object.</summary>
     struct PhaseVolumes
     {
         float v0, v1, v2, v3, v4, v5, v6, v7;

@@ -3,7 +3,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a <see cref="FluidProbe"/> found at the end of one step. World space, SI units.</summary>
+    /// <summary>Result of a <see cref="FluidProbe"/> at the end of one step. World space, SI units.</summary>
     public struct FluidProbeSample
     {
         /// <summary>Whether all below was measured. False before the first result since a restart, and where the probe was outside the
@@ -15,7 +15,7 @@ namespace Rill
         public double time;
         /// <summary>Fluid time from there to the current frame when this sample was asked for, s.</summary>
         public float age;
-        /// <summary>Where the probe was, m.</summary>
+        /// <summary>Position of the probe, m.</summary>
         public Vector3 position;
         /// <summary>Density of the water there relative to rest: about 1 in water, 0.5 at its surface, 0 in air.</summary>
         public float density;

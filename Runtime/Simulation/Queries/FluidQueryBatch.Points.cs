@@ -61,7 +61,7 @@ namespace Rill
             SetPointCount(positions.Length);
         }
 
-        /// <summary>The same from a part of an array.</summary>
+        /// <summary>Sets the points from a part of an array.</summary>
         /// <param name="positions">World space, m.</param>
         /// <param name="start">The first that is taken.</param>
         /// <param name="count">How many are taken.</param>
@@ -79,7 +79,7 @@ namespace Rill
             SetPointCount(count);
         }
 
-        /// <summary>The same from a list.</summary>
+        /// <summary>Sets the points from a list.</summary>
         /// <param name="positions">World space, m.</param>
         /// <exception cref="ArgumentNullException">No list.</exception>
         /// <exception cref="ArgumentException">More than <see cref="PointCapacity"/>.</exception>
@@ -119,9 +119,9 @@ namespace Rill
             NeedAlive();
             CheckIndex(index, PointCapacity, "points", nameof(PointCapacity));
             sample = default;
-            if (!HasResult || index >= asked[newest].pointCount)
+            if (!HasResult || index >= questions[newest].pointCount)
                 return false;
-            sample = Sample(asked[newest], index, buffers.Latest(newest));
+            sample = Sample(questions[newest], index, buffers.Latest(newest));
             return sample.valid;
         }
 
@@ -135,7 +135,7 @@ namespace Rill
             NeedAlive();
             if (!HasResult)
                 return 0;
-            Asked of = asked[newest];
+            PendingQuestions of = questions[newest];
             CheckRoom(samples.Length, of.pointCount, PointCapacity, nameof(PointCapacity), nameof(samples));
             NativeArray<uint> words = buffers.Latest(newest);
             for (int i = 0; i < of.pointCount; i++)
@@ -143,24 +143,24 @@ namespace Rill
             return of.pointCount;
         }
 
-        FluidProbeSample Sample(Asked of, int index, NativeArray<uint> words)
+        FluidProbeSample Sample(PendingQuestions of, int index, NativeArray<uint> words)
         {
-            float4 place = of.points[index];
-            Vector3 position = (Vector3)place.xyz + (fluid.Box.WorldShift - of.frame.shift);
-            FluidProbeSample sample = QueryResults.Probe(of.frame, words, buffers.PointAt(index), position, place.w > 0f, radius);
+            float4 point = of.points[index];
+            Vector3 position = (Vector3)point.xyz + (fluid.Box.WorldShift - of.frame.shift);
+            FluidProbeSample sample = QueryResults.Probe(of.frame, words, buffers.PointAt(index), position, point.w > 0f, radius);
             sample.age = AgeOf(of);
             return sample;
         }
 
-        void AskPoints(Asked to, in DomainFrame domain, float3 size)
+        void GatherPoints(PendingQuestions to, in DomainFrame domain, float3 size)
         {
             to.pointCount = pointCount;
             for (int i = 0; i < pointCount; i++)
             {
-                float3 place = domain.Point(points[i]);
-                bool isInside = math.all(place >= 0f) && math.all(place <= size);      // not so where it is not finite
+                float3 point = domain.Point(points[i]);
+                bool isInside = math.all(point >= 0f) && math.all(point <= size);      // not so where it is not finite
                 to.points[i] = new float4(points[i], isInside ? 0f : 1f);
-                pointUpload[i] = isInside ? new float4(place, 0f) : 0f;
+                pointUpload[i] = isInside ? new float4(point, 0f) : 0f;
             }
         }
 

@@ -48,7 +48,7 @@ namespace Rill
             SetRayCount(casts.Length);
         }
 
-        /// <summary>The same from a part of an array.</summary>
+        /// <summary>Sets the rays from a part of an array.</summary>
         /// <param name="casts">Rays, and balls.</param>
         /// <param name="start">The first that is taken.</param>
         /// <param name="count">How many are taken.</param>
@@ -69,7 +69,7 @@ namespace Rill
             SetRayCount(count);
         }
 
-        /// <summary>The same from a list.</summary>
+        /// <summary>Sets the rays from a list.</summary>
         /// <param name="casts">Rays, and balls.</param>
         /// <exception cref="ArgumentNullException">No list.</exception>
         /// <exception cref="ArgumentException">More than <see cref="RayCapacity"/>, or a ray that cannot be cast; the rays of before
@@ -114,9 +114,9 @@ namespace Rill
             NeedAlive();
             CheckIndex(index, RayCapacity, "rays", nameof(RayCapacity));
             found = default;
-            if (!HasResult || index >= asked[newest].rayCount)
+            if (!HasResult || index >= questions[newest].rayCount)
                 return false;
-            found = Hit(asked[newest], index, buffers.Latest(newest));
+            found = Hit(questions[newest], index, buffers.Latest(newest));
             return found.valid;
         }
 
@@ -130,7 +130,7 @@ namespace Rill
             NeedAlive();
             if (!HasResult)
                 return 0;
-            Asked of = asked[newest];
+            PendingQuestions of = questions[newest];
             CheckRoom(hits.Length, of.rayCount, RayCapacity, nameof(RayCapacity), nameof(hits));
             NativeArray<uint> words = buffers.Latest(newest);
             for (int i = 0; i < of.rayCount; i++)
@@ -138,7 +138,7 @@ namespace Rill
             return of.rayCount;
         }
 
-        FluidRayHit Hit(Asked of, int index, NativeArray<uint> words)
+        FluidRayHit Hit(PendingQuestions of, int index, NativeArray<uint> words)
         {
             FluidRay ray = of.rays[index];
             if (ray.direction == Vector3.zero)      // it was not set
@@ -150,7 +150,7 @@ namespace Rill
         }
 
         // The longest that any of them can be in the box, d.
-        float AskRays(Asked to, in DomainFrame domain, float3 size)
+        float GatherRays(PendingQuestions to, in DomainFrame domain, float3 size)
         {
             float longest = 0f;
             to.rayCount = rayCount;

@@ -28,8 +28,8 @@ namespace Rill
         /// <summary>Most rays of one batch.</summary>
         public const int MaxRays = 16384;
 
-        /// <summary>What was asked of a state, and where.</summary>
-        sealed class Asked : IDisposable
+        /// <summary>The questions about a state, and where they were asked.</summary>
+        sealed class PendingQuestions : IDisposable
         {
             public NativeArray<float4> points;      // world space, m; w 1 outside the box
             public NativeArray<FluidRay> rays;
@@ -37,7 +37,7 @@ namespace Rill
             public QueryFrame frame;
             public DomainFrame domain;
 
-            public Asked(int pointCapacity, int rayCapacity)
+            public PendingQuestions(int pointCapacity, int rayCapacity)
             {
                 points = new NativeArray<float4>(pointCapacity, Allocator.Persistent);
                 rays = new NativeArray<FluidRay>(rayCapacity, Allocator.Persistent);
@@ -51,9 +51,9 @@ namespace Rill
         }
 
         readonly FluidSimulation fluid;
-        readonly Asked[] asked = new Asked[QueryBatch.RingSize];
+        readonly PendingQuestions[] questions = new PendingQuestions[QueryBatch.RingSize];
         QueryBatch buffers;
-        int version, askedVersion = -1, recorded = -1, newest = -1;
+        int version, recordedVersion = -1, recorded = -1, newest = -1;
         bool isDisposed;
 
         /// <summary>Makes a batch that asks nothing until points or rays are set.</summary>
@@ -78,8 +78,8 @@ namespace Rill
             pointUpload = new NativeArray<float4>(points, Allocator.Persistent);
             this.rays = new NativeArray<FluidRay>(rays, Allocator.Persistent);
             rayUpload = new NativeArray<RayQuery>(rays, Allocator.Persistent);
-            for (int i = 0; i < asked.Length; i++)
-                asked[i] = new Asked(points, rays);
+            for (int i = 0; i < questions.Length; i++)
+                questions[i] = new PendingQuestions(points, rays);
             fluid.Results.Queries.Attach(this);
         }
 
@@ -91,7 +91,7 @@ namespace Rill
         public bool Repeats { get; set; } = true;
 
         /// <summary>Whether what was set last has no result yet.</summary>
-        public bool IsPending => HasQuestions && (newest < 0 || asked[newest].version != version);
+        public bool IsPending => HasQuestions && (newest < 0 || questions[newest].version != version);
 
         /// <summary>Whether there is a result to read, which may be of what was set before.</summary>
         public bool HasResult => !isDisposed && newest >= 0 && fluid != null && fluid.IsRunning;
@@ -128,7 +128,7 @@ namespace Rill
             pointUpload.Dispose();
             rays.Dispose();
             rayUpload.Dispose();
-            foreach (Asked of in asked)
+            foreach (PendingQuestions of in questions)
                 of.Dispose();
         }
 
@@ -141,7 +141,7 @@ namespace Rill
             if (buffers == null)
                 return;
             if (newest >= 0)
-                to.answers.Add(Answer(asked[newest], buffers.Latest(newest).ToArray()));
+                to.answers.Add(Answer(questions[newest], buffers.Latest(newest).ToArray()));
             var pending = new List<int>();
             buffers.ListPending(pending);
             foreach (int slot in pending)
@@ -149,7 +149,7 @@ namespace Rill
                 ReadbackArrival arrival = buffers.Follow(slot);
                 if (arrival == null)
                     continue;
-                SnapshotAnswer answer = Answer(asked[slot], null);
+                SnapshotAnswer answer = Answer(questions[slot], null);
                 to.answers.Add(answer);
                 capture.Add(buffers.Results(slot), bytes => answer.words = MemoryMarshal.Cast<byte, uint>(bytes).ToArray());
                 int now = Time.frameCount;
@@ -157,7 +157,7 @@ namespace Rill
             }
         }
 
-        /// <summary>Takes them out of one. Of a batch that has asked nothing.</summary>
+        /// <summary>Takes them out of one, for a batch that has asked nothing yet.</summary>
         /// <param name="moved">How far the fluid is from where it was in the snapshot, m.</param>
         internal void Load(SnapshotWater from, Vector3 moved)
         {
@@ -174,10 +174,10 @@ namespace Rill
                 SnapshotAnswer answer = from.answers[slot];
                 if (answer.points.Length > PointCapacity || answer.words.Length != buffers.Results(slot).count)
                     continue;       // of another batch
-                Asked to = asked[slot];
+                PendingQuestions to = questions[slot];
                 to.frame = answer.frame;
                 to.frame.shift = fluid.Box.WorldShift - answer.shiftSince - moved;
-                to.version = askedVersion = version;
+                to.version = recordedVersion = version;
                 to.pointCount = answer.points.Length;
                 to.rayCount = 0;
                 for (int i = 0; i < to.pointCount; i++)
@@ -186,7 +186,7 @@ namespace Rill
             }
         }
 
-        SnapshotAnswer Answer(Asked of, uint[] words)
+        SnapshotAnswer Answer(PendingQuestions of, uint[] words)
         {
             var answer = new SnapshotAnswer
             {
@@ -202,13 +202,13 @@ namespace Rill
         void MakeBuffers() => buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived, OnLost);
 
         /// <summary>Whether a question is to be asked of the next state.</summary>
-        internal bool IsDue => HasQuestions && (Repeats || askedVersion != version);
+        internal bool IsDue => HasQuestions && (Repeats || recordedVersion != version);
 
         /// <summary>Results of before are dropped; what was asked once is asked again.</summary>
         internal void OnRestart()
         {
             newest = -1;
-            askedVersion = -1;
+            recordedVersion = -1;
             buffers?.Invalidate();
         }
 
@@ -223,10 +223,10 @@ namespace Rill
             int slot = buffers.FreeSlot(newest);
             if (slot < 0)
                 return;
-            Asked to = asked[slot];
+            PendingQuestions to = questions[slot];
             (to.frame, to.domain, to.version) = (frame, domain, version);
-            AskPoints(to, domain, solver.Layout.DomainSize);
-            float length = AskRays(to, domain, solver.Layout.DomainSize);
+            GatherPoints(to, domain, solver.Layout.DomainSize);
+            float length = GatherRays(to, domain, solver.Layout.DomainSize);
             var input = new BatchInput
             {
                 points = pointUpload,
@@ -238,7 +238,7 @@ namespace Rill
             };
             buffers.Ask(input, slot);
             batches.Add(buffers);
-            askedVersion = version;
+            recordedVersion = version;
             recorded = slot;
         }
 
@@ -260,14 +260,14 @@ namespace Rill
 
         void OnArrived(int slot) => newest = slot;
 
-        // What is asked once is asked again.
+        // A question that is asked once is asked again.
         void OnLost(int slot)
         {
-            if (asked[slot].version == askedVersion)
-                askedVersion = -1;
+            if (questions[slot].version == recordedVersion)
+                recordedVersion = -1;
         }
 
-        float AgeOf(Asked of) => (float)(fluid.FrameTime - of.frame.time);
+        float AgeOf(PendingQuestions of) => (float)(fluid.FrameTime - of.frame.time);
 
         void CheckCount(int count, int capacity, string what, string name)
         {

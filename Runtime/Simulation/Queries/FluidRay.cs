@@ -22,9 +22,9 @@ namespace Rill
         /// <summary>Largest radius of a ball, in particle spacings of the fluid.</summary>
         public const float MaxRadius = RayQuery.MaxRadius;
 
-        /// <summary>Where it starts, or the ball's center there, world space, m.</summary>
+        /// <summary>Start of the ray, or the ball's center there, world space, m.</summary>
         public Vector3 origin;
-        /// <summary>Where it goes, world space, of any length above 0.</summary>
+        /// <summary>Direction, world space, of any length above 0.</summary>
         public Vector3 direction;
         /// <summary>How far it goes, m, above 0; infinity for no limit. Only the part in the fluid's box is searched.</summary>
         public float maxDistance;
@@ -55,12 +55,12 @@ namespace Rill
         public static FluidRay Sphere(Vector3 origin, float radius, Vector3 direction, float maxDistance = float.PositiveInfinity)
             => new FluidRay(origin, direction, maxDistance) { radius = radius };
 
-        /// <summary>What keeps it from being cast; null where nothing does.</summary>
+        /// <summary>Problem that keeps it from being cast; null for none.</summary>
         /// <param name="spacing">Of the fluid's particles, m.</param>
         internal string Problem(float spacing)
         {
             if (!Limit.IsPose(origin, Quaternion.identity))
-                return Invariant($"starts at {origin}, which is no place: give finite numbers");
+                return Invariant($"starts at {origin}, which is not a position: give finite numbers");
             float length = direction.magnitude;
             if (!(length > 0f) || float.IsInfinity(length))
                 return Invariant($"has the direction {direction}, which points nowhere: give a finite one that is not 0");
@@ -71,11 +71,11 @@ namespace Rill
             if ((crossing & FluidCrossing.Any) == 0)
                 return Invariant($"has the crossing {crossing}, and hits nothing: give Enter, Leave or Any");
             return radius > 0f && crossing != FluidCrossing.Enter
-                ? Invariant($"is a ball with the crossing {crossing}: a ball only enters, cast a ray for the way out") : null;
+                ? Invariant($"is a ball with the crossing {crossing}: a ball only enters, cast a ray to find where it leaves") : null;
         }
     }
 
-    /// <summary>What a <see cref="FluidRay"/> found at the end of one step. World space, SI units.</summary>
+    /// <summary>Result of a <see cref="FluidRay"/> at the end of one step. World space, SI units.</summary>
     public struct FluidRayHit
     {
         /// <summary>Whether all below was measured. False before the first result since a restart; a valid one without a hit has missed the
@@ -95,7 +95,7 @@ namespace Rill
         public bool hit;
         /// <summary>From the ray's origin to the hit, for a ball to its center there, m.</summary>
         public float distance;
-        /// <summary>Where the water was hit, m.</summary>
+        /// <summary>Point where the water was hit, m.</summary>
         public Vector3 point;
         /// <summary>Normal of the surface there, out of the water, length 1; of the box's wall where the water ends at one.</summary>
         public Vector3 normal;
@@ -104,7 +104,7 @@ namespace Rill
         /// <summary>Phase of most of the water there, 0 to 7.</summary>
         public int phase;
 
-        /// <summary>Where <see cref="velocity"/> has carried <see cref="point"/> until the frame in which this was asked for, m: without
+        /// <summary>Position to which <see cref="velocity"/> has carried <see cref="point"/> until the frame in which this was asked for, m: without
         /// the lag, and wrong by what changed its course since.</summary>
         public Vector3 ExtrapolatedPoint => point + velocity * age;
 

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    // What a snapshot holds of the colliders.
+    // Colliders in snapshots.
     sealed partial class ColliderRegistry
     {
         readonly int[] found = new int[ColliderSet.Most];       // the records of those of the set
@@ -18,23 +18,23 @@ namespace Rill
                 ColliderMotion motion = Set.Items[i];
                 IFluidCollider owner = entries[i].owner;
                 ColliderMotion now = default;
-                bool isThere = owner.IsThere && owner.Describe(out now) == null;
-                if (isThere)
+                bool isAlive = owner.IsAlive && owner.Describe(out now) == null;
+                if (isAlive)
                     ToDomain(ref now, frame);
                 records.Add(new ColliderRecord
                 {
                     shape = (int)motion.shape,
                     size = motion.size,
-                    now = isThere ? new PoseRecord(now.end) : default,
+                    now = isAlive ? new PoseRecord(now.end) : default,
                     end = new PoseRecord(motion.end),
                     seen = new PoseRecord(motion.seen),
-                    follows = isThere && entries[i].teleports == owner.Teleports ? 1u : 0u,
+                    follows = isAlive && entries[i].teleports == owner.Teleports ? 1u : 0u,
                 });
             }
             return records;
         }
 
-        /// <summary>What is known of the forces on them: none where no collider wants to know.</summary>
+        /// <summary>Forces on the colliders as far as they are known; none where no collider measures its force.</summary>
         public List<ForceRecord> SaveForces(FluidSimulation fluid)
         {
             var records = new List<ForceRecord>();
@@ -54,11 +54,11 @@ namespace Rill
             return records;
         }
 
-        /// <summary>What waits for the sums that are pending.</summary>
+        /// <summary>Colliders that wait for sums that are pending.</summary>
         public ReactionsRecord SaveTaken(FluidSimulation fluid, List<TakenRecord> records)
         {
             for (int i = 0; i < takenCount; i++)
-                records.Add(new TakenRecord { motion = taken[i].motion, place = taken[i].place, arm = taken[i].arm });
+                records.Add(new TakenRecord { motion = taken[i].motion, place = taken[i].position, arm = taken[i].arm });
             return new ReactionsRecord
             {
                 takenImpulse = takenImpulse,
@@ -93,7 +93,7 @@ namespace Rill
                 {
                     owner = entries[i].owner,
                     motion = records[i].motion,
-                    place = records[i].place,
+                    position = records[i].place,
                     arm = records[i].arm,
                 };
             ReactionsRecord sums = contents.Get<ReactionsRecord>(SnapshotSection.Reactions);
@@ -111,7 +111,7 @@ namespace Rill
             FluidSimulation fluid)
         {
             MakeEntries();
-            ForgetForces(fluid);
+            DropForces(fluid);
             Set.Count = 0;
             for (int i = 0; i < records.Length; i++)
             {

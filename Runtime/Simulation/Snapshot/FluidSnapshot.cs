@@ -51,11 +51,11 @@ namespace Rill
         /// <exception cref="InvalidOperationException">It is larger than an array can be, 2 GB.</exception>
         public byte[] ToBytes() => SnapshotFormat.Write(Contents);
 
-        /// <summary>A snapshot from what <see cref="ToBytes"/> wrote. Bytes from anywhere are safe to give: what is no snapshot is refused
-        /// before memory is taken for it.</summary>
+        /// <summary>A snapshot from what <see cref="ToBytes"/> wrote. Bytes from anywhere are safe to give: anything that is not a snapshot is
+        /// refused before memory is taken for it.</summary>
         /// <param name="bytes">All of them.</param>
         /// <exception cref="ArgumentNullException">There are none.</exception>
-        /// <exception cref="InvalidDataException">They are no snapshot, incomplete, damaged or of a newer version; the message says which,
+        /// <exception cref="InvalidDataException">They are not a snapshot, incomplete, damaged or of a newer version; the message says which,
         /// and what to do.</exception>
         public static FluidSnapshot FromBytes(byte[] bytes)
         {

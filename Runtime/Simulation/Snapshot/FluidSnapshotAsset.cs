@@ -17,7 +17,7 @@ namespace Rill
         /// <summary>Size of its content, bytes.</summary>
         public int Size => bytes.Length;
 
-        /// <summary>What it holds; null where that is nothing that can be read, see <see cref="Validate"/>.</summary>
+        /// <summary>The snapshot; null where there is none that can be read, see <see cref="Validate"/>.</summary>
         public FluidSnapshot Snapshot
         {
             get

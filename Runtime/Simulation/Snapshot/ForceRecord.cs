@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What the fluid did to a collider, as far as is known, and how that moves. World space.</summary>
+    /// <summary>Force of the fluid on a collider, as far as it is known, and how the collider moves. World space.</summary>
     [StructLayout(LayoutKind.Sequential, Pack = 4)]
     struct ForceRecord
     {
@@ -25,7 +25,7 @@ namespace Rill
         public const uint HasForce = 2;
         /// <summary>A first force is summed.</summary>
         public const uint Awaits = 4;
-        /// <summary>Of a <see cref="ContactWatch"/>.</summary>
+        /// <summary>State of a <see cref="ContactWatch"/>.</summary>
         public const uint Touches = 8, Hits = 16, WasWet = 32;
         public const uint All = 2 * WasWet - 1;
 

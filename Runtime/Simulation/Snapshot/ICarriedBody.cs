@@ -5,7 +5,7 @@ namespace Rill
     /// <summary>A free body that fluids carry: a snapshot of a fluid puts it back where it was.</summary>
     interface ICarriedBody
     {
-        /// <summary>What moves; null where it was destroyed.</summary>
+        /// <summary>The body that moves; null where it was destroyed.</summary>
         Component Body { get; }
 
         /// <summary>Whether a fluid carries it where it is now.</summary>

@@ -25,7 +25,7 @@ namespace Rill
             }
         }
 
-        /// <exception cref="InvalidDataException">They are no bodies.</exception>
+        /// <exception cref="InvalidDataException">They are not bodies.</exception>
         public static List<SnapshotBody> Read(byte[] bytes)
         {
             using (var stream = new MemoryStream(bytes))

@@ -49,7 +49,7 @@ namespace Rill
             return bytes;
         }
 
-        /// <exception cref="InvalidDataException">They are no snapshot, damaged, or of a newer version.</exception>
+        /// <exception cref="InvalidDataException">They are not a snapshot, damaged, or of a newer version.</exception>
         public static SnapshotContents Read(ReadOnlySpan<byte> bytes)
         {
             if (bytes.Length < Magic.Length || !bytes.Slice(0, Magic.Length).SequenceEqual(Magic))

@@ -149,7 +149,7 @@ namespace Rill.Tests
             public Sphere(string name) => this.name = name;
 
             public string Name => Checked("Name") ? name : null;
-            public bool IsThere => true;
+            public bool IsAlive => true;
             public int Teleports => Checked("Teleports") ? 0 : 1;
             public bool MeasuresForce => measures;
 
@@ -173,11 +173,11 @@ namespace Rill.Tests
                 forces++;
             }
 
-            public void TellContacts(FluidSimulation fluid) { }
+            public void RaiseContacts(FluidSimulation fluid) { }
             public bool Leave(FluidSimulation fluid) => false;
             public void SaveForce(FluidSimulation fluid, ref ForceRecord record) { }
             public void LoadForce(FluidSimulation fluid, in ForceRecord record, Vector3 moved) { }
-            public void TellExit(FluidSimulation fluid) { }
+            public void RaiseExit(FluidSimulation fluid) { }
 
             bool Checked(string member) => !Array.Exists(throwsIn.Split(' '), m => m == member) ? true
                 : throw new InvalidOperationException("planted in " + member);
