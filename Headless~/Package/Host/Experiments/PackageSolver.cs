@@ -11,13 +11,10 @@ namespace Host.Experiments
     {
         readonly StepInput input;
 
-        public PackageSolver(SolverLayout layout, in StepInput input) : this(new PbfSolver(layout), input) { }
-
-        /// <param name="solver">Disposed with this.</param>
-        public PackageSolver(PbfSolver solver, in StepInput input)
+        public PackageSolver(SolverLayout layout, in StepInput input)
         {
             this.input = input;
-            Solver = solver;
+            Solver = new PbfSolver(layout);
         }
 
         public PbfSolver Solver { get; }
