@@ -10,7 +10,7 @@ namespace Rill
     /// what the water does against a slip s is brought up to date, implicitly: m a = F + m g - c (s - s_F), where s_F is the slip
     /// while F was measured (stable while the fluid's own c is below twice this one); so are buoyancy and righting moment, by the
     /// body's displacement since; what a late force can push is limited, heave and turns are damped. All of it vanishes at rest. See
-    /// floating-study.md of the documentation.
+    /// Research~/floating-study.md.
     /// </summary>
     /// <remarks>
     /// A body is made of parts, each a collider. Forces, moments and volumes of the parts add up; slip, resistance, the water's level and

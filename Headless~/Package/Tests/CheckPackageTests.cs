@@ -235,9 +235,9 @@ namespace Host.Tests
         public void A_link_that_leads_nowhere_is_named(string link, string what)
             => copy.Catches(new LinksRule(), () => copy["Documentation~/index.md"] += "\n" + link + "\n", "Documentation~/index.md(", what);
 
-        [Test]
-        public void A_page_that_the_table_of_contents_lacks_is_named()
-            => copy.Catches(new LinksRule(), () => copy["Documentation~/lost.md"] = "# Lost\n", "Documentation~/lost.md",
-            "TableOfContents.md");
+        [TestCase("Documentation~/", "TableOfContents.md")]
+        [TestCase("Research~/", "README.md")]
+        public void A_page_that_its_table_of_contents_lacks_is_named(string folder, string contents)
+            => copy.Catches(new LinksRule(), () => copy[folder + "lost.md"] = "# Lost\n", folder + "lost.md", folder + contents);
     }
 }

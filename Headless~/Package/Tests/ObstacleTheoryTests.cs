@@ -52,7 +52,7 @@ namespace Host.Tests
             Assert.That(bucket.Turning, Is.Zero.Within(0.002));
         }
 
-        // With the iterations alone: in deep water it leans by more, see Documentation~/solver.md.
+        // With the iterations alone: in deep water it leans by more, see Research~/solver-study.md.
         [Test]
         public void The_surface_in_a_cup_that_gains_speed_leans_by_a_over_g()
         {

@@ -1,7 +1,7 @@
 namespace Rill
 {
     /// <summary>
-    /// GPU time of a step on the GPU of Documentation~/performance.md (NVIDIA H200), fitted to the stages of 100,000 and
+    /// GPU time of a step on the GPU of Research~/performance.md (NVIDIA H200), fitted to the stages of 100,000 and
     /// 1,000,000 settled particles there: what each pass costs beside the others. A device's own speed is a factor on it.
     /// </summary>
     static class StepCost

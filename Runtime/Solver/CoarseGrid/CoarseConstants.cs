@@ -53,7 +53,7 @@ namespace Rill
 
         /// <summary>
         /// Length ℓ beyond which the potential is screened, d: shorter lets deep water sink and its waves answer to a weaker gravity, none
-        /// lets it drift. See Documentation~/solver.md, "How far the potential reaches".
+        /// lets it drift. See Research~/solver-study.md, "How far the potential reaches".
         /// </summary>
         const float ScreeningLength = 300f;
 

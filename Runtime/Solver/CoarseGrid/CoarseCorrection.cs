@@ -109,7 +109,7 @@ namespace Rill
         public static bool IsNeeded(DeepWater mode, float layers, bool present) =>
             mode == DeepWater.On || mode == DeepWater.Automatic && math.round(layers) > (present ? StaysAboveLayers : MaxShallowLayers);
 
-        /// <summary>Layers of particles up to which plain iterations hold the water; see Documentation~/solver.md.</summary>
+        /// <summary>Layers of particles up to which plain iterations hold the water; see Research~/solver-study.md.</summary>
         public const float MaxShallowLayers = 4f;
 
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>

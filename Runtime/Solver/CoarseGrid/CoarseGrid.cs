@@ -77,7 +77,7 @@ namespace Rill
 
         /// <summary>
         /// Side of a coarse cell, d: the smallest at which the correction is calm, since larger ones damp waves. It has to grow with
-        /// how far gravity carries a particle in a step, and in deep water sooner; see Documentation~/solver.md, "Sides of cells". A grid
+        /// how far gravity carries a particle in a step, and in deep water sooner; see Research~/solver-study.md, "Sides of cells". A grid
         /// that is there changes late, since with its potentials it loses where to start from.
         /// </summary>
         /// <param name="gravityStep">|g| Δt², d.</param>

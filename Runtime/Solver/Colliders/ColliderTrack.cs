@@ -8,7 +8,7 @@ namespace Rill
     [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     struct ColliderTrack
     {
-        // substeps in which pushed water comes to move along: measured, see floating-study.md of the documentation
+        // substeps in which pushed water comes to move along: measured, see Research~/floating-study.md
         const float MemorySteps = 4f;
 
         RigidPose pose;

@@ -11,7 +11,7 @@ namespace Rill
         const float RelaxationLimit = 2f;
 
         /// <summary>Less than that lets the coarse grid press particles together faster than the passes part them; see
-        /// Documentation~/solver.md.</summary>
+        /// Research~/solver-study.md.</summary>
         const float MinDeepRelaxation = 0.3f;
 
         internal const int MaxSubsteps = 16;

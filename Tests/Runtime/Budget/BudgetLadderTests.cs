@@ -85,7 +85,7 @@ namespace Rill.Tests
             Assert.That(Ladder(deepWater, 0.1f).Nearest(1, iterations, 1e5f), Is.EqualTo(expected));
         }
 
-        // Documentation~/performance.md and solver.md: settled (elastic: moving), 1 substep, ms on an H200.
+        // Research~/performance.md and solver-study.md: settled (elastic: moving), 1 substep, ms on an H200.
         [TestCase(1e6f, 1, true, false, 0.85f)]
         [TestCase(1e6f, 2, true, false, 1.03f)]
         [TestCase(1e6f, 4, true, false, 1.40f)]

@@ -10,7 +10,7 @@ namespace Rill.Tests
     public class FoamSourceTests
     {
         const float Step = 1f / 60f;
-        // As Documentation~/foam-study.md has them.
+        // As Research~/foam-study.md has them.
         const double Low = 0.25 * 20.0, High = 0.5 * 20.0;      // d/s, of FoamStage.Settings
         const double MinStrain = 2.0;       // 1/s, at 1 for speed over depth
         const double SolverStrain = 0.025, MinBend = 0.1, MaxBend = 0.5;

@@ -32,7 +32,7 @@ namespace Rill.Tests
             Assert.That(WallScale, Is.EqualTo(0.8813167718694571).Within(1e-12));
         }
 
-        // Documentation~/foam-study.md. Water 20 spacings of 5 cm deep at 9.81 m/s²: waves of 62.64 spacings a second.
+        // Research~/foam-study.md. Water 20 spacings of 5 cm deep at 9.81 m/s²: waves of 62.64 spacings a second.
         [Test]
         public void Foam_has_the_limits_and_rates_of_its_page()
         {
@@ -63,7 +63,7 @@ namespace Rill.Tests
             Assert.That(RestingRegions.RegionSize, Is.EqualTo(8f), "d");
         }
 
-        // Measured: see Documentation~/solver.md.
+        // Measured: see Research~/solver-study.md.
         [TestCase(1, false, 0.3f)]
         [TestCase(1, true, 0.8f)]
         [TestCase(2, false, 1f)]

@@ -4,11 +4,11 @@ using System.Linq;
 
 namespace Host.Check
 {
-    /// <summary>What components and their fields cost, by the table beside the manual's pages: component, field, cost, with tabs between. A
+    /// <summary>What components and their fields cost, by a table of the research: component, field, cost, with tabs between. A
     /// row without a field is of the component. Names are those of the inspector.</summary>
     sealed class FieldCosts
     {
-        public const string File = "Documentation~/data/costs.tsv";
+        public const string File = "Research~/data/costs.tsv";
 
         readonly Dictionary<(string Component, string Field), string> costs = new Dictionary<(string, string), string>();
         readonly HashSet<(string, string)> asked = new HashSet<(string, string)>();

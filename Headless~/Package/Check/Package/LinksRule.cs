@@ -6,7 +6,8 @@ using System.Text.RegularExpressions;
 
 namespace Host.Check
 {
-    /// <summary>Links and pictures of the Markdown pages lead somewhere; each page of the documentation is in its table of contents.</summary>
+    /// <summary>Links and pictures of the Markdown pages lead somewhere; the table of contents lists each page of the manual, its index each
+    /// page of the research.</summary>
     sealed class LinksRule : Rule
     {
         static readonly Regex Link = new(@"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\((?<target><[^>]+>|[^)\s]+)(?:\s+""[^""]*"")?\)|<img[^>]*\ssrc=""(?<target>[^""]+)""");
@@ -37,7 +38,8 @@ namespace Host.Check
                     }
                 }
             }
-            CheckContents(package, pages, findings);
+            CheckContents(package, pages, "Documentation~/", "TableOfContents.md", findings);
+            CheckContents(package, pages, "Research~/", "README.md", findings);
             findings.Looked = $"{links} links in {pages.Count} pages";
             return findings;
         }
@@ -76,17 +78,17 @@ namespace Host.Check
         static HashSet<string> Anchors(string text) => text.Split('\n').Select(line => Heading.Match(line.TrimEnd('\r'))).Where(match => match.Success)
             .Select(match => Regex.Replace(match.Groups["text"].Value.ToLowerInvariant(), @"[^\w\- ]", "").Replace(' ', '-')).ToHashSet();
 
-        static void CheckContents(PackageTree package, List<string> pages, Findings findings)
+        static void CheckContents(PackageTree package, List<string> pages, string folder, string name, Findings findings)
         {
-            const string contents = "Documentation~/TableOfContents.md";
+            string contents = folder + name;
             if (!package.Has(contents))
             {
                 findings.Fault($"{contents} is missing");
                 return;
             }
             string text = package.Read(contents);
-            foreach (string page in pages.Where(p => p.StartsWith("Documentation~/", StringComparison.Ordinal) && p != contents))
-                if (!text.Contains("(" + page.Substring("Documentation~/".Length) + ")"))
+            foreach (string page in pages.Where(p => p.StartsWith(folder, StringComparison.Ordinal) && p != contents))
+                if (!text.Contains("(" + page.Substring(folder.Length) + ")"))
                     findings.Fault($"{page} is not in {contents}");
         }
     }

@@ -295,7 +295,7 @@ namespace Rill.Tests
         static double Taken(double error, int substeps)
             => 0.3 / substeps * (1.0 - 40.0 * error) * Math.Min(error + 0.0133 * (1.0 - 1.0 / substeps), 0.0);
 
-        // A box of 12 x 20 x 9 d: exactly full, with one particle too many, and with a ninth too many. See Documentation~/solver.md, "Full boxes".
+        // A box of 12 x 20 x 9 d: exactly full, with one particle too many, and with a ninth too many. See Research~/solver-study.md, "Full boxes".
         [TestCase(2160, 0.0)]
         [TestCase(2161, 5000.0 * 1.5 / 2160.0)]
         [TestCase(2400, double.PositiveInfinity)]
@@ -332,7 +332,7 @@ namespace Rill.Tests
             }
         }
 
-        // A neighbor that has a coarse grid too is coupled to 100 times as strongly; see Documentation~/solver.md, "Connected boxes".
+        // A neighbor that has a coarse grid too is coupled to 100 times as strongly; see Research~/solver-study.md, "Connected boxes".
         [Test]
         public void At_an_open_end_flow_goes_out_and_the_potential_is_held_to_what_is_known_beyond([Values(0, 1, 2, 3, 4, 5)] int end,
             [Values] bool isTied)

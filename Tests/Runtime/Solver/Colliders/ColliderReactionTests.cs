@@ -89,8 +89,8 @@ namespace Rill.Tests
             }
         }
 
-        // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see floating-study.md of the
-        // documentation.
+        // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see
+        // Research~/floating-study.md.
         [TestCase(DeepWater.Off, 4f, 5.5f)]
         [TestCase(DeepWater.On, 4f, 3.3f)]
         [TestCase(DeepWater.On, 6f, 2.5f, Category = "GpuOnly")]

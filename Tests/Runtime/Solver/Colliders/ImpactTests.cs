@@ -31,7 +31,7 @@ namespace Rill.Tests
         }
 
         // Plain iterations move pairs by as much to either side. The coarse grid's gradients do not sum to nothing over cells that are
-        // partly full, and of a small block most are: see "Momentum of a splash" in colliders-study.md of the documentation.
+        // partly full, and of a small block most are: see "Momentum of a splash" in Research~/colliders-study.md.
         [TestCase(DeepWater.Off, 1, 0.001f, 0.01f)]
         [TestCase(DeepWater.On, 1, 0.08f, 0.08f)]
         [TestCase(DeepWater.On, 2, 0.02f, 0.02f)]

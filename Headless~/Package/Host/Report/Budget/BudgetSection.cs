@@ -62,7 +62,7 @@ namespace Host.Report.Budget
         public override void Write(ReportPage page)
         {
             ReportTable ladder = page.Load(LadderTable);
-            page.Line("The settings that a [budget](budget.md) climbs, and some that it leaves out because another gives less error in less time.");
+            page.Line("The settings that a [budget](../Documentation~/budget.md) climbs, and some that it leaves out because another gives less error in less time.");
             page.Line();
             page.Table(new[] { "scene", "particles", "substeps x iterations", "chosen from", "C+ moving", "C+ settled", "jitter, m/s", "ms",
                 "ms by the cost model" },

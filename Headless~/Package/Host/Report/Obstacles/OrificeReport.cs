@@ -64,7 +64,7 @@ namespace Host.Report.Obstacles
                 }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
-            page.Line("What becomes of the missing speed was [looked into](solver.md#jets).");
+            page.Line("What becomes of the missing speed was [looked into](solver-study.md#jets).");
             page.Line();
             string file = page.DataFile(Levels);
             IEnumerable<string> lines = table.Rows.SelectMany((row, i) =>
