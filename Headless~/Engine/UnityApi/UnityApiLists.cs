@@ -43,9 +43,6 @@ namespace Host.UnityApi
             return 1u << index;
         }
 
-        /// <summary>The bits of all versions.</summary>
-        public uint EveryVersion => (1u << Versions.Count) - 1;
-
         public IEnumerable<ApiLine> In(string version)
         {
             uint bit = Bit(version);

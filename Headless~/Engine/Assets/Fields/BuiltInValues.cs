@@ -37,7 +37,6 @@ namespace Host.Assets
             [typeof(RectInt)] = n => new RectInt(n.Int("x"), n.Int("y"), n.Int("width"), n.Int("height")),
             // The file holds the half size.
             [typeof(Bounds)] = n => new Bounds(Vector3(n["m_Center"]), 2 * Vector3(n["m_Extent"])),
-            [typeof(BoundsInt)] = n => new BoundsInt(Vector3Int(n["m_Position"]), Vector3Int(n["m_Size"])),
             [typeof(LayerMask)] = n => new LayerMask { value = n.Int("m_Bits") },
             [typeof(Matrix4x4)] = n => Matrix(n),
             [typeof(AnimationCurve)] = n => Curve(n),
@@ -52,8 +51,6 @@ namespace Host.Assets
             : new Quaternion(n.Float("x"), n.Float("y"), n.Float("z"), n.Float("w", 1));
         public static Color Color(YamlNode n, Color otherwise = default)
             => n == null ? otherwise : new Color(n.Float("r"), n.Float("g"), n.Float("b"), n.Float("a", 1));
-
-        static Vector3Int Vector3Int(YamlNode n) => n == null ? default : new Vector3Int(n.Int("x"), n.Int("y"), n.Int("z"));
 
         /// <summary>One number, red in its lowest byte; files of old editors have four floats.</summary>
         static Color32 Color32(YamlNode n)

@@ -48,7 +48,6 @@ namespace Host.Shaders
         public int Constant(uint id) => (int)definitions[id][2];
         /// <summary>The type that a variable's pointer points to.</summary>
         public Instruction Pointee(Instruction variable) => definitions[definitions[variable[0]][2]];
-        public bool IsScalar(Instruction type) => type.Op == Op.TypeBool || type.Op == Op.TypeInt || type.Op == Op.TypeFloat;
         public int ScalarBytes(Instruction type) => type.Op == Op.TypeBool ? 4 : (int)type[1] / 8;
     }
 }

@@ -183,7 +183,6 @@ namespace UnityEngine.Headless
         }
 
         public void SetResource(int id, in PropertyResource resource) => resources[id] = resource;
-        public bool RemoveValue(int id) => values.Remove(id);
 
         public float GetFloat(int id)
         {

@@ -16,7 +16,6 @@ namespace UnityEngine.Headless
         static readonly List<ReadbackRequest> requests = new List<ReadbackRequest>();
 
         public static int Frame { get; private set; }
-        public static int PendingCount => requests.Count;
 
         /// <summary>For tests: which requests end with an error when they are due, by the words for their buffer or texture, as where the
         /// device was lost. Null for none.</summary>

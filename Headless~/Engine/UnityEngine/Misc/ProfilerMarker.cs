@@ -77,7 +77,4 @@ namespace Unity.Profiling.LowLevel
         Default = 0, Script = 2, AvailabilityEditor = 4, AvailabilityNonDevelopment = 8, Warning = 16, ScriptInvoke = 32,
         ScriptDeepProfiler = 64, Counter = 128, SampleGPU = 256,
     }
-
-    public enum ProfilerMarkerDataType : byte { InstanceId = 1, Int32 = 2, UInt32 = 3, Int64 = 4, UInt64 = 5, Float = 6, Double = 7,
-        String16 = 9, Blob8 = 11, GfxResourceId = 12 }
 }
