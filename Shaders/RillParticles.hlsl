@@ -73,7 +73,7 @@ float3 RillToDomain(float3 world)
     return mul(world - origin, (float3x3)_RillDomainToWorld) / (_RillDomain.w * _RillDomain.w);
 }
 
-// The same for a velocity, m/s; that of the box itself is not in it.
+// Converts a velocity, m/s; that of the box itself is not in it.
 float3 RillVelocityToWorld(float3 velocity)
 {
     return mul((float3x3)_RillDomainToWorld, velocity);
@@ -202,7 +202,7 @@ void RillAccelerate(uint i, float3 acceleration)
     _RillVelocities[i] = float4(velocity.xyz + RillVelocityToDomain(acceleration) * _RillStep.y, velocity.w);
 }
 
-// 0 to 255; nothing where there are no phases.
+// Sets a phase, 0 to 255; does nothing without phases.
 void RillSetPhase(uint i, uint phase)
 {
     if (RillHasPhases())

@@ -35,7 +35,7 @@ namespace Rill.Testing
         /// <summary>
         /// Fails where particles were lost since the last restart: refused by a full capacity, given up by an emitter
         /// without room, removed because their position was not finite, or not accounted for at all.
-        /// What a drain or the end of a lifetime took was asked for.
+        /// Removal by a drain or at the end of a lifetime is intended.
         /// </summary>
         /// <remarks>A particle that is gone has no place any more, so the message cannot name those that were lost. It tells their numbers by
         /// cause, and names the emitters that gave some up with the particles that are nearest to them.</remarks>
@@ -48,12 +48,14 @@ namespace Rill.Testing
             if (now.refused > 0)
                 why += Invariant($" {now.refused} were refused, since the capacity is {fluid.Capacity}: raise it or add less.");
             if (now.blocked > 0)
-                why += Invariant($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the water flow off.") + NameBlocked(fluid);
+                why += Invariant($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the ") +
+                    "water flow off." + NameBlocked(fluid);
             if (now.nonFinite > 0)
                 why += Invariant($" {now.nonFinite} were removed, since their position was not finite: look for NaN in what adds or pushes them.");
             int missing = now.added + now.emitted + now.handedIn - now.drained - now.handedOut - now.nonFinite - now.particles;
             if (missing != 0)
-                why += Invariant($" {missing} are not accounted for: {now.added} added and {now.emitted} emitted, {now.handedIn} handed in and {now.handedOut} out, {now.drained} drained, {now.nonFinite} not finite, {now.particles} alive.");
+                why += Invariant($" {missing} are not accounted for: {now.added} added and {now.emitted} emitted, {now.handedIn} handed in ") +
+                    Invariant($"and {now.handedOut} out, {now.drained} drained, {now.nonFinite} not finite, {now.particles} alive.");
             if (why.Length > 0)
                 Fail(fluid, now, "particles were lost." + why);
         }
@@ -111,7 +113,8 @@ namespace Rill.Testing
                 throw Limit.OutOfRange(nameof(max), max, "The largest volume has to be at least the least.");
             detector.Flush();
             if (!detector.TryGetSample(out FluidDetectorSample sample))
-                throw new InvalidOperationException($"FluidDetector '{detector.name}' measures nothing. Put it below its fluid, enable both, give it " +
+                throw new InvalidOperationException($"FluidDetector '{detector.name}' measures nothing. Put it below its fluid, enable both, " +
+                    "give it " +
                     "a size above 0, and let the fluid take a step.");
             if (!(sample.volume >= min && sample.volume <= max))
                 Fail(detector.Simulation, Measure(detector.Simulation), VolumeProblem(detector, sample, min, max) + NameAtBoundary(detector));
@@ -142,7 +145,8 @@ namespace Rill.Testing
                     Invariant($"({state}). Switch its budget on, let some frames pass, and run this in the Editor or a development ") +
                     "player on a device with SystemInfo.supportsGpuRecorder.");
             if (state.milliseconds > milliseconds)
-                throw new FluidAssertionException(Invariant($"FluidSimulation '{fluid.name}': its steps take {state.milliseconds:0.000} ms a frame, more than {milliseconds:0.000} ms ({state.substeps} substeps x {state.iterations} iterations)."));
+                throw new FluidAssertionException(Invariant($"FluidSimulation '{fluid.name}': its steps take {state.milliseconds:0.000} ms a ") +
+                    Invariant($"frame, more than {milliseconds:0.000} ms ({state.substeps} substeps x {state.iterations} iterations)."));
         }
 
         static IEnumerator Settle(FluidSimulation fluid, float within, float volume, float noise)
@@ -170,7 +174,8 @@ namespace Rill.Testing
             }
             string size = float.IsInfinity(volume) ? ""
                 : Invariant($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
-            Fail(fluid, now, Invariant($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s and rms speed {now.speed:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + "."
+            Fail(fluid, now, Invariant($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s and rms speed {now.speed:0.000} ") +
+                Invariant($"m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + "."
                 + NameFastest(fluid));
         }
 
@@ -187,7 +192,7 @@ namespace Rill.Testing
                 Find(detector.Simulation, particle => math.abs(detector.DistanceTo(particle.world))),
                 particle => Invariant($"{particle.measure:0.000} m {(detector.DistanceTo(particle.world) < 0f ? "inside" : "outside")}"));
 
-        // What is in the way of emitters that found no room.
+        // Lists what is in the way of emitters that found no room.
         static string NameBlocked(FluidSimulation fluid)
         {
             var named = "";
@@ -207,7 +212,8 @@ namespace Rill.Testing
                 return "";
             var named = new List<string>();
             foreach (FoundParticle particle in particles)
-                named.Add(Invariant($"Particle {particle.id} is at {particle.position.x:0.000}, {particle.position.y:0.000}, {particle.position.z:0.000} m in the box's frame, ")
+                named.Add(Invariant($"Particle {particle.id} is at {particle.position.x:0.000}, {particle.position.y:0.000}, ") +
+                    Invariant($"{particle.position.z:0.000} m in the box's frame, ")
                     + what(particle));
             return heading + string.Join("; ", named) + ".";
         }

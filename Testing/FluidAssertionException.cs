@@ -2,7 +2,7 @@ using System;
 
 namespace Rill.Testing
 {
-    /// <summary>What a <see cref="FluidAssert"/> throws. Every test framework counts it as a failure.</summary>
+    /// <summary>Thrown by <see cref="FluidAssert"/>. Every test framework counts it as a failure.</summary>
     public sealed class FluidAssertionException : Exception
     {
         /// <param name="message">What was expected and what was found.</param>

@@ -21,7 +21,7 @@ namespace Rill.Editor
             List<T> empty = targets.Cast<T>().Where(one => needsField(one) && one.GetComponentInChildren<MeshFilter>(true) != null).ToList();
             ILookup<bool, T> byFrame = empty.ToLookup(one => MeshOf(one) != null);
             List<T> own = byFrame[true].ToList();
-            // Where all meshes are shown in other frames, the window can give the objects that show them colliders.
+            // If all meshes are shown in other frames, the window can give the objects that show them colliders.
             bool toWindow = typeof(T) == typeof(FluidCollider) && own.Count == 0;
             if (!toWindow && byFrame[false].FirstOrDefault() is T other)
                 EditorGUILayout.HelpBox($"The mesh below '{other.name}' has another position, rotation or scale, and its field would not fit here: " +

@@ -9,7 +9,7 @@ namespace Rill.Editor
     /// <summary>A mesh that is to be baked: what is wrong with it, where its field goes, and what came of it.</summary>
     sealed class BakeItem
     {
-        // Of the whole, where the mesh is yet to be analyzed.
+        // Fraction of the whole bake, used until the mesh has been analyzed.
         const float AnalysisFraction = 0.2f;
         const string Canceled = "Canceled: nothing was written.";
 
@@ -23,10 +23,10 @@ namespace Rill.Editor
 
         public Mesh Mesh => Analysis.Mesh;
 
-        /// <summary>What is wrong with the mesh; may still be running, then the bake waits for it.</summary>
+        /// <summary>Problems found in the mesh. May still be running; the bake then waits for it.</summary>
         public MeshAnalysis Analysis { get; }
 
-        /// <summary>Of the asset that it goes into.</summary>
+        /// <summary>Path of the asset that the field is saved to.</summary>
         public string Path { get; }
 
         /// <summary>The asset that is there already.</summary>
@@ -41,7 +41,7 @@ namespace Rill.Editor
         /// <summary>Why the mesh cannot be baked with any settings; null if it can or is not known yet.</summary>
         public string Problem => Analysis.Problem;
 
-        /// <summary>What came of it; null before it was tried.</summary>
+        /// <summary>Result of the bake; null before it was tried.</summary>
         public SignedDistanceField Field { get; private set; }
 
         /// <summary>In a sentence; null before it was tried.</summary>
@@ -49,7 +49,7 @@ namespace Rill.Editor
 
         public bool Failed { get; private set; }
 
-        /// <summary>What a bake with these settings takes. Reads no mesh.</summary>
+        /// <summary>Estimates a bake with these settings. Reads no mesh.</summary>
         /// <param name="problem">Why it cannot be; null if it can, or while the analysis is running.</param>
         /// <returns>False also while the analysis is running.</returns>
         public bool TryEstimate(in MeshSdfSettings settings, out MeshSdfEstimate estimate, out string problem)
@@ -70,7 +70,7 @@ namespace Rill.Editor
             return problem == null;
         }
 
-        /// <summary>What of the mesh a bake with these settings would not represent; empty until the analysis is done.</summary>
+        /// <summary>Lists the parts of the mesh that a bake with these settings would not represent; empty until the analysis is done.</summary>
         public IReadOnlyList<MeshLoss> LossesOf(in MeshSdfSettings settings)
         {
             // Asked for at each event of a window.
@@ -121,7 +121,7 @@ namespace Rill.Editor
         }
 
         /// <summary>Adds to the outcome that nothing took the field.</summary>
-        public void NoteTaken(bool isTaken)
+        public void SetTaken(bool isTaken)
         {
             if (!isTaken)
                 Outcome += " Assigned to nothing: what asked for it is gone or has a field. Drag the asset to where it belongs.";

@@ -8,7 +8,7 @@ using static System.FormattableString;
 
 namespace Rill.Editor
 {
-    /// <summary>What is done with a field once it is baked.</summary>
+    /// <summary>Receivers of a field once it is baked.</summary>
     enum BakeAssign
     {
         /// <summary>Only the asset is made.</summary>
@@ -17,7 +17,7 @@ namespace Rill.Editor
         /// <summary>Colliders on the objects that show the mesh take it.</summary>
         ToColliders,
 
-        /// <summary>The same, and objects without a collider get one.</summary>
+        /// <summary>Sets the field of the colliders, and adds a collider to objects without one.</summary>
         AddColliders,
     }
 
@@ -28,7 +28,7 @@ namespace Rill.Editor
 
         public IReadOnlyList<BakeItem> Items { get; }
 
-        /// <summary>What of the selection is not baked, and why.</summary>
+        /// <summary>Objects of the selection that are not baked, with the reason.</summary>
         public IReadOnlyList<string> Notes { get; }
 
         /// <summary>Mesh filters on the selected objects and below them, meshes, models with meshes, and distance fields, which are baked
@@ -110,7 +110,7 @@ namespace Rill.Editor
                 if (item.Failed)
                     continue;
                 if (receiver != null)
-                    item.NoteTaken(receiver.Take(item.Mesh, item.Field));
+                    item.SetTaken(receiver.Take(item.Mesh, item.Field));
                 else if (assign != BakeAssign.Nothing)
                     foreach (GameObject shown in item.Objects)
                         Assign(shown, item.Field, assign);

@@ -5,7 +5,7 @@ using static System.FormattableString;
 
 namespace Rill.Editor
 {
-    /// <summary>What the window and the inspector say of meshes, bakes and fields.</summary>
+    /// <summary>Texts of the window and the inspector about meshes, bakes and fields.</summary>
     static class BakeTexts
     {
         public static string Of(Vector3Int resolution) => Invariant($"{resolution.x} x {resolution.y} x {resolution.z}");
@@ -42,7 +42,7 @@ namespace Rill.Editor
             return string.Join(", ", parts);
         }
 
-        /// <summary>What a button does that takes the remedy of a loss.</summary>
+        /// <summary>Describes a button that takes the remedy of a loss.</summary>
         /// <param name="settings">Those with which there is the loss.</param>
         public static string Of(in MeshSdfSettings remedy, in MeshSdfSettings settings) =>
             remedy.leaveOutFar != settings.leaveOutFar ? "Leave Out Far" : remedy.sign != settings.sign ? "Bake as Open Shell"

@@ -17,7 +17,7 @@ namespace Rill.Editor
         [Tooltip("Where new assets go, below Assets. A field that was baked from the same mesh there is baked in place.")]
         [SerializeField] string folder = "Assets/Distance Fields";
 
-        [Tooltip("What is done with the field: nothing, Fluid Colliders on the selected objects take it, or objects without one get a collider.")]
+        [Tooltip("Use of the field: nothing, Fluid Colliders on the selected objects take it, or objects without one get a collider.")]
         [SerializeField] BakeAssign assign = BakeAssign.ToColliders;
 
         // Survives a reload of scripts.
@@ -56,7 +56,7 @@ namespace Rill.Editor
         /// <summary>Null before anything was chosen.</summary>
         public BakePlan Plan => plan;
 
-        /// <summary>Of every mesh that was shown.</summary>
+        /// <summary>Analyses of every mesh that was shown.</summary>
         public MeshAnalyses Analyses => analyses;
 
         /// <summary>Shows what there is to bake. Meshes that were not seen yet, or have changed, are analyzed from the next update on.</summary>

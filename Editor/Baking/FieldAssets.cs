@@ -10,7 +10,7 @@ namespace Rill.Editor
     {
         public const string Extension = ".asset";
 
-        /// <summary>GUID and local file identifier of a mesh; "" and 0 for one that is no asset.</summary>
+        /// <summary>GUID and local file identifier of a mesh; "" and 0 for one that is not an asset.</summary>
         public static (string guid, long id) SourceOf(Mesh mesh) =>
             mesh != null && AssetDatabase.TryGetGUIDAndLocalFileIdentifier(mesh, out string guid, out long id) ? (guid, id) : ("", 0);
 
@@ -102,7 +102,7 @@ namespace Rill.Editor
             Texture3D replaced = field.Apply(bake, guid, id);
             KeepTextureOf(field);
             if (replaced != null)
-                Object.DestroyImmediate(replaced, true);        // of a field that is no asset
+                Object.DestroyImmediate(replaced, true);        // the field is not an asset
             FieldUndo.Watch(field);
         }
 

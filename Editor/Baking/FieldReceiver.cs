@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>What takes the fields of a bake, instead of colliders on the objects that show the meshes.</summary>
+    /// <summary>Receives the fields of a bake, instead of colliders on the objects that show the meshes.</summary>
     sealed class FieldReceiver
     {
         readonly Func<Mesh, SignedDistanceField, bool> take;
@@ -13,7 +13,7 @@ namespace Rill.Editor
         /// what it does.</param>
         public FieldReceiver(string label, Func<Mesh, SignedDistanceField, bool> take) => (Label, this.take) = (label, take);
 
-        /// <summary>Where the fields go.</summary>
+        /// <summary>Name of the receiver of the fields.</summary>
         public string Label { get; }
 
         /// <summary>Takes the field of a mesh; false where it is no longer wanted.</summary>

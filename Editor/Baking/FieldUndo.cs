@@ -102,7 +102,8 @@ namespace Rill.Editor
         // All that the distances follow from, and what was found of them.
         static string DescriptionOf(SignedDistanceField field) =>
             FormattableString.Invariant(
-            $"{field.SourceMesh} {field.SourceMeshId} {field.SourceHash} {field.Bounds.center:R} {field.Bounds.size:R} {field.VoxelSize:R} {field.Sign} {field.ShellThickness:R} {field.StorageError:R} {JsonUtility.ToJson(field.Settings)}");
+                $"{field.SourceMesh} {field.SourceMeshId} {field.SourceHash} {field.Bounds.center:R} {field.Bounds.size:R} {field.VoxelSize:R} ") +
+            FormattableString.Invariant($"{field.Sign} {field.ShellThickness:R} {field.StorageError:R} {JsonUtility.ToJson(field.Settings)}");
 
         static bool TryKeep(string guid, string description, Texture3D texture, out string problem)
         {

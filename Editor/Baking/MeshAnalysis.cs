@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>What is wrong with a mesh, found once: on a thread beside the editor, or at once for a bake.</summary>
+    /// <summary>Problems of a mesh, found once: on a thread beside the editor, or at once for a bake.</summary>
     sealed class MeshAnalysis
     {
         // Seconds at most; the rest of a larger mesh is reported as not examined.

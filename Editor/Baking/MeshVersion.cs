@@ -4,7 +4,8 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>What tells, without reading a mesh, that it is not what it was: sizes, edits, and the import of the file that it is in.</summary>
+    /// <summary>Fingerprint that detects, without reading a mesh, that it has changed: sizes, edits, and the import of the file that it is
+    /// in.</summary>
     readonly struct MeshVersion : IEquatable<MeshVersion>
     {
         readonly int vertices, parts, edits;

@@ -37,7 +37,7 @@ namespace Rill.Editor
             return most;
         }
 
-        /// <summary>Where the middle of a layer lies along its axis, m.</summary>
+        /// <summary>Position of a layer's center along its axis, m.</summary>
         public float PositionOf(SdfVolume volume, int layer) => volume.Bounds.min[Normal] + (layer + 0.5f) * volume.VoxelSize;
 
         /// <summary>Pixels of a picture of the slice whose longer side has so many.</summary>

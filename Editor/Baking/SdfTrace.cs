@@ -12,7 +12,7 @@ namespace Rill.Editor
     static class SdfTrace
     {
         const int MaxSteps = 200;
-        // Of the distance that a step goes: blended voxels overestimate it a little around edges.
+        // Fraction of the distance that a step goes: blended voxels overestimate it a little around edges.
         const float Caution = 0.9f;
         // Voxels: a step's least, and what counts as arrived.
         const float MinStep = 0.05f, Arrived = 0.02f;
@@ -73,11 +73,11 @@ namespace Rill.Editor
         {
             for (int i = 0; i < 8; i++)
             {
-                float middle = 0.5f * (outside + inside);
-                if (volume.Sample(from + middle * along) < 0f)
-                    inside = middle;
+                float mid = 0.5f * (outside + inside);
+                if (volume.Sample(from + mid * along) < 0f)
+                    inside = mid;
                 else
-                    outside = middle;
+                    outside = mid;
             }
             return inside;
         }

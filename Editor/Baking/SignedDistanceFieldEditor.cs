@@ -63,7 +63,7 @@ namespace Rill.Editor
                 settings = baked = Field.Settings;
         }
 
-        // What a bake, this one's or the window's, changes.
+        // Reads again what a bake, by this inspector or the window, may have changed.
         void Look()
         {
             volume = SdfVolume.Of(Field, out problem);

@@ -69,7 +69,7 @@ namespace Rill.Editor
                 PrefabUtility.RecordPrefabInstancePropertyModifications(component);
         }
 
-        // What the file refers to itself, and what those of the prefabs in it do: no other file brings a component.
+        // Lists the references of the file itself and of the prefabs in it: no other file brings a component.
         HashSet<string> Stored(string path)
         {
             if (stored.TryGetValue(path, out HashSet<string> files))

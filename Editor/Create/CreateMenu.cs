@@ -29,8 +29,8 @@ namespace Rill.Editor
         /// <summary>Lets the menu be chosen again.</summary>
         internal static void Rearm() => hasRun = false;
 
-        /// <summary>What the menu was called on: of several selected objects the active one, else the object under the mouse or the
-        /// selected one; null for none of a scene.</summary>
+        /// <summary>Returns the object that the menu was called on: of several selected objects the active one, else the object under the mouse or
+        /// the selected one; null for none of a scene.</summary>
         static GameObject Context(MenuCommand command)
         {
             var context = command.context as GameObject;

@@ -85,7 +85,7 @@ namespace Rill.Editor
             });
         }
 
-        /// <summary>A gust along the box in its middle.</summary>
+        /// <summary>A gust along the box in its center.</summary>
         public static GameObject CreateForceField(GameObject parent)
         {
             return CreatePart<FluidForceField>(parent, "Fluid Force Field", true, (field, fluid) =>
@@ -97,7 +97,7 @@ namespace Rill.Editor
             });
         }
 
-        /// <summary>A probe in the middle.</summary>
+        /// <summary>A probe in the center.</summary>
         public static GameObject CreateProbe(GameObject parent)
         {
             return CreatePart<FluidProbe>(parent, "Fluid Probe", true, (probe, fluid) =>
@@ -143,7 +143,7 @@ namespace Rill.Editor
             return Finish(made, "Fluid Connection");
         }
 
-        /// <summary>A ball that the water goes around, in the middle of the fluid that the parent belongs to.</summary>
+        /// <summary>A ball that the water goes around, in the center of the fluid that the parent belongs to.</summary>
         public static GameObject CreateCollider(GameObject parent)
             => CreateColliderObject(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);
 
@@ -164,7 +164,7 @@ namespace Rill.Editor
             });
         }
 
-        /// <summary>An object in the middle of the fluid that the parent belongs to, turned as that and not scaled.</summary>
+        /// <summary>An object in the center of the fluid that the parent belongs to, turned as that and not scaled.</summary>
         /// <param name="add">Adds all that it needs.</param>
         public static GameObject CreateObject(GameObject parent, string name, Action<GameObject, FluidSimulation> add)
             => Create(parent, new GameObject(), name, add);

@@ -25,7 +25,7 @@ namespace Rill.Editor
             }
         }
 
-        /// <summary>Of all volumes of a simulation.</summary>
+        /// <summary>Number of particles in all volumes of a simulation.</summary>
         public static double Particles(FluidSimulation fluid)
         {
             double particles = 0.0;

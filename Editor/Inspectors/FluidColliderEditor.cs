@@ -52,7 +52,7 @@ namespace Rill.Editor
                 return;
             live.Add(("Force", known ? Invariant($"{force.x:0.##}, {force.y:0.##}, {force.z:0.##} N") : "not known yet"));
             if (known)
-                live.Add(("Torque", Invariant($"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its middle")));
+                live.Add(("Torque", Invariant($"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its center")));
         }
 
         static bool NeedsField(FluidCollider collider)

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Editor
 {
-    /// <summary>Of what draws with a shader of the package.</summary>
+    /// <summary>Base of the editors for components that draw with a shader of the package.</summary>
     abstract class FluidRendererEditor : RillEditor
     {
         private protected static readonly InspectorSection Shadows = new InspectorSection("Shadows", true,
@@ -15,7 +15,7 @@ namespace Rill.Editor
 
         public override bool RequiresConstantRepaint() => false;
 
-        /// <summary>What HDRP does not do with it.</summary>
+        /// <summary>Note about what HDRP does not support in it.</summary>
         private protected virtual string HighDefinitionNote => UnlitInHighDefinition;
 
         private protected override void DrawMessages()

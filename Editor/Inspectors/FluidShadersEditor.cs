@@ -2,7 +2,7 @@ using UnityEditor;
 
 namespace Rill.Editor
 {
-    /// <summary>Of an asset that keeps stages in a player for what scripts add.</summary>
+    /// <summary>Inspector of an asset that keeps stages in a player for what scripts add.</summary>
     [CustomEditor(typeof(FluidShaders))]
     [CanEditMultipleObjects]
     sealed class FluidShadersEditor : RillEditor

@@ -31,7 +31,7 @@ namespace Rill.Editor
             FluidSimulation fluid = volume.GetComponentInParent<FluidSimulation>(true);
             if (fluid != null)
                 InspectorRows.Text("Holds", Invariant($"about {FillEstimate.Particles(volume, fluid.ParticleSpacing):N0} particles"));
-            if (VolumePreview.NoteOn(volume) is string note)
+            if (VolumePreview.HiddenNote(volume) is string note)
                 EditorGUILayout.HelpBox(note, MessageType.None);
         }
 

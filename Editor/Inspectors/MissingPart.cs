@@ -10,7 +10,7 @@ namespace Rill.Editor
     {
         MissingPart(string text, string button, Action add) => (Text, Button, Add) = (text, button, add);
 
-        /// <summary>What is missing and what that means, in a sentence or two.</summary>
+        /// <summary>Missing part and its consequence, in a sentence or two.</summary>
         public string Text { get; }
 
         /// <summary>Label of the button; null where it cannot be added here.</summary>
@@ -19,7 +19,7 @@ namespace Rill.Editor
         /// <summary>Adds it, with undo.</summary>
         public Action Add { get; }
 
-        /// <summary>What a fluid needs and has not.</summary>
+        /// <summary>Lists the parts that a fluid needs and lacks.</summary>
         public static List<MissingPart> Of(FluidSimulation fluid)
         {
             var missing = new List<MissingPart>();

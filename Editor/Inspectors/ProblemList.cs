@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>What is wrong with what is inspected, in the words in which it is logged.</summary>
+    /// <summary>Problems of the inspected objects, worded as they are logged.</summary>
     static class ProblemList
     {
         /// <param name="inspected">Several are told apart by their names.</param>

@@ -15,13 +15,13 @@ namespace Rill.Editor
         /// <summary>All serialized fields, each once.</summary>
         internal abstract InspectorSection[] Sections { get; }
 
-        /// <summary>What one component has to tell while it plays.</summary>
+        /// <summary>Lists the live values of one component while it plays.</summary>
         internal virtual void ListLive(List<(string label, string text)> live) { }
 
         /// <summary>Below what is wrong with the component itself.</summary>
         private protected virtual void DrawMessages() { }
 
-        /// <summary>Of a section whose title is given: what stands below its fields.</summary>
+        /// <summary>Draws what stands below the fields of a section, given by its title.</summary>
         private protected virtual void DrawBelow(string title) { }
 
         /// <summary>Below all sections, playing or not.</summary>
@@ -30,7 +30,7 @@ namespace Rill.Editor
         /// <summary>Below these, while it plays.</summary>
         private protected virtual void DrawLive() { }
 
-        /// <summary>What F frames of one component in the scene view; false where it has no size.</summary>
+        /// <summary>Returns the bounds that F frames for one component in the scene view; false where it has no size.</summary>
         internal virtual bool TryGetFrame(Object of, out Bounds bounds)
         {
             bounds = default;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>What the project's render settings lack, each with its button.</summary>
+    /// <summary>Problems of the project's render settings, each with a button that fixes it.</summary>
     sealed class SetupProblemList
     {
         readonly List<SetupProblem> problems = new List<SetupProblem>();

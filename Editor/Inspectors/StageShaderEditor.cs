@@ -2,7 +2,7 @@ using UnityEditor;
 
 namespace Rill.Editor
 {
-    /// <summary>Of the assets by which stages find their shaders: they belong to the package.</summary>
+    /// <summary>Inspector of the assets by which stages find their shaders: they belong to the package.</summary>
     [CustomEditor(typeof(StageShader))]
     [CanEditMultipleObjects]
     sealed class StageShaderEditor : RillEditor

@@ -13,7 +13,7 @@ namespace Rill.Editor
         [MenuItem(CreateMenu.Folder + "Floating Boat", false, CreateMenu.Priority + 8)]
         static void FloatingBoat(MenuCommand command) => CreateMenu.Run(command, Create);
 
-        /// <summary>A boat above the middle of the fluid, along its x axis.</summary>
+        /// <summary>A boat above the center of the fluid, along its x axis.</summary>
         internal static GameObject Create(GameObject parent)
         {
             return SceneSetup.CreateObject(parent, "Floating Boat", (boat, fluid) =>

@@ -22,7 +22,7 @@ namespace Rill.Editor
             ball.AddComponent<FluidBuoyancy>();
         }
 
-        /// <summary>A cube half as dense as the fluid, above its middle.</summary>
+        /// <summary>A cube half as dense as the fluid, above its center.</summary>
         internal static GameObject Create(GameObject parent)
         {
             return SceneSetup.CreateColliderObject(parent, PrimitiveType.Cube, "Floating Body", 0.25f, (made, fluid) =>

@@ -11,7 +11,7 @@ namespace Rill.Editor
         public readonly float Viscosity;
         /// <summary>Its figures, the same at every spacing.</summary>
         public readonly FluidMaterial Material;
-        /// <summary>What the figures are at.</summary>
+        /// <summary>Conditions that the figures hold for.</summary>
         public readonly string Conditions;
 
         // The largest modulus is that of fluid at rest; drawn out to twice its length, where B has the trace 5, it is this much less.
@@ -19,7 +19,7 @@ namespace Rill.Editor
 
         const float UsualStep = 1f / 60f;
 
-        // What the solver itself damps eddies by at least, d² a step; see NumericalViscosityTests.
+        // Smallest viscosity by which the solver itself damps eddies, d² a step; see NumericalViscosityTests.
         const double NumericalViscosity = 0.07;
 
         /// <param name="thinViscosity">Pa s, of one whose material has none.</param>
@@ -47,7 +47,8 @@ namespace Rill.Editor
             if (Material.shearModulus <= 0f)
                 return "";
             int substeps = (int)Math.Ceiling(Math.Sqrt(DrawnOut * Material.shearModulus / Material.MaxShearModulus(spacing, UsualStep)));
-            return Invariant($", shear modulus {Material.shearModulus:G4} Pa, forgotten in {Material.relaxationTime:G4} s; at this spacing and 60 steps a ") +
+            return Invariant($", shear modulus {Material.shearModulus:G4} Pa, forgotten in {Material.relaxationTime:G4} s; at this spacing ") +
+                "and 60 steps a " +
                 Invariant($"second {substeps} substeps keep it up to twice the length");
         }
     }

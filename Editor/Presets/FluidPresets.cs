@@ -24,7 +24,7 @@ namespace Rill.Editor
             new FluidPreset("Pectin gel", FluidMaterial.PectinGel, "as jam is graded by, 150° SAG", 0.001f),
         };
 
-        /// <summary>As a popup shows them, after what is none of them.</summary>
+        /// <summary>Names for a popup; the first entry means none of the presets.</summary>
         public static readonly string[] Names = new[] { "Custom" }.Concat(All.Select(preset => preset.Name)).ToArray();
 
         /// <summary>Number of the preset that a material has the values of, -1 for none.</summary>

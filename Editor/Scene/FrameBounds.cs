@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>What F frames of a component in the scene view: its shape in the world, as <see cref="FluidGizmos"/> draws it.</summary>
+    /// <summary>Bounds that F frames for a component in the scene view: its shape in the world, as <see cref="FluidGizmos"/> draws it.</summary>
     static class FrameBounds
     {
         public static bool TryGet(FluidSimulation fluid, out Bounds bounds) => TryBox(fluid.transform, fluid.DomainSize, out bounds);

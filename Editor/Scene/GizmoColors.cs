@@ -10,7 +10,7 @@ namespace Rill.Editor
         public static Color Emitter => new Color(0.2f, 0.8f, 1f);
         public static Color Drain => new Color(1f, 0.45f, 0.2f);
         public static Color ForceField => new Color(0.9f, 0.85f, 0.2f);
-        /// <summary>Of probes and detectors.</summary>
+        /// <summary>Color of probes and detectors.</summary>
         public static Color Query => new Color(0.85f, 0.5f, 1f);
         public static Color Collider => new Color(0.3f, 0.9f, 0.4f);
     }

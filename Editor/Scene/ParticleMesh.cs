@@ -8,7 +8,7 @@ namespace Rill.Editor
     /// <summary>Particles as one mesh of octahedra, with which gizmos draw thousands in one call.</summary>
     static class ParticleMesh
     {
-        /// <summary>Of an octahedron, spacings.</summary>
+        /// <summary>Radius of an octahedron, spacings.</summary>
         public const float Radius = 0.5f;
 
         /// <summary>Vertices that each particle has.</summary>

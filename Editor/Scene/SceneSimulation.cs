@@ -24,7 +24,7 @@ namespace Rill.Editor
 
         SceneSimulation(FluidSimulation fluid) => Fluid = fluid;
 
-        /// <summary>What runs now; null for nothing.</summary>
+        /// <summary>Simulation that runs now; null if none does.</summary>
         public static SceneSimulation Current { get; private set; }
 
         /// <summary>Why the last one could not begin or ended by itself; null where nothing was wrong.</summary>

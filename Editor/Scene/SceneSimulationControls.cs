@@ -17,7 +17,7 @@ namespace Rill.Editor
             save = new GUIContent("Save as Start State",
                 "Writes the present state into the asset of Start State, or into a new one that becomes the Start State.");
 
-        /// <summary>What is wrong, what runs, and the buttons.</summary>
+        /// <summary>Draws the problems, the running simulation and the buttons.</summary>
         public static void Draw(FluidSimulation fluid)
         {
             SceneSimulation current = SceneSimulation.Runs(fluid) ? SceneSimulation.Current : null;

@@ -59,7 +59,7 @@ namespace Rill.Editor
             of.ApplySettings();
         }
 
-        // What the user has changed is saved anyway, with what follows from it; that alone is no change of the user's. An instance of a prefab
+        // Changes by the user are saved anyway, with all that follows from them; the latter alone is not a user's change. A prefab instance
         // forgets what it is not told to store.
         static void Store(Component user)
         {

@@ -39,8 +39,8 @@ namespace Rill.Editor
             Gizmos.DrawMesh(mesh);
         }
 
-        /// <summary>What is not shown, and why; null where all particles are.</summary>
-        public static string NoteOn(FluidVolume volume)
+        /// <summary>Tells which particles are not shown, and why; null if all are.</summary>
+        public static string HiddenNote(FluidVolume volume)
         {
             FluidSimulation fluid = FluidOf(volume);
             if (fluid == null)
@@ -63,7 +63,7 @@ namespace Rill.Editor
             return fills && fluid.ParticleSpacing > 0f ? fluid : null;
         }
 
-        /// <summary>What is drawn, in the domain's frame, spacings; null where that is nothing.</summary>
+        /// <summary>Mesh to draw, in the domain's frame, spacings; null if there is nothing to draw.</summary>
         internal static Mesh MeshOf(FluidVolume volume, FluidSimulation fluid)
         {
             var key = Key.Of(volume, fluid);
@@ -142,7 +142,7 @@ namespace Rill.Editor
             return (number % 10) switch { 1 => "st", 2 => "nd", 3 => "rd", _ => "th" };
         }
 
-        // Of its particles where they are drawn, else of the light that comes through the water.
+        // Color of the particles where they are drawn, otherwise of the light that comes through the water.
         static Color ColorOf(FluidSimulation fluid)
         {
             if (fluid.TryGetComponent(out ParticleRenderer particles) && particles.enabled)
@@ -156,10 +156,10 @@ namespace Rill.Editor
             public Mesh mesh;
         }
 
-        // What the particles depend on.
+        // Inputs that the particles depend on.
         struct Key : IEquatable<Key>
         {
-            const float Rounding = 1e-3f;       // of a place, spacings
+            const float Rounding = 1e-3f;       // of a position, spacings
 
             VolumeShape shape;
             Vector3 size, scale, position, box;

@@ -4,7 +4,7 @@ using static System.FormattableString;
 
 namespace Rill.Editor
 {
-    /// <summary>What a snapshot is of, or why it cannot be used.</summary>
+    /// <summary>Inspector that describes a snapshot, or tells why it cannot be used.</summary>
     [CustomEditor(typeof(FluidSnapshotAsset))]
     sealed class FluidSnapshotAssetEditor : UnityEditor.Editor
     {

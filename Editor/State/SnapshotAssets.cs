@@ -45,7 +45,7 @@ namespace Rill.Editor
             }
             string path = AssetDatabase.GetAssetPath(simulation.StartState);
             if (path == "")
-                path = AskForPath(simulation);
+                path = ChoosePath(simulation);
             if (path != "")
                 SaveAsStart(simulation, done.Snapshot, path);
         }
@@ -62,7 +62,7 @@ namespace Rill.Editor
             Debug.Log(Invariant($"Rill: '{simulation.name}' starts with '{path}': {snapshot.ParticleCount:N0} particles."), simulation);
         }
 
-        static string AskForPath(FluidSimulation simulation) => EditorUtility.SaveFilePanelInProject("Save as Start State",
+        static string ChoosePath(FluidSimulation simulation) => EditorUtility.SaveFilePanelInProject("Save as Start State",
             FieldAssets.FileName(simulation.name) + " Start State", "asset", "Where to keep the state that this fluid starts with.");
 
         /// <summary>The button of an inspector: asks for a snapshot and saves it when it has come.</summary>

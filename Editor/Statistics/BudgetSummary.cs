@@ -4,10 +4,10 @@ using static System.FormattableString;
 
 namespace Rill.Editor
 {
-    /// <summary>What the inspector says of a budget: rows while it plays, and what is wrong with it.</summary>
+    /// <summary>Inspector texts of a budget: rows while it plays, and its problems.</summary>
     static class BudgetSummary
     {
-        /// <summary>What a budget that is on means for the solver's own settings.</summary>
+        /// <summary>Effect of an active budget on the solver's own settings.</summary>
         public const string SolverNote = "The budget chooses iterations, relaxation and substeps once the GPU time is known; until then these hold.";
 
         public static IEnumerable<(string label, string text)> Rows(BudgetState state)

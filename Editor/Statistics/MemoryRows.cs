@@ -5,14 +5,14 @@ using static System.FormattableString;
 
 namespace Rill.Editor
 {
-    /// <summary>What a simulation's buffers take on the GPU, the largest first.</summary>
+    /// <summary>GPU memory of a simulation's buffers, the largest first.</summary>
     static class MemoryRows
     {
         public readonly struct Row
         {
             public readonly string Label;
             public readonly long Bytes;
-            /// <summary>Of the largest.</summary>
+            /// <summary>Fraction of the largest.</summary>
             public readonly float Fraction;
 
             public Row(string label, long bytes, float fraction)

@@ -15,7 +15,7 @@ namespace Rill.Editor
         {
             public readonly string Label;
             public readonly float Milliseconds;
-            /// <summary>Of the longest.</summary>
+            /// <summary>Fraction of the longest.</summary>
             public readonly float Fraction;
 
             public Row(string label, float milliseconds, float fraction)

@@ -3,7 +3,7 @@ using static System.FormattableString;
 
 namespace Rill.Editor
 {
-    /// <summary>What the inspector says of a fluid's newest statistics.</summary>
+    /// <summary>Inspector texts of a fluid's newest statistics.</summary>
     static class StatisticsSummary
     {
         /// <param name="capacity">Most particles.</param>
@@ -22,7 +22,8 @@ namespace Rill.Editor
             yield return ("Speed", Invariant($"rms {statistics.speed:F2}, jitter {statistics.jitter:F3}, most {statistics.speedMax:F2} ") +
                 "m/s");
             yield return ("Energy", Invariant($"{statistics.Energy:G4} J"));
-            yield return ("Neighbors", Invariant($"mean {statistics.neighborsMean:F1}, most {statistics.neighborsMax}, over the list {statistics.neighborOverflow:N0}"));
+            yield return ("Neighbors", Invariant($"mean {statistics.neighborsMean:F1}, most {statistics.neighborsMax}, over the list ") +
+                Invariant($"{statistics.neighborOverflow:N0}"));
             if (statistics.viscosityChange > 0f)
                 yield return ("Dynamic viscosity", Invariant($"last pass changed a velocity by {statistics.viscosityChange:G2} m/s at ") +
                     "most");
@@ -39,7 +40,7 @@ namespace Rill.Editor
             if (statistics.refused > 0)
                 yield return Invariant($"{statistics.refused:N0} particles did not fit. Raise the capacity.");
             if (statistics.nonFinite > 0)
-                yield return Invariant($"{statistics.nonFinite:N0} particles with a position that is no number were removed. Look at ") +
+                yield return Invariant($"{statistics.nonFinite:N0} particles with a position that is not a number were removed. Look at ") +
                     "what added them.";
             if (statistics.escaped > 0)
                 yield return Invariant($"{statistics.escaped:N0} particles are outside the walls.");

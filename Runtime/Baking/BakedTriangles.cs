@@ -11,7 +11,7 @@ namespace Rill
 
         readonly bool[] takesPart;
 
-        // Of a chunk.
+        // Sums over a chunk.
         struct Sums
         {
             public int count, nonFinite, withoutArea;
@@ -73,16 +73,16 @@ namespace Rill
 
         public TriangleMesh Mesh { get; }
 
-        /// <summary>Of those that take part.</summary>
+        /// <summary>Number of triangles that take part.</summary>
         public int Count { get; }
 
         public int NonFinite { get; }
         public int WithoutArea { get; }
 
-        /// <summary>Of those that take part, m²; a sum in double precision.</summary>
+        /// <summary>Area of the triangles that take part, m²; a sum in double precision.</summary>
         public double Area { get; }
 
-        /// <summary>Of those that take part, m.</summary>
+        /// <summary>Bounds of the triangles that take part, m.</summary>
         public Bounds Bounds { get; }
 
         public bool TakesPart(int triangle) => takesPart[triangle];

@@ -79,7 +79,7 @@ namespace Rill
             }
         }
 
-        /// <summary>Why there is no mesh to read; null where there is one.</summary>
+        /// <summary>Returns why no mesh can be read; null if one can.</summary>
         public static string ProblemOf(Component owner)
         {
             if (owner.TryGetComponent(out SkinnedMeshRenderer skin))
@@ -93,7 +93,7 @@ namespace Rill
 
         public int VertexCount => Bones.Length;
 
-        /// <summary>Of those that take part.</summary>
+        /// <summary>Number of triangles that take part.</summary>
         public int TriangleCount => order.Length;
 
         /// <summary>Before bones act on them, m.</summary>
@@ -104,7 +104,7 @@ namespace Rill
 
         public DeformingField.VertexBones[] Bones { get; }
 
-        /// <summary>Of each bone three rows of the matrix from the rest to the frame.</summary>
+        /// <summary>Three rows of the matrix from the rest to the frame, for each bone.</summary>
         public float4[] Rows => rows;
 
         /// <summary>Whether the pose shows it in a mirror: by the first bone that carries anything.</summary>
@@ -116,7 +116,7 @@ namespace Rill
         /// <summary>Position and orientation of the frame now, world space, m.</summary>
         public RigidPose Pose => new RigidPose(frame.position, frame.rotation);
 
-        /// <summary>Why it is no mesh any more; null where it is.</summary>
+        /// <summary>Reason why this is not a valid mesh any more; null while it is.</summary>
         public string Problem
         {
             get
@@ -129,7 +129,7 @@ namespace Rill
         }
 
         /// <summary>Looks where its bones and vertices are now.</summary>
-        /// <param name="tolerance">That a place may change by without a new bake, m.</param>
+        /// <param name="tolerance">By which a position may change without a new bake, m.</param>
         /// <returns>Whether they are elsewhere than when it was baked last.</returns>
         public bool Follow(float tolerance)
         {
@@ -138,7 +138,7 @@ namespace Rill
             return moved || Differs(tolerance);
         }
 
-        /// <summary>What is posed now is baked.</summary>
+        /// <summary>Bakes the current pose.</summary>
         public void Bake()
         {
             rows.CopyTo(baked, 0);

@@ -13,7 +13,7 @@ namespace Rill
     {
         // Fraction of the surface that they hold at most; sizes of the rest that they lie off at least; and how much longer the box is.
         const double MaxArea = 0.01, MinDistance = 0.5, MinGrowth = 1.5;
-        // The same for a corner, which a spire may well have: and the fraction of all triangles that meet there at most.
+        // Limits for a corner, which a spire may well have: growth, and the fraction of all triangles that meet there at most.
         const double MinCornerGrowth = 2, MaxCornerTriangles = 0.05;
 
         readonly bool[] isFar;
@@ -32,10 +32,10 @@ namespace Rill
 
         public bool Has(int triangle) => isFar[triangle];
 
-        /// <summary>Of the other triangles, m.</summary>
+        /// <summary>Bounds of the other triangles, m.</summary>
         public Bounds Bounds { get; }
 
-        /// <summary>Of the farthest, m.</summary>
+        /// <summary>Position of the farthest triangle, m.</summary>
         public Vector3 Position { get; }
 
         /// <summary>Whether it is a corner that strayed, not a part.</summary>

@@ -23,7 +23,7 @@ namespace Rill
             this.voxelSize = voxelSize;
         }
 
-        /// <summary>As <see cref="SignedDistanceField.TrySample"/>.</summary>
+        /// <summary>Samples the field like <see cref="SignedDistanceField.TrySample"/>.</summary>
         public bool TrySample(float3 local, out float distance)
         {
             distance = float.PositiveInfinity;

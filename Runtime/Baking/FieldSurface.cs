@@ -10,7 +10,7 @@ namespace Rill
         const int Bins = 8;         // along a side of the field's volume
         const int Directions = 6;   // that a patch looks along, mostly
 
-        /// <summary>Patches in the frame of the mesh: of each bin and direction the area as a vector, and its middle. Their sum errs by some
+        /// <summary>Patches in the frame of the mesh: of each bin and direction the area as a vector, and its center. Their sum errs by some
         /// percent; none where the texture cannot be read.</summary>
         public static SurfaceSample[] Find(Texture3D texture, Bounds bounds, float voxelSize)
         {

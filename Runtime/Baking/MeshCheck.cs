@@ -16,7 +16,7 @@ namespace Rill
         /// <param name="maxCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
         public static MeshReport Run(TriangleMesh mesh, long maxCrossingTests = MaxCrossingTests) => Run(mesh, maxCrossingTests, null);
 
-        /// <summary>The same on any thread, with progress.</summary>
+        /// <summary>Checks on any thread, with progress.</summary>
         /// <param name="maxCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
         /// <param name="progress">Told the fraction that is done, 0 to 1, and the stage, and asked whether to go on. Null for none.</param>
         /// <returns>Null if it was canceled.</returns>

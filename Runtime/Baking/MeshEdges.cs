@@ -16,12 +16,12 @@ namespace Rill
         // Few enough that sorting them by insertion is quickest. A vertex of a closed mesh has six triangles on average.
         const int Few = 24;
 
-        // What corners of open edges may lie apart: a fraction of the mesh's size, which six digits of a text file need and a tenth of the
+        // Distance at which corners of open edges are joined: a fraction of the mesh's size, which six digits of a text file need and a tenth of the
         // smallest detail that a field can show has not; never more than a fraction of the edges there, so that a small model beside a large one
         // keeps its gaps. And the rounding of the coordinates, which is all that is left far from the origin.
         const double JoinOfSize = 1e-5, JoinOfEdge = 1e-2, JoinOfPosition = 1.0 / (1 << 22);
 
-        // Of the square of the way around a hole: less area is but rounding.
+        // Fraction of the square of the length around a hole: less area is rounding.
         const double FlatHole = 1e-5;
 
         readonly TriangleMesh mesh;
@@ -31,7 +31,7 @@ namespace Rill
         readonly List<int> vertexAt = new List<int>();
 
         // Sides of triangles, bundled by the lower of their two places: first in sides of each place's bundle, and one more.
-        // A side is its higher place, number (3 t + k) and whether it runs downwards, from the highest bits on, so that in a
+        // A side is its higher index, number (3 t + k) and whether it runs downwards, from the highest bits on, so that in a
         // sorted bundle the sides of one edge are neighbors, in the order of their triangles.
         int[] bundles;
         ulong[] sides;
@@ -60,7 +60,7 @@ namespace Rill
             Count();
         }
 
-        /// <summary>What takes part.</summary>
+        /// <summary>Triangles that take part.</summary>
         public BakedTriangles Triangles { get; }
 
         /// <summary>Triangles that are to be turned over to agree with their neighbors.</summary>
@@ -69,7 +69,7 @@ namespace Rill
         /// <summary>Positions that vertices have.</summary>
         public int Vertices => vertexAt.Count;
 
-        /// <summary>Of those, the ones that lie so near to another that they count as one with it.</summary>
+        /// <summary>Number of those vertices that lie so near to another that they count as one with it.</summary>
         public int JoinedVertices { get; private set; }
 
         /// <summary>Most that such vertices lie apart along an axis, m, where the coordinates are fine enough.</summary>
@@ -93,10 +93,10 @@ namespace Rill
         /// <summary>By hole: a vertex of it, as a number of <see cref="Corner"/>, and the area of a flat cover, m².</summary>
         public List<(int corner, double area)> HoleAreas { get; } = new List<(int, double)>();
 
-        /// <summary>Of the holes, those that bound no area: slits, as where a corner lies on another triangle's edge.</summary>
+        /// <summary>Number of holes that bound no area: slits, as where a corner lies on another triangle's edge.</summary>
         public int FlatHoles { get; private set; }
 
-        /// <summary>Of the flattest surfaces that would close the holes, as vectors, m².</summary>
+        /// <summary>Sum of the area vectors of the flattest surfaces that would close the holes, m².</summary>
         public double HoleArea { get; private set; }
 
         /// <summary>With turned triangles turned, m³; negative for a mesh that is inside out.</summary>
@@ -182,7 +182,7 @@ namespace Rill
                 {
                     end = EndOfEdge(first, bundles[v + 1]);
                     if (end - first != 2 || RunsDown(sides[first]) == RunsDown(sides[first + 1]))
-                        isEnd[v] = isEnd[PlaceOf(sides[first])] = true;
+                        isEnd[v] = isEnd[IndexOf(sides[first])] = true;
                 }
             var ends = new List<int>();
             for (int v = 0; v < Vertices; v++)
@@ -192,7 +192,7 @@ namespace Rill
         }
 
         // By the place's number in the list, m.
-        double[] TolerancesAt(int[] places)
+        double[] TolerancesAt(int[] indices)
         {
             var longest = new double[Vertices];
             for (int t = 0; t < mesh.TriangleCount; t++)
@@ -204,8 +204,8 @@ namespace Rill
                     longest[to] = math.max(longest[to], length);
                 }
             double most = JoinDistance;
-            return Array.ConvertAll(places, place => math.max(math.min(most, JoinOfEdge * longest[place]),
-                JoinOfPosition * math.cmax(math.abs(PositionOf(place)))));
+            return Array.ConvertAll(indices, index => math.max(math.min(most, JoinOfEdge * longest[index]),
+                JoinOfPosition * math.cmax(math.abs(PositionOf(index)))));
         }
 
         // Each core counts and files its own triangles. In which order they come does not matter: the bundles are sorted.
@@ -277,7 +277,7 @@ namespace Rill
             }
         }
 
-        static int PlaceOf(ulong side) => (int)(side >> 33);
+        static int IndexOf(ulong side) => (int)(side >> 33);
         static int TriangleOf(ulong side) => (int)((uint)(side >> 1) / 3);
         static bool RunsDown(ulong side) => (side & 1) != 0;
 
@@ -285,7 +285,7 @@ namespace Rill
         int EndOfEdge(int first, int endOfBundle)
         {
             int end = first + 1;
-            while (end < endOfBundle && PlaceOf(sides[end]) == PlaceOf(sides[first]))
+            while (end < endOfBundle && IndexOf(sides[end]) == IndexOf(sides[first]))
                 end++;
             return end;
         }
@@ -423,7 +423,7 @@ namespace Rill
             {
                 int from = From(sides[side]), to = To(sides[side]), hole = DisjointSets.Root(root, from);
                 // About a vertex of the hole, so that far from the origin nothing is lost.
-                double3 middle = PositionOf(hole), area = 0.5 * math.cross(PositionOf(from) - middle, PositionOf(to) - middle);
+                double3 center = PositionOf(hole), area = 0.5 * math.cross(PositionOf(from) - center, PositionOf(to) - center);
                 sums.TryGetValue(hole, out double4 sum);
                 sums[hole] = sum + new double4(Turned[TriangleOf(sides[side])] ? -area : area, math.distance(PositionOf(from), PositionOf(to)));
             }
@@ -445,11 +445,11 @@ namespace Rill
             return welded[mesh.Triangles[corner % 3 == 2 ? corner - 2 : corner + 1]];
         }
 
-        double3 PositionOf(int place) => (float3)mesh.Vertices[vertexAt[place]];
+        double3 PositionOf(int index) => (float3)mesh.Vertices[vertexAt[index]];
 
         double MeasureVolume()
         {
-            double3 middle = (float3)Triangles.Bounds.center;
+            double3 center = (float3)Triangles.Bounds.center;
             var sums = new double[Chunks.Of(Turned.Length)];
             Chunks.Run(Turned.Length, (chunk, first, end) =>
             {
@@ -459,7 +459,7 @@ namespace Rill
                     if (!Triangles.TakesPart(t))
                         continue;
                     // Unity's triangles are clockwise from outside, so their area vectors, left-handed, point outwards.
-                    double volume = math.dot((float3)mesh.Corner(t, 0) - middle, AreaVector(t)) / 3;
+                    double volume = math.dot((float3)mesh.Corner(t, 0) - center, AreaVector(t)) / 3;
                     part += Turned[t] ? -volume : volume;
                 }
                 sums[chunk] = part;

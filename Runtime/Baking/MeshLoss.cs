@@ -5,7 +5,7 @@ namespace Rill
     {
         internal MeshLoss(string text, MeshSdfSettings? remedy = null) => (Text, Remedy) = (text, remedy);
 
-        /// <summary>What is lost, of which part, why, and what can be done, in sentences.</summary>
+        /// <summary>Describes the lost part, the reason and the remedy, in sentences.</summary>
         public string Text { get; }
 
         /// <summary>Settings that represent it; null where none do, or where one must choose.</summary>

@@ -14,7 +14,7 @@ namespace Rill
         // Fraction of a part's surface below which a thin place is but an edge or a tip, and of its thin surface that may be thinner still than
         // what is told.
         const double MinThin = 0.02, Thinnest = 0.1;
-        const double MostOf = 0.9;          // of a part, from which on it is all of it: the rims of a plate are not thin
+        const double MaxPartFraction = 0.9;          // of a part, from which on it is all of it: the rims of a plate are not thin
         const int MaxTold = 4;
 
         struct Thin
@@ -32,7 +32,7 @@ namespace Rill
         readonly float[] thickness;
         readonly int[] partOf;
         readonly float[] area;
-        readonly float3[] middle;
+        readonly float3[] center;
 
         public MeshLosses(MeshEdges edges, float[] thicknessOf, FarTriangles far)
         {
@@ -54,7 +54,7 @@ namespace Rill
             Array.Sort(thickness, order);
             partOf = Array.ConvertAll(order, t => edges.Parts.Of(t));
             area = Array.ConvertAll(order, t => (float)math.length(edges.OutwardArea(t)));
-            middle = Array.ConvertAll(order, t => ((float3)mesh.Corner(t, 0) + (float3)mesh.Corner(t, 1) + (float3)mesh.Corner(t, 2)) / 3f);
+            center = Array.ConvertAll(order, t => ((float3)mesh.Corner(t, 0) + (float3)mesh.Corner(t, 1) + (float3)mesh.Corner(t, 2)) / 3f);
         }
 
         public void AddFar(List<MeshLoss> losses, MeshSdfSettings settings, in MeshSdfEstimate whole, MeshReport without)
@@ -99,10 +99,11 @@ namespace Rill
             {
                 Thin thin = found[i];
                 double fraction = thin.area / parts[thin.part].area;
-                string partly = fraction < MostOf ? Invariant($"on {100 * fraction:0.#} % of its surface ") : "";
+                string partly = fraction < MaxPartFraction ? Invariant($"on {100 * fraction:0.#} % of its surface ") : "";
                 MeshSdfSettings? remedy = Remedy(settings, report, thin.thickness);
                 losses.Add(new MeshLoss(
-                    $"{NameOf(thin.part, parts[thin.part].Bounds.size, thin)} is {partly}thinner than a voxel, {Meters(thin.thickness)} for {Meters(voxel)}: it may vanish, or leak. " + (remedy != null
+                    $"{NameOf(thin.part, parts[thin.part].Bounds.size, thin)} is {partly}thinner than a voxel, {Meters(thin.thickness)} for " +
+                    $"{Meters(voxel)}: it may vanish, or leak. " + (remedy != null
                     ? $"Use voxels of at most {Meters(thin.thickness / MinVoxels)}."
                     : $"Voxels of {Meters(thin.thickness / MinVoxels)} would be too many: make it thicker, bake it by itself, or set the sign to " +
                     "open shell."), remedy));
@@ -127,8 +128,8 @@ namespace Rill
             {
                 ref Thin one = ref thin[partOf[i]];
                 one.area += area[i];
-                one.low = math.min(one.low, middle[i]);
-                one.high = math.max(one.high, middle[i]);
+                one.low = math.min(one.low, center[i]);
+                one.high = math.max(one.high, center[i]);
             }
             var passed = new double[parts.Length];
             for (int i = 0; i < end; i++)

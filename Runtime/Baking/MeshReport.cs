@@ -4,7 +4,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a <see cref="MeshCheck"/> found, in numbers and in words.</summary>
+    /// <summary>Findings of a <see cref="MeshCheck"/>, in numbers and in words.</summary>
     public sealed class MeshReport
     {
         /// <summary>Holes of more than this fraction of the whole surface make a mesh an open surface.</summary>
@@ -63,9 +63,9 @@ namespace Rill
         /// <summary>Submeshes of points or lines.</summary>
         public int SubMeshesWithoutTriangles { get; }
 
-        /// <summary>Vertices with a coordinate that is no number or infinite, and triangles that use one.</summary>
+        /// <summary>Vertices with a coordinate that is NaN or infinite, and triangles that use one.</summary>
         public int NonFiniteVertices { get; }
-        /// <summary>Triangles that use a vertex with a coordinate that is no number or infinite. They are left out of the bake.</summary>
+        /// <summary>Triangles that use a vertex with a coordinate that is NaN or infinite. They are left out of the bake.</summary>
         public int NonFiniteTriangles { get; }
 
         /// <summary>Vertices where another is, as seams of normals and textures make them.</summary>
@@ -114,7 +114,7 @@ namespace Rill
         /// <summary>m².</summary>
         public double Area { get; }
 
-        /// <summary>Of the triangles that are baked, m, in the frame of the mesh.</summary>
+        /// <summary>Bounds of the triangles that are baked, m, in the frame of the mesh.</summary>
         public Bounds Bounds { get; }
 
         /// <summary>m³, with flipped triangles turned; negative for a mesh that is inside out. Means little for an open one.</summary>
@@ -126,7 +126,7 @@ namespace Rill
         /// <summary>Whether no edge is open and none has more than two triangles.</summary>
         public bool IsWatertight => Triangles > 0 && BoundaryEdges == 0 && NonManifoldEdges == 0 && NonFiniteVertices == 0;
 
-        /// <summary>What the sign method Automatic comes to.</summary>
+        /// <summary>Sign method that Automatic chooses.</summary>
         public MeshSdfSign Sign { get; }
 
         /// <summary>Why the mesh cannot be baked, with the remedy; null if it can.</summary>
@@ -142,7 +142,7 @@ namespace Rill
         /// <summary>The report of what a bake with these settings takes.</summary>
         internal MeshReport Of(in MeshSdfSettings settings) => settings.leaveOutFar && WithoutFar != null ? WithoutFar : this;
 
-        /// <summary>What a bake with these settings would not represent, and why, with the remedy: parts that are thinner than a voxel or
+        /// <summary>Lists what a bake with these settings would not represent, and why, with the remedy: parts that are thinner than a voxel or
         /// have no inside, and what makes the box and the voxels so large. Reads no mesh. Empty where all is represented, and where nothing
         /// can be baked.</summary>
         public IReadOnlyList<MeshLoss> LossesOf(in MeshSdfSettings settings)
@@ -193,7 +193,7 @@ namespace Rill
             if (SubMeshesWithoutTriangles > 0)
                 texts.Add($"{Number(SubMeshesWithoutTriangles)} submeshes of points or lines: left out.");
             if (NonFiniteVertices > 0 && NonFiniteTriangles == 0)
-                texts.Add($"{Number(NonFiniteVertices)} vertices are no finite numbers, but no triangle uses them: left out.");
+                texts.Add($"{Number(NonFiniteVertices)} vertices are not finite numbers, but no triangle uses them: left out.");
             if (DuplicateVertices > 0)
                 texts.Add($"{Number(DuplicateVertices)} of {Number(Vertices)} vertices lie exactly at another's place: taken as one to " +
                     $"find edges; the distance is not touched.");

@@ -102,10 +102,10 @@ namespace Rill
         /// <summary>Fraction of the work that is done, 0 to 1.</summary>
         public float Progress => IsDone ? 1f : (float)steps / totalSteps;
 
-        /// <summary>What is being done, for a progress bar.</summary>
+        /// <summary>Current work, for a progress bar.</summary>
         public string Stage { get; private set; } = "";
 
-        /// <summary>What the bake made; null until it is done.</summary>
+        /// <summary>Result of the bake; null until it is done.</summary>
         public SdfBake Result { get; private set; }
 
         /// <summary>Whether the bake is done and <see cref="Result"/> is there.</summary>
@@ -134,7 +134,7 @@ namespace Rill
                 isReading = true;
                 steps++;
             }
-            // Where no frames pass, as in an editor at rest, nothing else looks whether it is there.
+            // Without frames, as in an idle editor, nothing else checks whether it has arrived.
             readback.Update();
             if (!readback.done)
                 return true;
@@ -187,7 +187,7 @@ namespace Rill
             }
         }
 
-        /// <summary>What a bake will make and take. Reads the whole mesh where the sign is automatic, to see whether it is open.</summary>
+        /// <summary>Estimates a bake. Reads the whole mesh where the sign is automatic, to see whether it is open.</summary>
         /// <exception cref="ArgumentException">The mesh or the settings cannot be baked at any size.</exception>
         public static MeshSdfEstimate Estimate(TriangleMesh mesh, in MeshSdfSettings settings)
         {
@@ -200,7 +200,7 @@ namespace Rill
             return new MeshSdfEstimate(new SdfGrid(triangles.Bounds, settings, sign == MeshSdfSign.OpenShell), mesh.TriangleCount, settings);
         }
 
-        /// <summary>The same of a mesh that was checked, which reads nothing: for a window whose settings are being dragged.</summary>
+        /// <summary>Estimates a bake of a checked mesh without reading it: for a window whose settings are being dragged.</summary>
         /// <exception cref="ArgumentException">The mesh or the settings cannot be baked at any size.</exception>
         public static MeshSdfEstimate Estimate(MeshReport report, in MeshSdfSettings settings)
         {

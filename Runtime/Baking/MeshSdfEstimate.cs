@@ -3,7 +3,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a bake will make and take, told before it starts.</summary>
+    /// <summary>Estimate of what a bake makes and needs, before it starts.</summary>
     public readonly struct MeshSdfEstimate
     {
         // Two words a voxel on the GPU, one read back and one handed out.
@@ -48,7 +48,7 @@ namespace Rill
         /// <summary>The volume that the voxels fill, m, in the frame of the mesh.</summary>
         public Bounds Bounds { get; }
 
-        /// <summary>Of the voxels in the asset, on the GPU, and as many again off it; with 32 bits a voxel where the format is automatic.</summary>
+        /// <summary>Size of the voxels in the asset on the GPU, and again in main memory; with 32 bits a voxel if the format is automatic.</summary>
         public long TextureBytes { get; }
 
         /// <summary>Taken by the bake and given back after it, on the GPU and off it.</summary>

@@ -20,7 +20,7 @@ namespace Rill
         /// <summary>threads of every kernel</summary>
         [GenerateHlsl("MeshSdf")] const int Group = 64;
 
-        /// <summary>Of the largest buffer that a mesh's triangles need, <see cref="PackedTriangle"/>.</summary>
+        /// <summary>Bytes per triangle in the largest buffer that a mesh's triangles need, <see cref="PackedTriangle"/>.</summary>
         public static int BytesOfTriangle => UnsafeUtility.SizeOf<PackedTriangle>();
 
         /// <summary>Corners as whole float4, which load at once; a.w is 1 in those that are in _Large.</summary>
@@ -33,7 +33,7 @@ namespace Rill
         [GenerateHlsl("MeshSdf")]
         struct Cluster
         {
-            /// <summary>middle of the area, radius around all triangles</summary>
+            /// <summary>center of the area, radius around all triangles</summary>
             public float4 sphere;
             /// <summary>twice the area, summed as vectors and, w, as lengths</summary>
             public float4 areaVector;
@@ -45,7 +45,7 @@ namespace Rill
             public float3 low, high;
         }
 
-        // Of each kind of dispatch, for GPU times in profilers.
+        // Markers of each kind of dispatch, for GPU times in profilers.
         static readonly ProfilerMarker GatherMarker = GpuMarker.Create("Rill.Bake.Gather");
         static readonly ProfilerMarker DistancesMarker = GpuMarker.Create("Rill.Bake.SplatDistances");
         static readonly ProfilerMarker NearestMarker = GpuMarker.Create("Rill.Bake.SplatNearest");
@@ -146,7 +146,7 @@ namespace Rill
             Run(clear, GroupsFor(grid.VoxelCount), GatherMarker);
         }
 
-        /// <summary>Of triangles that are not large.</summary>
+        /// <summary>Writes the distances around triangles that are not large.</summary>
         public void SplatDistances(int first, int count)
         {
             Begin(splatDistances, first, count);
@@ -181,7 +181,7 @@ namespace Rill
             Run(flood, GroupsFor(count), FloodMarker);
         }
 
-        /// <summary>What a flood pass wrote is what the next pass reads.</summary>
+        /// <summary>Makes the output of a flood pass the input of the next.</summary>
         public void Swap() => buffers.Swap(ref nearest, ref distances);
 
         /// <summary>Levels from 0 on, one after the other.</summary>
@@ -193,7 +193,7 @@ namespace Rill
             Run(kernel, GroupsFor(levels[level].y), ClustersMarker);
         }
 
-        /// <summary>Of bricks that lie on one side of the surface as a whole, in blocks of 4³; once the flood is over.</summary>
+        /// <summary>Finds the sides of bricks that lie entirely on one side of the surface, in blocks of 4³, after the flood.</summary>
         /// <param name="isClosed"><see cref="MeshEdges.IsClosed"/></param>
         public void FindSides(int firstBlock, int count, bool isClosed)
         {
@@ -279,7 +279,7 @@ namespace Rill
 
         void Bind(int kernel, int id, GraphicsBuffer buffer) => cmd.SetComputeBufferParam(shader, kernel, id, buffer);
 
-        // Of a tool executed at once and not with others: a driver can then stop a device's watchdog between any two of them.
+        // The commands of a tool are executed one by one: a driver can then stop a device's watchdog between any two of them.
         void Run(int kernel, long groups, ProfilerMarker marker)
         {
             cmd.BeginSample(marker);

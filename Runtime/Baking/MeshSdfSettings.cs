@@ -44,7 +44,8 @@ namespace Rill
 
         /// <summary>Leaves out small parts far from the others, and triangles at a corner that strayed: what makes the box around the mesh
         /// much larger though it holds at most a hundredth of the surface.</summary>
-        [Tooltip("Leaves out small parts far from the others, and triangles at a corner that strayed: what makes the box around the mesh much larger though it holds at most a hundredth of the surface.")]
+        [Tooltip("Leaves out small parts far from the others, and triangles at a corner that strayed: what makes the box around the mesh much " +
+            "larger though it holds at most a hundredth of the surface.")]
         public bool leaveOutFar;
 
         /// <summary>The settings of a new bake.</summary>

@@ -4,12 +4,12 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>
-    /// How thick a mesh is at each of its triangles: from the triangle's middle against its normal to where the mesh ends again. By a tree
+    /// How thick a mesh is at each of its triangles: from the triangle's center against its normal to where the mesh ends again. By a tree
     /// of boxes over the triangles along a curve.
     /// </summary>
     sealed class MeshThickness
     {
-        // Of the mesh's size: surfaces so near are those of parts that touch.
+        // Fraction of the mesh's size: surfaces so near are those of parts that touch.
         const double Touching = 1e-7;
         const int TrianglesBetweenLooks = 1 << 16;
         const int MaxStack = 64;        // three of each of 16 levels, and one
@@ -42,8 +42,8 @@ namespace Rill
                     boxes[levels[level].x + i] = BoxOf(level, i);
         }
 
-        /// <summary>By triangle of the mesh, m: infinite where nothing is behind it, as at an open surface; 0 for those that take no
-        /// part.</summary>
+        /// <summary>Returns the thickness at each triangle of the mesh, m: infinite where nothing is behind it, as at an open surface; 0 for those
+        /// that take no part.</summary>
         /// <param name="goOn">Told the fraction that is done, and asked whether to go on.</param>
         /// <returns>Null if it was canceled.</returns>
         public static float[] Of(MeshEdges edges, Func<float, bool> goOn)
@@ -60,7 +60,7 @@ namespace Rill
                 Chunks.Run(math.min(TrianglesBetweenLooks, tree.order.Length - start), (chunk, first, end) =>
                 {
                     for (int i = start + first; i < start + end; i++)
-                        thickness[tree.order[i]] = tree.Behind((int)tree.order[i]);
+                        thickness[tree.order[i]] = tree.ThicknessAt((int)tree.order[i]);
                 });
             }
             return thickness;
@@ -88,11 +88,11 @@ namespace Rill
 
         double3 Outward(int t) => isInsideOut ? -edges.OutwardArea(t) : edges.OutwardArea(t);
 
-        float Behind(int triangle)
+        float ThicknessAt(int triangle)
         {
             double3 from = ((double3)(float3)mesh.Corner(triangle, 0) + (float3)mesh.Corner(triangle, 1) + (float3)mesh.Corner(triangle, 2)) / 3;
             double3 along = -math.normalize(Outward(triangle));
-            // Finite, so that a ray in a face of a box, 0 times this, is no case of its own.
+            // Finite, so that a ray in a face of a box, 0 times this, needs no special case.
             double3 perMeter = 1 / math.select(along, Slight, math.abs(along) < Slight);
             double nearest = double.PositiveInfinity;
             Span<int2> stack = stackalloc int2[MaxStack];       // level and index
@@ -128,7 +128,7 @@ namespace Rill
             return (float)nearest;
         }
 
-        /// <summary>Where a ray enters a box, m; infinite where it misses it.</summary>
+        /// <summary>Returns the distance at which a ray enters a box, m; infinite if it misses.</summary>
         static double EntryOf(in Box box, double3 from, double3 perMeter, double limit)
         {
             double3 a = (box.low - from) * perMeter, b = (box.high - from) * perMeter;

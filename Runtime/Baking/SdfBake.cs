@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What a bake made: plain numbers. <see cref="SignedDistanceField.Apply"/> puts them into an asset.</summary>
+    /// <summary>Result of a bake, as plain numbers. <see cref="SignedDistanceField.Apply"/> puts them into an asset.</summary>
     public sealed class SdfBake
     {
-        // Where the choice of a format is strict, voxels from the surface; what rounding may cost there and elsewhere, voxels.
+        // Distance from the surface within which the choice of a format is strict, voxels; what rounding may cost there and elsewhere, voxels.
         const float StrictDistance = 2f, StrictError = 1e-3f, LooseError = 0.05f;
 
         internal SdfBake(string name, in SdfGrid grid, float[] distances, in MeshSdfSettings settings, MeshSdfSign sign, int triangles,
@@ -29,7 +29,7 @@ namespace Rill
             Format = settings.format != SdfFormat.Automatic ? settings.format : accurate ? SdfFormat.Half : SdfFormat.Float;
         }
 
-        /// <summary>Of the mesh.</summary>
+        /// <summary>Name of the mesh.</summary>
         public string Name { get; }
 
         /// <summary>Voxels along each axis.</summary>
@@ -44,13 +44,13 @@ namespace Rill
         /// <summary>Distance to the surface at the voxels' centers, m, negative inside; [(z * height + y) * width + x]. Not a copy.</summary>
         public float[] Distances { get; }
 
-        /// <summary>As they were given.</summary>
+        /// <summary>Settings that were given.</summary>
         public MeshSdfSettings Settings { get; }
 
         /// <summary>The method that was used; never automatic.</summary>
         public MeshSdfSign Sign { get; }
 
-        /// <summary>Of the shell that an open surface became, m; 0 for a solid.</summary>
+        /// <summary>Thickness of the shell that an open surface became, m; 0 for a solid.</summary>
         public float ShellThickness { get; }
 
         /// <summary>Triangles that were baked, without those of zero area.</summary>
@@ -105,7 +105,7 @@ namespace Rill
             return all.x;
         }
 
-        /// <summary>What rounding to the nearest of 16 bits costs, without doing it, which takes ten times as long: halves have 13 binary
+        /// <summary>Error of rounding to the nearest of 16 bits, without doing it, which takes ten times as long: halves have 13 binary
         /// digits fewer.</summary>
         internal static float HalfErrorOf(float value)
         {

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>The voxels of a bake: cubes that fill a box around the mesh, which sits in its middle.</summary>
+    /// <summary>The voxels of a bake: cubes that fill a box around the mesh, which sits in its center.</summary>
     readonly struct SdfGrid
     {
         /// <summary>A shell whose thickness is not given has this many voxels, the least that trilinear samples resolve.</summary>
@@ -14,7 +14,7 @@ namespace Rill
         public readonly float VoxelSize;
         /// <summary>Lowest corner, m; the center of voxel i is at Min + (i + 0.5) VoxelSize.</summary>
         public readonly float3 Min;
-        /// <summary>Of the shell that an open surface becomes, m; 0 for solids.</summary>
+        /// <summary>Thickness of the shell that an open surface becomes, m; 0 for solids.</summary>
         public readonly float Thickness;
 
         /// <param name="mesh">Bounds of the triangles, m.</param>

@@ -91,7 +91,7 @@ namespace Rill
             return new Count(crossing, (float)entered / taking * looked / inCell.Length);
         }
 
-        static int3 Cell(float3 place, float3 from, float size, int3 cells) => math.clamp((int3)((place - from) / size), 0, cells - 1);
+        static int3 Cell(float3 position, float3 from, float size, int3 cells) => math.clamp((int3)((position - from) / size), 0, cells - 1);
 
         static bool HaveCommonVertex(MeshEdges edges, int a, int b)
         {

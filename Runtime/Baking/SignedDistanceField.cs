@@ -12,7 +12,7 @@ namespace Rill
     [Icon(PackagePaths.Icon), ManualPage("baking.md")]
     public sealed class SignedDistanceField : ScriptableObject, ISerializationCallbackReceiver
     {
-        /// <summary>Of what is serialized. An older asset is brought up to it as it loads; a newer one is refused.</summary>
+        /// <summary>Version of the serialized content. An older asset is brought up to it as it loads; a newer one is refused.</summary>
         public const int CurrentVersion = 1;
 
         // No initial value: a file without the field keeps it, and is to be told from one of this version.
@@ -32,7 +32,7 @@ namespace Rill
         [NonSerialized] bool volumeIsKnown;
         [NonSerialized] SurfaceSample[] patches;
 
-        /// <summary>Of the serialized content; above <see cref="CurrentVersion"/> in an asset of a newer package.</summary>
+        /// <summary>Version of the serialized content; above <see cref="CurrentVersion"/> in an asset of a newer package.</summary>
         public int Version => version;
 
         /// <summary>One channel, R16 or R32 float: distances, m. Its texel (x, y, z) is the voxel of that index. Null before the first
@@ -51,7 +51,7 @@ namespace Rill
         /// <summary>How inside was told from outside.</summary>
         public MeshSdfSign Sign => sign;
 
-        /// <summary>Of the shell that an open surface became, m; 0 for a solid.</summary>
+        /// <summary>Thickness of the shell that an open surface became, m; 0 for a solid.</summary>
         public float ShellThickness => shellThickness;
 
         /// <summary>Largest error of any voxel that the texture's format made, m, measured at the bake.</summary>
@@ -60,7 +60,7 @@ namespace Rill
         /// <summary>GUID of the mesh's asset as Unity writes it, 32 hexadecimal digits; empty where the mesh was none.</summary>
         public string SourceMesh => sourceMesh;
 
-        /// <summary>Of the mesh among the objects of its asset, as Unity's local file identifiers are; 0 where it is unknown.</summary>
+        /// <summary>Identifier of the mesh among the objects of its asset, as Unity's local file identifiers are; 0 where it is unknown.</summary>
         public long SourceMeshId => sourceMeshId;
 
         /// <summary><see cref="TriangleMesh.Hash"/> of the mesh as it was baked; 0 where it is unknown.</summary>
@@ -70,7 +70,7 @@ namespace Rill
         /// baked from.</summary>
         public bool IsStale(TriangleMesh mesh) => sourceHash != 0 && sourceHash != mesh.Hash();
 
-        /// <summary>What it was baked with, for baking it again.</summary>
+        /// <summary>Settings it was baked with, for baking it again.</summary>
         public MeshSdfSettings Settings => settings;
 
         /// <summary>An asset in memory with the content of a bake. The caller saves or destroys it, and its texture with it.</summary>
@@ -160,7 +160,7 @@ namespace Rill
             return isThere;
         }
 
-        /// <summary>What lies inside of the surface, m³: summed over all voxels at the first call after a bake. 0 without a texture that
+        /// <summary>Volume inside of the surface, m³: summed over all voxels at the first call after a bake. 0 without a texture that
         /// can be read.</summary>
         public float Volume
         {
@@ -178,7 +178,7 @@ namespace Rill
         /// <summary>See <see cref="FieldSurface"/>: found at the first call after a bake.</summary>
         internal SurfaceSample[] SurfacePatches => patches ??= FieldSurface.Find(texture, bounds, voxelSize);
 
-        // Of a voxel the fraction that a flat surface at its distance leaves inside.
+        // Sums, for each voxel, the fraction that a flat surface at its distance leaves inside.
         float MeasureVolume()
         {
             var voxels = new FieldVoxels(texture);

@@ -17,7 +17,7 @@ namespace Rill
         /// <param name="name">For messages.</param>
         /// <param name="vertices">m.</param>
         /// <param name="triangles">Three indices of vertices a triangle, clockwise as seen from outside, as in Unity.</param>
-        /// <exception cref="ArgumentException">The indices are no whole number of triangles, or one is outside of the vertices.</exception>
+        /// <exception cref="ArgumentException">The indices are not a whole number of triangles, or one is outside of the vertices.</exception>
         public TriangleMesh(string name, Vector3[] vertices, int[] triangles)
         {
             Name = string.IsNullOrEmpty(name) ? "unnamed mesh" : name;
@@ -25,7 +25,7 @@ namespace Rill
             Triangles = triangles ?? throw new ArgumentNullException(nameof(triangles));
             if (triangles.Length % 3 != 0)
                 throw new ArgumentException(
-                    Invariant($"'{Name}': {triangles.Length:N0} indices are no whole number of triangles; give three for ") +
+                    Invariant($"'{Name}': {triangles.Length:N0} indices are not a whole number of triangles; give three for ") +
                     "each.", nameof(triangles));
             for (int i = 0; i < triangles.Length; i++)
                 if ((uint)triangles[i] >= (uint)vertices.Length)
@@ -51,11 +51,11 @@ namespace Rill
         /// <summary>Submeshes of the meshes that this was made of, with those of points and lines.</summary>
         public int SubMeshes { get; private set; } = 1;
 
-        /// <summary>Of those, the ones of points and lines: they bound nothing and are left out.</summary>
+        /// <summary>Number of submeshes of points and lines: they bound nothing and are left out.</summary>
         public int SubMeshesWithoutTriangles { get; private set; }
 
         /// <summary>
-        /// Of where all triangles lie and which side they face: the same however they are ordered and share vertices. Never 0.
+        /// Returns a hash of where all triangles lie and which side they face, whatever their order and common vertices. Never 0.
         /// Tells whether a mesh is still the one that was baked.
         /// </summary>
         public ulong Hash()

@@ -36,7 +36,7 @@ namespace Rill
         static int RotateRight(int bits, int by) => (bits >> by % 3 | bits << 3 - by % 3) & 7;
         static int TrailingOnes(int i) => math.tzcnt(~i);
 
-        /// <summary>Indices of the mesh's triangles that take part, by the middles of their boxes along the curve; those in one place as in
+        /// <summary>Indices of the mesh's triangles that take part, by the centers of their boxes along the curve; those at one position as in
         /// the mesh.</summary>
         public static uint[] Of(BakedTriangles part)
         {
@@ -60,7 +60,7 @@ namespace Rill
                 int next = firsts[chunk];
                 for (int t = first; t < end; t++)
                     if (part.TakesPart(t))
-                        items[next++] = (ulong)KeyOf(PlaceOf(part.Mesh, t, low, scale)) << 32 | (uint)t;
+                        items[next++] = (ulong)KeyOf(CenterOf(part.Mesh, t, low, scale)) << 32 | (uint)t;
             });
 
             items = Sorted(items);
@@ -75,17 +75,17 @@ namespace Rill
 
         internal static float ScaleOf(BakedTriangles part) => Buckets / math.max(math.cmax((float3)part.Bounds.size), float.Epsilon) / 2f;
 
-        // Of the middle of the box, which is the same to the last bit for a triangle that is turned over.
-        internal static float3 PlaceOf(TriangleMesh mesh, int triangle, float3 low, float scale)
+        // Center of the box, which is the same to the last bit for a triangle that is turned over.
+        internal static float3 CenterOf(TriangleMesh mesh, int triangle, float3 low, float scale)
         {
             float3 a = mesh.Corner(triangle, 0), b = mesh.Corner(triangle, 1), c = mesh.Corner(triangle, 2);
             return (math.min(a, math.min(b, c)) - low + (math.max(a, math.max(b, c)) - low)) * scale;
         }
 
-        /// <param name="place">0 to 1024.</param>
-        internal static uint KeyOf(float3 place)
+        /// <param name="center">0 to 1024.</param>
+        internal static uint KeyOf(float3 center)
         {
-            uint x = CellOf(place.x), y = CellOf(place.y), z = CellOf(place.z), key = 0;
+            uint x = CellOf(center.x), y = CellOf(center.y), z = CellOf(center.z), key = 0;
             int state = 0;
             for (int bit = Bits - 1; bit >= 0; bit--)
             {
@@ -96,7 +96,7 @@ namespace Rill
             return key;
         }
 
-        static uint CellOf(float place) => (uint)math.clamp((int)place, 0, Buckets - 1);
+        static uint CellOf(float coordinate) => (uint)math.clamp((int)coordinate, 0, Buckets - 1);
 
         // Radix sort by the 30 bits of the key, which are the upper ones: stable, so that the order is the same on every machine.
         static ulong[] Sorted(ulong[] items)

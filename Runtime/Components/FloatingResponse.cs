@@ -33,21 +33,21 @@ namespace Rill
         const float MaxExcess = 0.1f;           // of a covered face's lift, that is taken off what was measured over the level's
         const int LevelSteps = 24;              // of the bisection for a level: to a 1e-7 of the body's height
 
-        // What one fluid did to one part.
+        // Effect of one fluid on one part.
         struct Reading
         {
             public ColliderMotion shape;        // where the part is now
             public float volume;                // m³
             public FluidForce force;
             public float height;                // upwards, m
-            public float middle, middleThen;    // upwards, m; while the force was measured
+            public float center, centerThen;    // upwards, m; while the force was measured
 
             public bool IsBall => shape.shape == ColliderShape.Sphere;
 
             /// <summary>Fraction of the part under a level: of a ball's cap, or of a prism as high as the part.</summary>
             public float Wet(float level, bool then)
             {
-                float depth = math.saturate((level - (then ? middleThen : middle)) / height + 0.5f);
+                float depth = math.saturate((level - (then ? centerThen : center)) / height + 0.5f);
                 return IsBall ? depth * depth * (3f - 2f * depth) : depth;
             }
         }
@@ -71,7 +71,7 @@ namespace Rill
         Vector3 levelShift;                     // of the fluid, when it was found
         bool levelIsKnown;
 
-        /// <summary>Of the body under water, 0 to 1.</summary>
+        /// <summary>Fraction of the body under water, 0 to 1.</summary>
         public float Fraction => volume > 0f ? math.min(wetVolume / volume, 1f) : 0f;
 
         /// <summary>Height of the water upwards, as far as what was measured tells it, m; else no number.</summary>
@@ -98,7 +98,7 @@ namespace Rill
             levelIsKnown = levelIsKnown ? 1u : 0u,
         };
 
-        /// <summary>As it was saved.</summary>
+        /// <summary>Restores a saved response.</summary>
         /// <param name="moved">How far the fluid is from where it was, m.</param>
         public static FloatingResponse Of(in ResponseRecord record, FluidSimulation fluid, Vector3 moved) => new FloatingResponse
         {
@@ -179,7 +179,7 @@ namespace Rill
             IsKnown = true;
             push = moment = Vector3.zero;
             memory = readings[0].force.Motion.Memory;
-            TakeForces(out float told, out Vector3 middle, out Vector3 slipThen, out Vector3 angularSlipThen);
+            SumForces(out float told, out Vector3 center, out Vector3 slipThen, out Vector3 angularSlipThen);
             float displaced = density * told;     // kg
             float g = gravity.magnitude;
             if (g > 0f)
@@ -197,10 +197,10 @@ namespace Rill
                     BringUpToDate(readings[i], density * g, up, fraction);
                 if (levelIsKnown)
                     estimate.Add(measured / displaced - up * (g * fractionThen), slipThen / memory, fractionThen, g, virtualFraction, step);
-                LimitPropulsion(displaced * g * fraction, middle);
-                Damp(displaced, told, height, middle, g, up, fraction);
+                LimitPropulsion(displaced * g * fraction, center);
+                Damp(displaced, told, height, center, g, up, fraction);
                 if (still.weight > 0f)
-                    TakeStill(still, density, told, height, g, up, ref fraction);
+                    AddStillWater(still, density, told, height, g, up, ref fraction);
             }
             force += push;
             torque += moment;
@@ -224,7 +224,7 @@ namespace Rill
             float mean = memory > 0f ? SlipVelocity.MeanFraction(step, memory) : 0f;
             Vector3 push = force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now;
             float carrying = mass + resistance * mean * step;
-            // What still water does is of now, and implicit: it stops what is light within a step, and never turns it back.
+            // The effect of still water is current and implicit: it stops what is light within a step, and never turns it back.
             Vector3 against = velocity - waterVelocity;
             float rise = Vector3.Dot(against, waterUp), climb = Vector3.Dot(velocity, waterUp);
             push -= sideDrag * (against - rise * waterUp) + (drag * rise + stiffness * step * climb) * waterUp;
@@ -248,10 +248,10 @@ namespace Rill
         }
 
         // Forces and moments of all parts as they were measured, their volume, and means over it.
-        void TakeForces(out float told, out Vector3 middle, out Vector3 slipThen, out Vector3 angularSlipThen)
+        void SumForces(out float told, out Vector3 center, out Vector3 slipThen, out Vector3 angularSlipThen)
         {
             told = 0f;
-            middle = slipThen = angularSlipThen = Vector3.zero;
+            center = slipThen = angularSlipThen = Vector3.zero;
             for (int i = 0; i < count; i++)
             {
                 ref Reading part = ref readings[i];
@@ -259,11 +259,11 @@ namespace Rill
                 if (!part.IsBall || part.shape.friction > 0f)       // pressure cannot turn a ball
                     moment += part.force.Torque;
                 told += part.volume;
-                middle += part.volume * (Vector3)part.shape.end.position;
+                center += part.volume * (Vector3)part.shape.end.position;
                 slipThen += part.volume * part.force.Motion.Slip;
                 angularSlipThen += part.volume * part.force.Motion.AngularSlip;
             }
-            middle /= told;
+            center /= told;
             slipThen /= told;
             angularSlipThen /= told;
         }
@@ -275,7 +275,7 @@ namespace Rill
             float lift = Vector3.Dot(still.coveredPush, up);
             Vector3 side = still.coveredPush - lift * up;
             float aside = side.magnitude;
-            // Where all is covered, nothing measured pulls it down but the water on top of it.
+            // If all is covered, nothing measured pulls it down but the water on top of it.
             float measured = Vector3.Dot(push, up);
             float pulled = still.maxLift > 0f ? lift / still.maxLift * math.max(-still.load - measured, 0f) : 0f;
             // Deep water presses harder through a narrow gap than its level does: a little of what is too much goes.
@@ -290,7 +290,7 @@ namespace Rill
         }
 
         // The level alone stands for what was measured: pressure, and drag towards the water's velocity.
-        void TakeStill(in StillWater still, float density, float told, float height, float g, Vector3 up, ref float fraction)
+        void AddStillWater(in StillWater still, float density, float told, float height, float g, Vector3 up, ref float fraction)
         {
             float weight = still.weight;
             float wet = WetFraction(still.level, told, then: false);
@@ -313,7 +313,7 @@ namespace Rill
             waterUp = up;
         }
 
-        // Of the parts, upwards. Returns that of the body, m.
+        // Measures the parts, upwards. Returns the height of the body, m.
         float MeasureHeights(Vector3 up)
         {
             float bottom = float.PositiveInfinity, top = float.NegativeInfinity;
@@ -321,15 +321,15 @@ namespace Rill
             {
                 ref Reading part = ref readings[i];
                 part.height = ColliderMeasures.Width(part.shape, up);
-                part.middle = Vector3.Dot(part.shape.end.position, up);
-                part.middleThen = Vector3.Dot(part.force.Motion.Position + part.force.ShiftSince, up);
-                bottom = math.min(bottom, part.middle - 0.5f * part.height);
-                top = math.max(top, part.middle + 0.5f * part.height);
+                part.center = Vector3.Dot(part.shape.end.position, up);
+                part.centerThen = Vector3.Dot(part.force.Motion.Position + part.force.ShiftSince, up);
+                bottom = math.min(bottom, part.center - 0.5f * part.height);
+                top = math.max(top, part.center + 0.5f * part.height);
             }
             return top - bottom;
         }
 
-        // Against the weight of the water in the body's place, less what the slip took off.
+        // Compares with the weight of the displaced water, less what the slip took off.
         float SubmergedFraction(Vector3 slipThen, float displaced, Vector3 gravity, float g)
         {
             Vector3 whole = gravity + estimate.Or(virtualFraction) / memory * slipThen;
@@ -368,8 +368,8 @@ namespace Rill
             float bottom = float.PositiveInfinity, top = float.NegativeInfinity;
             for (int i = 0; i < count; i++)
             {
-                bottom = math.min(bottom, readings[i].middleThen - 0.5f * readings[i].height);
-                top = math.max(top, readings[i].middleThen + 0.5f * readings[i].height);
+                bottom = math.min(bottom, readings[i].centerThen - 0.5f * readings[i].height);
+                top = math.max(top, readings[i].centerThen + 0.5f * readings[i].height);
             }
             float found = pierces ? LevelOf(fraction, told, bottom, top) : fraction >= Certain ? math.max(level, top) : math.min(level, bottom);
             level = levelIsKnown ? math.lerp(level, found, LevelRate) : found;
@@ -399,32 +399,32 @@ namespace Rill
         }
 
         // Water that is left behind pushes no more, which a late force does not know. Slow bodies are not concerned.
-        void LimitPropulsion(float buoyancy, Vector3 middle)
+        void LimitPropulsion(float buoyancy, Vector3 center)
         {
             const float Slow = 0.1f;        // m/s
             float speed = velocity.magnitude;
             if (speed < Slow)
                 return;
             Vector3 path = velocity / speed;
-            Push(middle, path * -math.max(Vector3.Dot(push, path) - MaxPropulsion * buoyancy, 0f));
+            Push(center, path * -math.max(Vector3.Dot(push, path) - MaxPropulsion * buoyancy, 0f));
         }
 
         // Heave and turns, by a fraction of the critical damping of a prism of the body's height and volume, as wide as its parts
         // lie apart.
-        void Damp(float displaced, float told, float height, Vector3 middle, float g, Vector3 up, float fraction)
+        void Damp(float displaced, float told, float height, Vector3 center, float g, Vector3 up, float fraction)
         {
             float squareWidth = 0f;     // of one part the area of its prism
             for (int i = 0; i < count; i++)
             {
                 ref Reading part = ref readings[i];
-                Vector3 off = (Vector3)part.shape.end.position - middle;
+                Vector3 off = (Vector3)part.shape.end.position - center;
                 off -= up * Vector3.Dot(off, up);
                 squareWidth += part.volume / told * (part.volume / part.height + 6f * off.sqrMagnitude);
             }
             float carrying = mass + AddedMass * displaced * fraction;
             float stiffness = displaced * g / height;
             float strength = 2f * damping * math.saturate(4f * fraction);
-            Push(middle, up * (-strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up)));
+            Push(center, up * (-strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up)));
             moment -= angularVelocity * (strength * TurnDamping / 12f
                 * math.sqrt(stiffness * squareWidth * carrying * (squareWidth + height * height)));
         }

@@ -19,25 +19,25 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Collider"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     public sealed class FluidCollider : MonoBehaviour, ISceneCollider, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
-        [Tooltip("What the collider looks like to the water.")]
+        [Tooltip("Shape of the collider for the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
 
-        [Tooltip("Middle of the shape in the object's frame, m. Not for a mesh, whose field has its place.")]
+        [Tooltip("Center of the shape in the object's frame, m. Not for a mesh, whose field is placed by its bounds.")]
         [SerializeField] Vector3 center;
 
         [Tooltip("Sides of the box, m, above 0.")]
         [SerializeField] Vector3 size = Vector3.one;
 
-        [Tooltip("Of the sphere or capsule, m, above 0.")]
+        [Tooltip("Radius of the sphere or capsule, m, above 0.")]
         [SerializeField] float radius = 0.5f;
 
-        [Tooltip("Of the capsule from end to end, along y, m. At least twice the radius.")]
+        [Tooltip("Height of the capsule from end to end, along y, m. At least twice the radius.")]
         [SerializeField] float height = 2f;
 
         [Tooltip("Signed distances of the mesh.")]
         [SerializeField] SignedDistanceField field;
 
-        [Tooltip("Whether the water is inside: an aquarium, a pipe.")]
+        [Tooltip("Keeps the water inside: an aquarium, a pipe.")]
         [SerializeField] bool insideOut;
 
         [Tooltip("Fraction of the velocity along the surface that touching water loses in 1/60 s. 0 slips, 1 sticks.")]
@@ -48,10 +48,10 @@ namespace Rill
         [Range(0f, 1f)]
         [SerializeField] float bounciness;
 
-        [Tooltip("Whether the solid counts as water to the density of what touches it. Without, water thins out towards the surface.")]
+        [Tooltip("Counts the solid as water in the density of what touches it. Without, water thins out towards the surface.")]
         [SerializeField] bool contributesDensity = true;
 
-        [Tooltip("Whether what the water does to the collider is summed and brought back, a few frames late. Costs a little where on.")]
+        [Tooltip("Sums the forces of the water on the collider and reads them back, a few frames late. Costs a little where on.")]
         [SerializeField] bool measuresForce;
 
         [SerializeField] ContactEvents contacts = ContactEvents.Default;
@@ -62,23 +62,23 @@ namespace Rill
         HeightField heights;
         readonly List<FluidForce> forces = new List<FluidForce>();
         readonly List<ContactWatch> watches = new List<ContactWatch>();        // one beside each of forces
-        ColliderPlace place = ColliderPlace.Origin;
+        ColliderTransform placement = ColliderTransform.Origin;
         [NonSerialized] bool problemIsKnown;
         [NonSerialized] ClampedSettings clamped;
 
         /// <summary>Shape of the collider.</summary>
         public ColliderShape Shape { get => shape; set => shape = value; }
 
-        /// <summary>Middle of the shape in the object's frame, m.</summary>
+        /// <summary>Center of the shape in the object's frame, m.</summary>
         public Vector3 Center { get => center; set => center = value; }
 
         /// <summary>Sides of the box, m.</summary>
         public Vector3 Size { get => size; set => size = value; }
 
-        /// <summary>Of the sphere or capsule, m.</summary>
+        /// <summary>Radius of the sphere or capsule, m.</summary>
         public float Radius { get => radius; set => radius = value; }
 
-        /// <summary>Of the capsule from end to end, m.</summary>
+        /// <summary>Height of the capsule from end to end, m.</summary>
         public float Height { get => height; set => height = value; }
 
         /// <summary>Signed distances of the mesh.</summary>
@@ -117,13 +117,13 @@ namespace Rill
         /// <summary>It has felt no water for 0.2 s, or has left the fluid's box. Not told where the collider or the fluid is disabled.</summary>
         public event Action<FluidContact> OnExit { add => contacts.Exit.Add(value); remove => contacts.Exit.Remove(value); }
 
-        /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
+        /// <summary>Center of the shape now, world space, m: what torques are about.</summary>
         public Vector3 WorldCenter => shape == ColliderShape.Mesh && Deforming != null ? Deforming.WorldCenter
             : shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
             : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
 
-        /// <summary>What all simulations did to the collider in the newest steps that are known, a few frames ago.</summary>
-        /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place,
+        /// <summary>Returns the effect of all simulations on the collider in the newest known steps, a few frames ago.</summary>
+        /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the displaced water,
         /// upwards.</param>
         /// <param name="torque">Mean torque about <see cref="WorldCenter"/>, N m.</param>
         /// <returns>False before the first result, or while <see cref="MeasuresForce"/> is off and nothing lets the fluid carry its
@@ -219,13 +219,13 @@ namespace Rill
             problems.AddIfAny(heightsComeWithPlay ? null : Describe(out _));
         }
 
-        /// <summary>As <see cref="TryDescribe"/>, without saying anything.</summary>
-        /// <returns>Why it is no collider; null where it is one.</returns>
+        /// <summary>Works like <see cref="TryDescribe"/>, but logs nothing.</summary>
+        /// <returns>Why it is not a collider; null if it is one.</returns>
         internal string Describe(out ColliderMotion motion)
         {
-            string problem = place.Follow(transform);
-            RigidPose pose = new RigidPose(place.PointOf(center), place.rotation);
-            float3 scale = place.scale;
+            string problem = placement.Follow(transform);
+            RigidPose pose = new RigidPose(placement.PointOf(center), placement.rotation);
+            float3 scale = placement.scale;
             motion = new ColliderMotion
             {
                 shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut,
@@ -234,7 +234,7 @@ namespace Rill
             switch (shape)
             {
                 case ColliderShape.Sphere:
-                    motion.size = radius * place.EvenScale;
+                    motion.size = radius * placement.EvenScale;
                     problem ??= Positive("radius", radius);
                     break;
                 case ColliderShape.Capsule:
@@ -251,7 +251,7 @@ namespace Rill
                     break;
                 case ColliderShape.Mesh:
                     problem ??= field == null ? "it is a mesh without a signed distance field. Bake one from the mesh and assign it."
-                        : place.DescribeField(field, ref motion, ref pose);
+                        : placement.DescribeField(field, ref motion, ref pose);
                     break;
                 case ColliderShape.HeightField:
                     problem ??= DescribeHeights(ref motion, ref pose);
@@ -384,7 +384,7 @@ namespace Rill
                 return "it is a height field without heights. Add a Fluid Terrain beside a Terrain, or set Heights.";
             if (heights.Texture == null)
                 return "its heights were disposed of. Set others.";
-            place.DescribeHeights(heights, ref motion, ref pose);
+            placement.DescribeHeights(heights, ref motion, ref pose);
             return null;
         }
 

@@ -180,7 +180,7 @@ namespace Rill
 
         SignedDistanceField IDetector.MeshField => shape == DetectorShape.Mesh ? field : null;
 
-        /// <summary>What is asked of the state of this frame.</summary>
+        /// <summary>Describes the region to measure in this frame.</summary>
         /// <returns>Whether there is anything to ask.</returns>
         bool IDetector.TryGetRegion(in DomainFrame frame, float spacing, out DetectorRegion region, out DetectorPose pose)
         {
@@ -188,7 +188,7 @@ namespace Rill
             pose = default;
             if (ShouldLog(NoSize, IsEmpty))
                 Warn(SizeProblem);
-            if (IsEmpty || !TryGetPose(frame, out PoseInDomain place))
+            if (IsEmpty || !TryGetPose(frame, out PoseInDomain inDomain))
             {
                 latest.valid = false;
                 return false;
@@ -202,42 +202,42 @@ namespace Rill
             float straight = shape == DetectorShape.Capsule ? math.max(0.5f * height - radius, 0f) : 0f;
             float3 half = shape == DetectorShape.Box ? (float3)size * 0.5f / spacing : new float3(radius, straight, 0f) / spacing;
             float3 reach = shape == DetectorShape.Box
-                ? math.abs(place.axisX) * half.x + math.abs(place.axisY) * half.y + math.abs(place.axisZ) * half.z
-                : half.x + math.abs(place.axisY) * half.y;
+                ? math.abs(inDomain.axisX) * half.x + math.abs(inDomain.axisY) * half.y + math.abs(inDomain.axisZ) * half.z
+                : half.x + math.abs(inDomain.axisY) * half.y;
             region = new DetectorRegion
             {
                 rotation = ((quaternion)frame.Rotation(transform.rotation)).value,
-                center = place.position,
+                center = inDomain.position,
                 shape = (uint)shape,
                 size = half,
-                low = place.position - reach - OfParticle,
-                high = place.position + reach + OfParticle,
+                low = inDomain.position - reach - OfParticle,
+                high = inDomain.position + reach + OfParticle,
             };
             return true;
         }
 
-        // Around the middle of the field, which need not be where the object is.
+        // Around the center of the field, which need not be where the object is.
         DetectorRegion MeshRegion(in DomainFrame frame, float spacing)
         {
             Bounds bounds = field.Bounds;
             float unit = EvenScale / spacing;
-            PoseInDomain place = frame.ToDomain(transform.TransformPoint(bounds.center), transform.rotation);
+            PoseInDomain inDomain = frame.ToDomain(transform.TransformPoint(bounds.center), transform.rotation);
             float3 half = (float3)bounds.extents * unit;
-            float3 reach = math.abs(place.axisX) * half.x + math.abs(place.axisY) * half.y + math.abs(place.axisZ) * half.z;
+            float3 reach = math.abs(inDomain.axisX) * half.x + math.abs(inDomain.axisY) * half.y + math.abs(inDomain.axisZ) * half.z;
             return new DetectorRegion
             {
                 rotation = ((quaternion)frame.Rotation(transform.rotation)).value,
-                center = place.position,
+                center = inDomain.position,
                 shape = (uint)DetectorShape.Mesh,
                 size = math.select(half, -half, (float3)transform.lossyScale < 0f),
                 fieldUnit = unit,
                 halfVoxel = 0.5f * field.VoxelSize * unit,
-                low = place.position - reach - OfParticle,
-                high = place.position + reach + OfParticle,
+                low = inDomain.position - reach - OfParticle,
+                high = inDomain.position + reach + OfParticle,
             };
         }
 
-        /// <summary>How far a point in world space is from the shape's boundary, m, below 0 within; infinite where there is no shape.</summary>
+        /// <summary>Returns the distance of a point in world space from the shape's boundary, m, below 0 within; infinite without a shape.</summary>
         internal float DistanceTo(float3 point)
         {
             if (IsEmpty)
@@ -291,7 +291,7 @@ namespace Rill
             isEntered = now.fill >= (wasEntered ? LeaveFraction * enterFill : enterFill) && now.volume > 0f;
             isFilled = now.fill >= (wasFilled ? fillLevel - hysteresis : fillLevel) && now.volume > 0f;
             isImpact = isEntered && now.velocity.magnitude >= (wasImpact ? CalmFraction * impactSpeed : impactSpeed);
-            // What a listener changes, such as restarting the fluid, is of the next result.
+            // Changes by a listener, such as restarting the fluid, belong to the next result.
             bool hasLevelChanged = level.Follow(now.fill, levelStep);
             Raise(onEnter, enter, !wasEntered && isEntered);
             Raise(onFilled, fill, !wasFilled && isFilled);

@@ -6,7 +6,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a drain has the shape of.</summary>
+    /// <summary>Shape of a drain.</summary>
     public enum DrainShape
     {
         /// <summary>A box with sides along the axes of the object.</summary>
@@ -76,7 +76,7 @@ namespace Rill
             budget = record.budget;
         }
 
-        /// <summary>What it does in the next step.</summary>
+        /// <summary>Describes its work in the next step.</summary>
         /// <param name="from">Fraction of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
         /// <returns>Whether it does anything.</returns>

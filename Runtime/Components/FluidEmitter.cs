@@ -56,7 +56,7 @@ namespace Rill
         [Range(0f, 1f)]
         [SerializeField] float inheritVelocity = 1f;
 
-        [Tooltip("Whether it begins by itself, with the fluid.")]
+        [Tooltip("Starts by itself, with the fluid.")]
         [SerializeField] bool playOnEnable = true;
 
         [Tooltip("Fluid time from its start until it lets fluid in, s. 0 or more.")]
@@ -83,7 +83,7 @@ namespace Rill
         [NonSerialized]
         float3 takenAlong;          // velocity of its own that the fluid took along in the last step, d/s, in the domain's frame
 
-        /// <summary>Where the fluid comes from.</summary>
+        /// <summary>Shape that the fluid comes from.</summary>
         public EmitterShape Shape { get => shape; set { shape = value; Changed(); } }
         /// <summary>Closed stream, spray or fill.</summary>
         public EmitterMode Mode { get => mode; set { mode = value; Changed(); } }
@@ -120,7 +120,7 @@ namespace Rill
         /// <summary>Whether it lets fluid in now: started, past its delay and within its duration.</summary>
         public bool IsEmitting => isOn && isActiveAndEnabled && clock.Time >= delay && clock.Time < End;
 
-        /// <summary>Velocity with which the fluid left the middle of the outlet in the last step, m/s, world space, but for the spread.</summary>
+        /// <summary>Velocity with which the fluid left the center of the outlet in the last step, m/s, world space, but for the spread.</summary>
         internal Vector3 LeavingVelocity => transform.forward * LeavingSpeed
             + (Simulation != null ? Simulation.DomainToWorld.MultiplyVector(takenAlong) : Vector3.zero);
 
@@ -172,7 +172,7 @@ namespace Rill
             saysLast = record.saysLast != 0;
         }
 
-        /// <summary>What it does in the next step, which it takes part in.</summary>
+        /// <summary>Describes its work in the next step.</summary>
         /// <param name="from">Fraction of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
         /// <param name="frameTime">Time in which this came from where it was at the last frame's steps, s, above 0.</param>
@@ -187,7 +187,7 @@ namespace Rill
                 return false;
             EmissionClock.Fraction fraction = default;
             double until = End;
-            // What waits at the end of the duration has as long as ever to find room.
+            // Particles that wait at the end of the duration still have the full time to find room.
             bool lingers = isOn && clock.Time < until + MaxWait;
             if (isOn)
                 fraction = clock.Advance(step, rate, delay, until, ParticleVolume, Emitters.MaxCandidates);
@@ -246,7 +246,7 @@ namespace Rill
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
         }
 
-        // What takes particles out when their lifetime is over is the drains' stage.
+        // The drains' stage removes particles when their lifetime is over.
         private protected override FeatureSet UsedFeatures => lifetime > 0f ? Features.Emitters | Features.Drains : Features.Emitters;
 
         private protected override string ValidateValues()
@@ -353,8 +353,8 @@ namespace Rill
                         return mode == EmitterMode.Fill || shape == EmitterShape.MeshSurface
                             ? "water fills its shape, so that nothing comes out: it lets in where there is room. Move it out of the water, or " +
                                 "choose a Jet or a Spray from a Box, Sphere or Disc, which press water away."
-                            : "the water before it cannot give way, as in a closed vessel that is full or a gap that is too narrow, so that nothing " +
-                                "comes out. Give the water a way out, drain it or let less in.";
+                            : "the water before it cannot give way, as in a closed vessel that is full or a gap that is too narrow, so that " +
+                                "nothing comes out. Give the water an outlet, drain it or let less in.";
                 }
             }
         }
@@ -393,7 +393,7 @@ namespace Rill
             ShouldLog(NoShape, false);        // another problem is told again
         }
 
-        // What positions are made for.
+        // Inputs that the positions depend on.
         struct PositionsKey
         {
             public EmitterShape shape;

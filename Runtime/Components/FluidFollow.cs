@@ -16,23 +16,23 @@ namespace Rill
     {
         const float DefaultDistance = 4f;
 
-        [Tooltip("What the middle of the box follows; not an object below the fluid.")]
+        [Tooltip("Object that the center of the box follows; not an object below the fluid.")]
         [SerializeField] Transform target;
 
-        [Tooltip("How far the target gets from the middle of the box before it moves, particle spacings, 1 to 10,000. Foam and deep water " +
+        [Tooltip("How far the target gets from the center of the box before it moves, particle spacings, 1 to 10,000. Foam and deep water " +
             "begin again with each move, so let it move rarely.")]
         [SerializeField] float distance = DefaultDistance;
 
-        [Tooltip("Whether the box stays where it is along the world's x.")]
+        [Tooltip("Keeps the box where it is along the world's x.")]
         [SerializeField] bool lockX;
 
-        [Tooltip("Whether the box stays at its height.")]
+        [Tooltip("Keeps the box at its height.")]
         [SerializeField] bool lockY = true;
 
-        [Tooltip("Whether the box stays where it is along the world's z.")]
+        [Tooltip("Keeps the box where it is along the world's z.")]
         [SerializeField] bool lockZ;
 
-        [Tooltip("What happens to particles that the box leaves behind, apart from those that are handed over.")]
+        [Tooltip("Treatment of particles that the box leaves behind, apart from those that are handed over.")]
         [SerializeField] LeavingParticles leaving = LeavingParticles.Remove;
 
         [Tooltip("The fluid that gets the particles left behind that lie in its box; none where it is empty.")]
@@ -48,10 +48,10 @@ namespace Rill
         [NonSerialized] ClampedSettings clamped;
         [NonSerialized] bool said;
 
-        /// <summary>What the middle of the box follows; not an object below the fluid.</summary>
+        /// <summary>Object that the center of the box follows; not an object below the fluid.</summary>
         public Transform Target { get => target; set { target = value; said = false; } }
 
-        /// <summary>How far the target gets from the middle of the box before it moves, particle spacings, 1 to 10,000. Out-of-range values
+        /// <summary>How far the target gets from the center of the box before it moves, particle spacings, 1 to 10,000. Out-of-range values
         /// are clamped with a warning.</summary>
         public float Distance { get => distance; set { distance = value; Changed(); } }
 
@@ -64,7 +64,7 @@ namespace Rill
         /// <summary>Whether the box stays where it is along the world's z.</summary>
         public bool LockZ { get => lockZ; set => lockZ = value; }
 
-        /// <summary>What happens to particles that the box leaves behind, apart from those that are handed over.</summary>
+        /// <summary>Treatment of particles that the box leaves behind, apart from those that are handed over.</summary>
         public LeavingParticles Leaving { get => leaving; set { leaving = value; Changed(); } }
 
         /// <summary>The fluid that gets the particles left behind that lie in its box; null for none.</summary>
@@ -137,11 +137,11 @@ namespace Rill
                     LogOnce(TargetProblem);
                 return;
             }
-            Vector3 place = transform.position, away = target.position - place;
+            Vector3 position = transform.position, away = target.position - position;
             away = new Vector3(lockX ? 0f : away.x, lockY ? 0f : away.y, lockZ ? 0f : away.z);
             float least = distance * fluid.ParticleSpacing;
-            if (Limit.IsPose(place + away, Quaternion.identity) && away.sqrMagnitude > least * least)
-                Move(place + away);
+            if (Limit.IsPose(position + away, Quaternion.identity) && away.sqrMagnitude > least * least)
+                Move(position + away);
         }
 
         void Move(Vector3 position)

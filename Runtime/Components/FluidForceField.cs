@@ -5,7 +5,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What bounds a force field.</summary>
+    /// <summary>Bounds of a force field.</summary>
     public enum ForceFieldBounds
     {
         /// <summary>The field acts everywhere in the fluid.</summary>
@@ -38,14 +38,15 @@ namespace Rill
         [Tooltip("Acceleration, m/s². -1000 to 1000. Of a wind: its speed, m/s.")]
         [SerializeField] float strength = 5f;
 
-        [Tooltip("Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 to 1000.")]
+        [Tooltip("Drag of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 " +
+            "to 1000.")]
         [SerializeField] float drag = 2f;
 
         [Tooltip("How the strength falls from the center, t = 0, to the bounds, t = 1. None: it does not. Linear: 1 - t. Inverse " +
             "Square: (0.1 / t)², and 1 below t = 0.1. Smooth: (1 - t²)². Without bounds none.")]
         [SerializeField] ForceFieldFalloff falloff = ForceFieldFalloff.None;
 
-        [Tooltip("What bounds the field. None: all of the domain, without falloff; a direction then acts as more gravity and costs nothing.")]
+        [Tooltip("Bounds of the field. None: all of the domain, without falloff; a direction then acts as more gravity and costs nothing.")]
         [SerializeField] ForceFieldBounds bounds = ForceFieldBounds.None;
 
         [Tooltip("Radius of the sphere, m.")]
@@ -54,15 +55,16 @@ namespace Rill
         [Tooltip("Size of the box, m.")]
         [SerializeField] Vector3 size = Vector3.one;
 
-        /// <summary>What it does.</summary>
+        /// <summary>Kind of the force.</summary>
         public ForceFieldKind Kind { get => kind; set => kind = value; }
         /// <summary>Acceleration, m/s², or a wind's speed, m/s. Out-of-range values are clamped with a warning.</summary>
         public float Strength { get => strength; set { strength = value; Changed(); } }
-        /// <summary>Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first.</summary>
+        /// <summary>Drag of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at
+        /// first.</summary>
         public float Drag { get => drag; set { drag = value; Changed(); } }
         /// <summary>How the strength falls towards the bounds.</summary>
         public ForceFieldFalloff Falloff { get => falloff; set => falloff = value; }
-        /// <summary>What bounds the field.</summary>
+        /// <summary>Bounds of the field.</summary>
         public ForceFieldBounds Bounds { get => bounds; set => bounds = value; }
         /// <summary>Radius of the sphere, m.</summary>
         public float Radius { get => radius; set { radius = value; Changed(); } }
@@ -75,12 +77,12 @@ namespace Rill
         /// <summary>Whether it pulls everywhere alike, as gravity does.</summary>
         bool IForceField.IsUniform => kind == ForceFieldKind.Direction && bounds == ForceFieldBounds.None;
 
-        /// <summary>What it does in the next step.</summary>
+        /// <summary>Describes its work in the next step.</summary>
         /// <returns>Whether it does anything.</returns>
         bool IForceField.TryGetStep(in DomainFrame frame, float spacing, out FieldRegion region)
         {
             region = default;
-            if (!TryGetPose(frame, out PoseInDomain place))
+            if (!TryGetPose(frame, out PoseInDomain pose))
                 return false;
             float3 half = Half / spacing;
             bool bounded = bounds != ForceFieldBounds.None;
@@ -91,15 +93,15 @@ namespace Rill
             bool isWind = kind == ForceFieldKind.Wind;
             region = new FieldRegion
             {
-                center = place.position,
+                center = pose.position,
                 kind = (uint)kind,
-                axisX = bounded ? place.axisX / half.x : 0f,
-                axisY = bounded ? place.axisY / half.y : 0f,
-                axisZ = bounded ? place.axisZ / half.z : 0f,
+                axisX = bounded ? pose.axisX / half.x : 0f,
+                axisY = bounded ? pose.axisY / half.y : 0f,
+                axisZ = bounded ? pose.axisZ / half.z : 0f,
                 falloff = (uint)(bounded ? falloff : ForceFieldFalloff.None),
                 isSphere = bounds == ForceFieldBounds.Sphere ? 1u : 0u,
                 strength = isWind ? drag : strength / spacing,
-                flow = isWind ? place.axisZ * (strength / spacing) : place.axisZ,
+                flow = isWind ? pose.axisZ * (strength / spacing) : pose.axisZ,
                 core = bounded ? math.max(CoreFraction * math.cmax(half), 1e-3f) : CoreWithoutBounds,
             };
             return true;

@@ -8,8 +8,8 @@ namespace Rill
 {
     /// <summary>Ground by its heights over a rectangle: set as <see cref="FluidCollider.Heights"/>. All below it is solid, however deep.</summary>
     /// <remarks>
-    /// Between four heights the ground is bilinear. The solver keeps heights as half floats over their middle: they are off by at
-    /// most 1/4096 of what they span. Along a normal the distance is that from the plane that touches the ground below a place.
+    /// Between four heights the ground is bilinear. The solver keeps heights as half floats over their center: they are off by at
+    /// most 1/4096 of what they span. Along a normal the distance is that from the plane that touches the ground below a point.
     /// </remarks>
     public sealed class HeightField : IDisposable
     {
@@ -21,7 +21,7 @@ namespace Rill
         /// <param name="length">And along z.</param>
         /// <param name="origin">Of the first height, from the object's position, m; also adds to all heights.</param>
         /// <exception cref="ArgumentNullException">No heights.</exception>
-        /// <exception cref="ArgumentException">Fewer than 2 or more than <see cref="MaxHeights"/> along a side, a side that is no length,
+        /// <exception cref="ArgumentException">Fewer than 2 or more than <see cref="MaxHeights"/> along a side, a side that is not a length,
         /// or a height that is not finite; the message says which.</exception>
         public HeightField(float[,] heights, float width, float length, Vector3 origin = default)
         {
@@ -36,10 +36,10 @@ namespace Rill
             if (!math.all(math.isfinite((float3)origin)))
                 throw new ArgumentException(Invariant($"A height field's origin is {origin}. Set it to numbers."), nameof(origin));
             FindSpan(heights, out float lowest, out float highest);
-            float middle = 0.5f * (lowest + highest);
+            float center = 0.5f * (lowest + highest);
             float2 spacing = new float2(width, length) / (counts - 1);
-            Center = (float3)origin + new float3(0.5f * width, middle, 0.5f * length);
-            Extents = new float3(0.5f * width, highest - middle, 0.5f * length);
+            Center = (float3)origin + new float3(0.5f * width, center, 0.5f * length);
+            Extents = new float3(0.5f * width, highest - center, 0.5f * length);
             MinFraction = 1f / math.sqrt(1f + SteepestSquared(heights, spacing));
             Texture = new Texture3D(counts.x, 1, counts.y, TextureFormat.RFloat, false)
             {
@@ -49,17 +49,17 @@ namespace Rill
             NativeArray<float> texels = Texture.GetPixelData<float>(0);
             for (int z = 0; z < counts.y; z++)
                 for (int x = 0; x < counts.x; x++)
-                    texels[z * counts.x + x] = heights[z, x] - middle;
+                    texels[z * counts.x + x] = heights[z, x] - center;
             Texture.Apply(false, false);        // stays readable: bodies on the ground look at it
         }
 
-        /// <summary>Middle of the rectangle at the middle of its heights, from the object's position, m.</summary>
+        /// <summary>Center of the rectangle at the center of its heights, from the object's position, m.</summary>
         internal float3 Center { get; }
 
         /// <summary>Half sides along x and z, and half of what the heights span, m.</summary>
         internal float3 Extents { get; }
 
-        /// <summary>Of a height over the ground, the fraction that is free on all sides even beside its steepest place.</summary>
+        /// <summary>Fraction of a height over the ground that is free on all sides even at its steepest point.</summary>
         internal float MinFraction { get; }
 
         /// <summary>Heights over <see cref="Center"/>, m; null once disposed of.</summary>

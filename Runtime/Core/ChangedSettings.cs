@@ -13,7 +13,7 @@ namespace Rill
     }
 
     /// <summary>
-    /// What follows from new settings. Unity may call OnValidate on a thread where most of its API is forbidden, so what follows waits for
+    /// Applies new settings. Unity may call OnValidate on a thread where most of its API is forbidden, so the work waits for
     /// the Editor's next update. A setter has it done at once. A player hears no OnValidate.
     /// </summary>
     static class ChangedSettings
@@ -23,14 +23,14 @@ namespace Rill
         /// <summary>Takes components on any thread, and applies their settings on the main one; null in a player.</summary>
         internal static Action<IAppliesSettings> EditorQueue { get => editorQueue; set => editorQueue = value; }
 
-        /// <summary>Of OnValidate.</summary>
+        /// <summary>Applies settings from OnValidate.</summary>
         public static void ApplyLater(IAppliesSettings of)
         {
             of.CheckSettings();
             editorQueue?.Invoke(of);
         }
 
-        /// <summary>Of a setter.</summary>
+        /// <summary>Applies settings from a setter.</summary>
         public static void Apply(IAppliesSettings of)
         {
             of.CheckSettings();

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What the newest check of a component's settings changed.</summary>
+    /// <summary>Corrections by the newest check of a component's settings.</summary>
     struct ClampedSettings
     {
         bool isLogged;
@@ -10,7 +10,7 @@ namespace Rill
         /// <summary>For the inspector; null where nothing was wrong.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Of a check. What one found and nobody has read yet stays where the next finds nothing.</summary>
+        /// <summary>Sets the result of a check. An unread result stays if the next check finds nothing.</summary>
         /// <param name="problem">Null if nothing was wrong.</param>
         public void Set(string problem)
         {

@@ -60,7 +60,7 @@ namespace Rill
             return product;
         }
 
-        // Of two polynomials, modulo the polynomial.
+        // Multiplies two polynomials, modulo the polynomial.
         static uint Multiply(uint a, uint b)
         {
             uint product = 0u;

@@ -32,14 +32,14 @@ namespace Rill
 
         public float3 Point(Vector3 world) => ((float3)(toDomain * (world - position)) + half) * inverseSpacing;
 
-        /// <summary>Of a direction, a velocity or an acceleration: m to d.</summary>
+        /// <summary>Converts a direction, a velocity or an acceleration from m to d.</summary>
         public float3 Vector(Vector3 world) => (float3)(toDomain * world) * inverseSpacing;
 
         public Quaternion Rotation(Quaternion world) => toDomain * world;
 
         public RigidPose Pose(Vector3 worldPosition, Quaternion worldRotation) => new RigidPose(Point(worldPosition), Rotation(worldRotation));
 
-        /// <summary>Of a point in the domain, d: world space, m.</summary>
+        /// <summary>Converts a point in the domain, d, to world space, m.</summary>
         public Vector3 WorldPoint(float3 point) => position + toWorld * (point * spacing - half);
 
         /// <summary>A pose of the domain's frame in world space, m.</summary>
@@ -59,7 +59,7 @@ namespace Rill
         }
     }
 
-    /// <summary>Where an object is in a domain, d, and where its axes point there.</summary>
+    /// <summary>Position of an object in a domain, d, and the directions of its axes there.</summary>
     struct PoseInDomain
     {
         public float3 position, axisX, axisY, axisZ;

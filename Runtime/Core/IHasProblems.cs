@@ -10,7 +10,7 @@ namespace Rill
 
     static class Problems
     {
-        /// <summary>Null and "" are no problem.</summary>
+        /// <summary>Adds a problem; null and "" mean none.</summary>
         public static void AddIfAny(this List<string> problems, string problem)
         {
             if (!string.IsNullOrEmpty(problem))

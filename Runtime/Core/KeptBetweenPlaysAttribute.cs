@@ -3,7 +3,7 @@ using System;
 namespace Rill
 {
     /// <summary>
-    /// Of a static that follows what is loaded, not what is played: assets and the Editor's scripts stay where play mode
+    /// Marks a static that follows what is loaded, not what is played: assets and the Editor's scripts stay where play mode
     /// begins without a domain reload, and so must what they have set.
     /// </summary>
     [AttributeUsage(AttributeTargets.Field)]

@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Clamps settings and reports what it clamped.</summary>
     static class Limit
     {
-        /// <summary>Clamps; a value that is no number becomes <paramref name="fallback"/>.</summary>
+        /// <summary>Clamps a value; NaN becomes <paramref name="fallback"/>.</summary>
         public static void Clamp(string name, ref float value, float low, float high, float fallback, ref string problem)
         {
             float given = value;
@@ -34,7 +34,7 @@ namespace Rill
             Append(ref problem, Invariant($"{name} {given} is outside {low} to {high}; using {value}."));
         }
 
-        /// <summary>A vector with a component that is no number becomes <paramref name="fallback"/>.</summary>
+        /// <summary>Replaces a vector with NaN or infinite components by <paramref name="fallback"/>.</summary>
         public static void Finite(string name, ref Vector3 value, Vector3 fallback, ref string problem)
         {
             Vector3 given = value;
@@ -52,7 +52,7 @@ namespace Rill
             return !float.IsNaN(sum) && !float.IsInfinity(sum);
         }
 
-        /// <summary>What misuse of the API throws.</summary>
+        /// <summary>Returns the exception for misuse of the API.</summary>
         /// <remarks>The value is a part of the text: the exception itself would format it by the user's culture.</remarks>
         public static ArgumentOutOfRangeException OutOfRange(string parameter, object given, string problem) =>
             new ArgumentOutOfRangeException(parameter, Invariant($"{problem} {given} was given."));

@@ -19,7 +19,7 @@ namespace Rill
 
         /// <summary>Puts a body back.</summary>
         /// <returns>False where it is kinematic, and got no velocity.</returns>
-        public static bool Place(Rigidbody body, in BodyRecord from, in BoxMotion box)
+        public static bool Restore(Rigidbody body, in BodyRecord from, in BoxMotion box)
         {
             RigidPose pose = from.pose.Pose, shown = from.shown.Pose;
             body.transform.SetPositionAndRotation(box.Point(shown.position), box.Rotation(shown.rotation));

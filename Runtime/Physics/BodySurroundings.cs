@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// What a body has around it in one fluid: solids so near that no particle comes between, and the level of the water beside it. Looked
+    /// Surroundings of a body in one fluid: solids so near that no particle comes between, and the level of the water beside it. Looked
     /// for where a solid is near while water touches the body, for bodies of so little draft that single particles would carry them, and while
     /// the fluid drops time.
     /// </summary>
@@ -23,7 +23,7 @@ namespace Rill
         readonly List<ColliderDistance> solids = new List<ColliderDistance>();
         readonly List<SurfaceSample> samples = new List<SurfaceSample>();
         readonly FluidSimulation fluid;
-        WaterBeside water;      // null while not needed
+        SurroundingWater water;      // null while not needed
         float unneeded;
         DomainFrame frame;
         float3 size;            // of the domain, d
@@ -81,7 +81,7 @@ namespace Rill
         {
             Dispose();
             unneeded = from.unneeded;
-            water = new WaterBeside(fluid);
+            water = new SurroundingWater(fluid);
             water.Load(from, moved);
         }
 
@@ -98,9 +98,9 @@ namespace Rill
             float volume = 0f, low = float.PositiveInfinity, high = float.NegativeInfinity;
             foreach (BodyPart part in parts)
             {
-                float middle = Vector3.Dot(part.shape.end.position, up), half = 0.5f * ColliderMeasures.Width(part.shape, up);
-                low = math.min(low, middle - half);
-                high = math.max(high, middle + half);
+                float center = Vector3.Dot(part.shape.end.position, up), half = 0.5f * ColliderMeasures.Width(part.shape, up);
+                low = math.min(low, center - half);
+                high = math.max(high, center + half);
                 volume += part.volume;
             }
             if (fluid.Clock.DropsTime && mass < fluid.Material.density * volume)
@@ -161,27 +161,27 @@ namespace Rill
             return false;
         }
 
-        // At points around the body, as high as its middle.
+        // At points around the body, as high as its center.
         void Ask(List<BodyPart> parts, Vector3 up, bool isNearSolid)
         {
             if (water == null)
-                water = new WaterBeside(fluid);
+                water = new SurroundingWater(fluid);
             water.Clear();
-            Vector3 middle = Vector3.zero;
+            Vector3 center = Vector3.zero;
             foreach (BodyPart part in parts)
-                middle += (Vector3)part.shape.end.position / parts.Count;
+                center += (Vector3)part.shape.end.position / parts.Count;
             frame = fluid.Box.Frame;
             Vector3 right = Vector3.Cross(up, Mathf.Abs(up.x) < 0.7f ? Vector3.right : Vector3.forward).normalized;
             Vector3 forward = Vector3.Cross(right, up);
-            for (int i = 0; i < WaterBeside.MaxPoints; i++)
+            for (int i = 0; i < SurroundingWater.MaxPoints; i++)
             {
-                math.sincos(2f * math.PI * i / WaterBeside.MaxPoints, out float sine, out float cosine);
+                math.sincos(2f * math.PI * i / SurroundingWater.MaxPoints, out float sine, out float cosine);
                 Vector3 direction = cosine * right + sine * forward;
                 float reach = 0f;
                 foreach (BodyPart part in parts)
-                    reach = math.max(reach, Vector3.Dot((Vector3)part.shape.end.position - middle, direction)
+                    reach = math.max(reach, Vector3.Dot((Vector3)part.shape.end.position - center, direction)
                         + 0.5f * ColliderMeasures.Width(part.shape, direction));
-                Vector3 side = middle + direction * reach;
+                Vector3 side = center + direction * reach;
                 Vector3 far = side + direction * (FarDistance * fluid.ParticleSpacing);
                 Vector3 near = side + direction * (NearDistance * fluid.ParticleSpacing);
                 if (isNearSolid && IsFree(frame.Point(far)))

@@ -20,7 +20,7 @@ namespace Rill
         float awaitedTime;      // s
         int heldFrames, lastHeld;
 
-        /// <summary>Of the body under water, 0 to 1.</summary>
+        /// <summary>Fraction of the body under water, 0 to 1.</summary>
         public float SubmergedFraction => response.Fraction;
 
         /// <summary>Begins a step.</summary>
@@ -172,7 +172,7 @@ namespace Rill
                 body.interpolation = RigidbodyInterpolation.Interpolate;
         }
 
-        /// <summary>Of a collider, m³; 0 where it has none.</summary>
+        /// <summary>Volume of a collider, m³; 0 if it has none.</summary>
         /// <param name="field">Of a mesh; null for a mesh without.</param>
         public static float VolumeOf(in ColliderMotion shape, SignedDistanceField field)
         {

@@ -165,7 +165,7 @@ namespace Rill
 
         void ICarriedBody.Save(FluidSimulation fluid, SnapshotBody to, SnapshotCapture capture) => floating.Save(body, fluid, to, capture);
 
-        bool ICarriedBody.Place(SnapshotBody from, in BoxMotion box) => BodyPlacement.Place(body, from.record, box);
+        bool ICarriedBody.Place(SnapshotBody from, in BoxMotion box) => BodyPlacement.Restore(body, from.record, box);
 
         void ICarriedBody.Load(FluidSimulation fluid, SnapshotBody from, in BoxMotion box) => floating.Load(fluid, from, box);
 
@@ -217,7 +217,7 @@ namespace Rill
                     collider.IsCarried = isCarried;
         }
 
-        // As colliders of Unity's physics belong to a body.
+        // Assigns colliders to a body as Unity's physics does.
         static bool IsOf(Rigidbody body, FluidCollider collider) => collider.GetComponentInParent<Rigidbody>() == body;
 
         void FindParts()

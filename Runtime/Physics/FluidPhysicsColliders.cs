@@ -12,7 +12,7 @@ namespace Rill
     /// <remarks>
     /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it. It
     /// is the physics of the fluid's scene: a scene with local physics, and a prefab that is edited, have one of their own.
-    /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
+    /// They follow their objects, and have the sizes that the physics gives them. Triggers are not colliders. A collider beside an enabled
     /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that, also where the fluid does
     /// not take its layer. Without the physics module this component is not there.
     /// </remarks>
@@ -27,7 +27,7 @@ namespace Rill
         [Tooltip("Layers whose colliders hold the water. Nothing costs nothing.")]
         [SerializeField] LayerMask colliderLayers;
 
-        [Tooltip("Of these layers, those whose colliders let the water carry their free Rigidbodies. Nothing costs nothing.")]
+        [Tooltip("Collider layers whose colliders let the water carry their free Rigidbodies. Nothing costs nothing.")]
         [SerializeField] LayerMask floatingLayers;
 
         [Tooltip("Fields of meshes: a Mesh Collider is taken where its mesh has one.")]
@@ -41,7 +41,7 @@ namespace Rill
         [Range(0f, 1f)]
         [SerializeField] float bounciness;
 
-        [Tooltip("Whether the colliders count as water to the density of what touches them. Without, water thins out towards the surface.")]
+        [Tooltip("Counts the colliders as water in the density of what touches them. Without, water thins out towards the surface.")]
         [SerializeField] bool contributesDensity = true;
 
         [SerializeField] ContactEvents contacts = ContactEvents.Default;
@@ -62,7 +62,7 @@ namespace Rill
         /// <summary>Layers whose colliders hold the water.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
 
-        /// <summary>Of the collider layers, those whose colliders let the water carry their free Rigidbodies.</summary>
+        /// <summary>Collider layers whose colliders let the water carry their free Rigidbodies.</summary>
         public LayerMask FloatingLayers { get => floatingLayers; set => floatingLayers = value; }
 
         /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
@@ -117,7 +117,7 @@ namespace Rill
             return problem == null;
         }
 
-        /// <summary>Of a mesh; null where it has none.</summary>
+        /// <summary>Field of a mesh; null if it has none.</summary>
         internal SignedDistanceField FieldOf(Mesh mesh)
         {
             if (mesh == null)
@@ -276,7 +276,7 @@ namespace Rill
                 || body.TryGetComponent(out FluidBuoyancy buoyancy) && buoyancy.isActiveAndEnabled);
         }
 
-        // What stands for a collider's ground may throw: the others are taken all the same.
+        // A collider's ground may throw: the others are taken all the same.
         void TryTake(Collider collider)
         {
             try
@@ -300,7 +300,7 @@ namespace Rill
             gathered.Round = round;
         }
 
-        // What the newest query did not find; the others keep their order.
+        // Drops what the newest query did not find; the others keep their order.
         void DropOthers()
         {
             int kept = 0;

@@ -8,7 +8,7 @@ namespace Rill
     {
         readonly FluidPhysicsColliders source;
         readonly IColliderGround ground;        // null for none
-        ColliderPlace place = ColliderPlace.Origin;
+        ColliderTransform placement = ColliderTransform.Origin;
         FluidForce force;
         ContactWatch watch;
         bool hasForce, isDropped, problemIsKnown, leftOutIsKnown;
@@ -22,10 +22,10 @@ namespace Rill
 
         public Collider Collider { get; }
 
-        /// <summary>Of the last query that found it.</summary>
+        /// <summary>Number of the last query that found it.</summary>
         public int Round { get; set; }
 
-        /// <summary>Of the mesh; null for the other shapes.</summary>
+        /// <summary>Field of the mesh; null for the other shapes.</summary>
         public SignedDistanceField Field { get; private set; }
 
         public string Name => Collider.name;
@@ -48,7 +48,7 @@ namespace Rill
             ground?.Dispose();
         }
 
-        /// <summary>What of it holds no water where it should, or too much; null for nothing.</summary>
+        /// <summary>Parts that hold no water where they should, or too much; null for none.</summary>
         public string LeftOut => ground?.LeftOut;
 
         /// <summary>Its Rigidbody, where that is free and the collider is of one of these layers; null else.</summary>
@@ -85,7 +85,7 @@ namespace Rill
             if (problem != null && !problemIsKnown)
                 Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' leaves out the collider '{Name}': {problem}", Collider);
             problemIsKnown = problem != null;
-            SayLeftOut();
+            LogLeftOut();
             return problem == null;
         }
 
@@ -97,31 +97,31 @@ namespace Rill
                 contributesDensity = source.ContributesDensity, reacts = MeasuresForce,
                 tellsWettedArea = source.ListensToContacts
             };
-            string problem = place.Follow(Collider.transform);
-            var pose = new RigidPose(place.position, place.rotation);
-            float3 scale = place.scale;
+            string problem = placement.Follow(Collider.transform);
+            var pose = new RigidPose(placement.position, placement.rotation);
+            float3 scale = placement.scale;
             Field = null;
             switch (Collider)
             {
                 case BoxCollider box:
                     motion.shape = ColliderShape.Box;
                     motion.size = 0.5f * (float3)box.size * scale;
-                    pose.position = place.PointOf(box.center);
+                    pose.position = placement.PointOf(box.center);
                     problem ??= HasSize(math.cmin(motion.size));
                     break;
                 case SphereCollider sphere:
                     motion.shape = ColliderShape.Sphere;
-                    motion.size = sphere.radius * place.EvenScale;
-                    pose.position = place.PointOf(sphere.center);
+                    motion.size = sphere.radius * placement.EvenScale;
+                    pose.position = placement.PointOf(sphere.center);
                     problem ??= HasSize(motion.size.x);
                     break;
                 case CapsuleCollider capsule:
-                    pose.position = place.PointOf(capsule.center);
-                    pose.rotation = math.mul(place.rotation, FromY(capsule.direction));
+                    pose.position = placement.PointOf(capsule.center);
+                    pose.rotation = math.mul(placement.rotation, FromY(capsule.direction));
                     problem ??= DescribeCapsule(ref motion, capsule.radius, capsule.height, capsule.direction);
                     break;
                 case CharacterController character:     // upright, however its object is turned
-                    pose.position = place.PointOf(character.center);
+                    pose.position = placement.PointOf(character.center);
                     pose.rotation = quaternion.identity;
                     problem ??= DescribeCapsule(ref motion, character.radius, character.height, 1);
                     break;
@@ -129,7 +129,7 @@ namespace Rill
                     Field = source.FieldOf(mesh.sharedMesh);
                     problem ??= Field == null ? "its mesh has no signed distance field. Bake one and add both to Mesh Fields, " +
                         "which Bake Missing Fields... does for what is near the box, or take the object out of Collider Layers."
-                        : place.DescribeField(Field, ref motion, ref pose);
+                        : placement.DescribeField(Field, ref motion, ref pose);
                     break;
                 case Collider _ when ground != null:
                     problem ??= DescribeGround(ref motion, ref pose);
@@ -196,9 +196,9 @@ namespace Rill
         // The height follows the scale along it, the radius the larger of the other two.
         string DescribeCapsule(ref ColliderMotion motion, float radius, float height, int direction)
         {
-            float scaled = radius * math.max(place.scale[(direction + 1) % 3], place.scale[(direction + 2) % 3]);
+            float scaled = radius * math.max(placement.scale[(direction + 1) % 3], placement.scale[(direction + 2) % 3]);
             motion.shape = ColliderShape.Capsule;
-            motion.size = new float3(scaled, math.max(0.5f * height * place.scale[direction] - scaled, 0f), 0f);
+            motion.size = new float3(scaled, math.max(0.5f * height * placement.scale[direction] - scaled, 0f), 0f);
             return HasSize(scaled);
         }
 
@@ -206,11 +206,11 @@ namespace Rill
         {
             HeightField heights = ground.Take(out string problem);
             if (problem == null)
-                place.DescribeHeights(heights, ref motion, ref pose);
+                placement.DescribeHeights(heights, ref motion, ref pose);
             return problem;
         }
 
-        void SayLeftOut()
+        void LogLeftOut()
         {
             string leftOut = LeftOut;
             if (leftOut != null && !leftOutIsKnown)

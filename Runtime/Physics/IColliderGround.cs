@@ -11,7 +11,7 @@ namespace Rill
         /// <param name="problem">Why there are none; null where there are.</param>
         HeightField Take(out string problem);
 
-        /// <summary>What is left out of the heights that were taken; null for nothing.</summary>
+        /// <summary>Parts that are left out of the heights; null for none.</summary>
         string LeftOut { get; }
     }
 

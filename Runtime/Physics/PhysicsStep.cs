@@ -8,7 +8,7 @@ namespace Rill
         /// <summary>How long it acts, s; 0 where this message prepares no step.</summary>
         public readonly float Time;
 
-        // Of a script, which may take several or none after one message.
+        // Set for steps of a script, which may take several or none after one message.
         readonly bool isScripted;
 
         PhysicsStep(float time, bool isScripted)
@@ -17,7 +17,7 @@ namespace Rill
             this.isScripted = isScripted;
         }
 
-        /// <summary>Of a FixedUpdate: a step follows each, or a script takes as much time as passes.</summary>
+        /// <summary>Step of a FixedUpdate: one follows each, or a script takes as much time as passes.</summary>
         public static PhysicsStep OfFixedUpdate(GameObject of)
         {
             bool isScripted = UnityEngine.Physics.simulationMode == SimulationMode.Script || HasOwnPhysics(of);
@@ -25,7 +25,7 @@ namespace Rill
             return new PhysicsStep(isPrepared ? UnityEngine.Time.fixedDeltaTime : 0f, isScripted);
         }
 
-        /// <summary>Of an Update: the next frame begins with a step about as long as this frame.</summary>
+        /// <summary>Step of an Update: the next frame begins with a step about as long as this frame.</summary>
         public static PhysicsStep OfUpdate(GameObject of)
         {
             bool isPrepared = UnityEngine.Physics.simulationMode == SimulationMode.Update && !HasOwnPhysics(of);

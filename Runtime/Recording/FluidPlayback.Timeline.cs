@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    // What a track of a Timeline asks for; the track is in an assembly of its own, which needs the package com.unity.timeline.
+    // Interface for a track of a Timeline; the track is in an assembly of its own, which needs the package com.unity.timeline.
     public sealed partial class FluidPlayback
     {
         const double MaxFollowing = 0.1;    // s: steps up to which the surface goes on from that of the frame before

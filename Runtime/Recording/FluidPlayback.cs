@@ -26,17 +26,17 @@ namespace Rill
         [Tooltip("Recording that is opened when this is enabled. A relative path begins in the StreamingAssets folder. Empty: none is.")]
         [SerializeField] string recording = "";
 
-        [Tooltip("Whether it plays once it is opened. Off: it shows the first frame.")]
+        [Tooltip("Plays once it is opened. Off: it shows the first frame.")]
         [SerializeField] bool playOnEnable = true;
 
         [Tooltip("Seconds of the recording in a second of the game, -100 to 100. Below 0 it plays backwards.")]
         [Range(-MaxSpeed, MaxSpeed)]
         [SerializeField] float speed = 1f;
 
-        [Tooltip("Whether it begins again at its end.")]
+        [Tooltip("Starts again at its end.")]
         [SerializeField] bool loop;
 
-        [Tooltip("Whether the game waits for a frame that is not read yet: for films that are rendered frame by frame. Off: the last " +
+        [Tooltip("Makes the game wait for a frame that is not read yet: for films that are rendered frame by frame. Off: the last " +
             "frame stays, which is counted.")]
         [SerializeField] bool waitForFrames;
 
@@ -69,7 +69,7 @@ namespace Rill
 
         /// <summary>Time that is shown since the first frame, s, 0 to <see cref="Duration"/>. Set it to go anywhere, also while paused; it
         /// is brought into that range.</summary>
-        /// <exception cref="ArgumentException">Set to what is no number.</exception>
+        /// <exception cref="ArgumentException">Set to NaN.</exception>
         public double Time
         {
             get => time;
@@ -77,7 +77,7 @@ namespace Rill
             {
                 if (double.IsNaN(value))
                     throw new ArgumentException(
-                        $"FluidPlayback '{name}': a time that is no number is nowhere. Give seconds since the first frame.", nameof(value));
+                        $"FluidPlayback '{name}': a time must be a number. Give seconds since the first frame.", nameof(value));
                 double to = Clamped(value);
                 goesBack = to < time;
                 hasJumped |= to != time;
@@ -155,7 +155,7 @@ namespace Rill
         /// <param name="file">Its path; a relative one begins in the StreamingAssets folder, which holds no files on Android.</param>
         /// <exception cref="ArgumentNullException">No path.</exception>
         /// <exception cref="InvalidOperationException">This is disabled, or the platform is WebGL.</exception>
-        /// <exception cref="InvalidDataException">The file is no recording, is damaged, holds no frame or is of a newer version.</exception>
+        /// <exception cref="InvalidDataException">The file is not a recording, is damaged, holds no frame or is of a newer version.</exception>
         /// <exception cref="IOException">The file cannot be read; as for other exceptions of File.OpenRead.</exception>
         public void Open(string file)
         {
@@ -193,7 +193,7 @@ namespace Rill
             refused = null;
         }
 
-        /// <summary>Lets time pass in the recording; from its start where it stands at its end, or the other way round where the speed is
+        /// <summary>Lets time pass in the recording; from its start if it stands at its end, or vice versa if the speed is
         /// below 0.</summary>
         public void Play()
         {
@@ -294,7 +294,7 @@ namespace Rill
             return Path.Combine(Application.streamingAssetsPath, file);
         }
 
-        // What opening a file and reading its index throws.
+        // Tells whether an exception is one that opening a file and reading its index throws.
         static bool IsOfFile(Exception refusal) => refusal is IOException || refusal is InvalidDataException
             || refusal is UnauthorizedAccessException || refusal is ArgumentException || refusal is NotSupportedException;
 

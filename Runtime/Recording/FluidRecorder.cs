@@ -14,7 +14,8 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// It stops, and logs why, where the disk falls behind by <see cref="BufferedFrames"/>, where it is full, and where the fluid starts again.
-    /// What was written until then is whole and can be played. Recording changes nothing in the fluid. WebGL has no threads and so no recordings.
+    /// All that was written until then is complete and can be played. Recording changes nothing in the fluid. WebGL has no threads and so no
+    /// recordings.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Recorder"), Icon(PackagePaths.Icon), ManualPage("state.md")]
     [RequireComponent(typeof(FluidSimulation))]
@@ -26,7 +27,7 @@ namespace Rill
         const float MaxRate = 1000f;
         const int MaxWait = 10_000;     // for the disk, of a recorder that is disabled, ms
 
-        [Tooltip("What is kept of each particle besides its position. Velocities: 6 bytes; phases: 1 byte; ids: 4 bytes.")]
+        [Tooltip("Values stored for each particle besides its position. Velocities: 6 bytes; phases: 1 byte; ids: 4 bytes.")]
         [SerializeField] RecordingFields fields = RecordingFields.Velocities | RecordingFields.Phases | RecordingFields.Ids;
 
         [Tooltip("Frames that are recorded for a second of fluid time, 1/s, at most one for each step. 0: every step.")]
@@ -63,7 +64,7 @@ namespace Rill
         [NonSerialized] long lastFrame;
         [NonSerialized] int lastStep, buffers;
 
-        /// <summary>What is kept of each particle besides its position; of the next recording.</summary>
+        /// <summary>Values stored for each particle besides its position, in the next recording.</summary>
         public RecordingFields Fields { get => fields; set => fields = value & RecordingFields.All; }
 
         /// <summary>Frames that are recorded for a second of fluid time, 1/s, 0 to 1,000; 0 for every step. Out-of-range values are clamped
@@ -191,7 +192,7 @@ namespace Rill
 
         void LateUpdate() => Check();
 
-        // What the disk says.
+        // Checks for errors of the disk.
         void Check()
         {
             if (writer == null || problem != null || writer.Problem == null)

@@ -31,7 +31,7 @@ namespace Rill
             this.prefix = prefix ?? throw new ArgumentNullException(nameof(prefix));
             this.format = format;
             Directory.CreateDirectory(folder);
-            simulation.Results.Surface.Requesting += AskForDensity;
+            simulation.Results.Surface.Requesting += RequestDensity;
         }
 
         /// <summary>Calls of <see cref="Capture"/>.</summary>
@@ -61,11 +61,11 @@ namespace Rill
             if (disposed)
                 return;
             disposed = true;
-            simulation.Results.Surface.Requesting -= AskForDensity;
+            simulation.Results.Surface.Requesting -= RequestDensity;
         }
 
-        // Of the coming steps, with their velocities.
-        void AskForDensity() => simulation.Steps.NeedsDensity = true;
+        // Requests densities in the coming steps.
+        void RequestDensity() => simulation.Steps.NeedsDensity = true;
 
         void OnFrame(string file, ParticleFrame frame, string problem)
         {

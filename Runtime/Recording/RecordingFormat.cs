@@ -17,12 +17,12 @@ namespace Rill
     /// </remarks>
     static class RecordingFormat
     {
-        /// <summary>Of what is written, and the newest that is read.</summary>
+        /// <summary>Version that is written, and the newest that is read.</summary>
         public const int Version = 1;
 
         public const int HeaderBytes = 64, FrameHeaderBytes = 40, IndexHeaderBytes = 8, IndexEntryBytes = 24, ChecksumBytes = 4, FooterBytes = 16;
 
-        const string What = "This file is no recording that can be read: ";
+        const string What = "This file is not a recording that can be read: ";
         const uint FrameMark = 0x6D724652u, IndexMark = 0x78644952u;     // "RFrm", "RIdx"
 
         static readonly byte[] Magic = Encoding.ASCII.GetBytes("RillRecd"), EndMagic = Encoding.ASCII.GetBytes("RillDone");
@@ -42,7 +42,7 @@ namespace Rill
         }
 
         /// <param name="bytes">The first of the file; fewer than <see cref="HeaderBytes"/> where it is shorter.</param>
-        /// <exception cref="InvalidDataException">It is no recording, damaged, or of a newer version.</exception>
+        /// <exception cref="InvalidDataException">It is not a recording, damaged, or of a newer version.</exception>
         public static RecordingHeader ReadHeader(ReadOnlySpan<byte> bytes)
         {
             if (bytes.Length < Magic.Length || !bytes.Slice(0, Magic.Length).SequenceEqual(Magic))
@@ -91,7 +91,7 @@ namespace Rill
         /// <summary>All of a frame but its particles.</summary>
         /// <param name="number">That it must have.</param>
         /// <param name="room">Bytes of the file behind the header.</param>
-        /// <returns>False where this is no such frame, or does not end within the file.</returns>
+        /// <returns>False if this is not such a frame, or does not end within the file.</returns>
         public static bool TryReadFrameHeader(ReadOnlySpan<byte> bytes, in RecordingHeader header, int number, long room,
             RecordedFrame frame, out int length, out uint checksum)
         {
@@ -138,7 +138,7 @@ namespace Rill
             return bytes;
         }
 
-        /// <summary>Where the index begins and how long it is, by the last bytes of a file; false where it has none.</summary>
+        /// <summary>Reads position and length of the index from the last bytes of a file; false if it has none.</summary>
         /// <param name="footer">The last <see cref="FooterBytes"/>.</param>
         /// <param name="fileBytes">Length of the file.</param>
         public static bool TryFindIndex(ReadOnlySpan<byte> footer, long fileBytes, out long position, out int length)
@@ -184,7 +184,7 @@ namespace Rill
             return entries;
         }
 
-        /// <summary>What a right checksum does not make right.</summary>
+        /// <summary>Returns the exception for faults that a correct checksum does not rule out.</summary>
         public static InvalidDataException Damaged(string how)
             => new InvalidDataException(What + how + ". It was not written by a FluidRecorder; use another.");
 
@@ -204,10 +204,10 @@ namespace Rill
             => BitConverter.Int64BitsToDouble(BinaryPrimitives.ReadInt64LittleEndian(from.Slice(at)));
     }
 
-    /// <summary>Where a frame lies in a file, and what can be known without reading it.</summary>
+    /// <summary>Position of a frame in a file, and what can be known without reading it.</summary>
     struct IndexEntry
     {
-        /// <summary>Of its header, from the start of the file.</summary>
+        /// <summary>Position of its header, from the start of the file.</summary>
         public long position;
         /// <summary>Fluid time, s.</summary>
         public double time;

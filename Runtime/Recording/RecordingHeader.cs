@@ -3,7 +3,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What holds for all frames of a recording.</summary>
+    /// <summary>Data that holds for all frames of a recording.</summary>
     readonly struct RecordingHeader
     {
         public readonly FrameLayout Layout;

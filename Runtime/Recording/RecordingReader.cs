@@ -17,7 +17,7 @@ namespace Rill
         readonly long end;      // of the frames
 
         /// <param name="stream">One that can seek; disposed with this, and where this throws.</param>
-        /// <exception cref="InvalidDataException">It is no recording; the message says why, and what to do.</exception>
+        /// <exception cref="InvalidDataException">It is not a recording; the message says why, and what to do.</exception>
         public RecordingReader(Stream stream)
         {
             this.stream = stream;
@@ -42,7 +42,7 @@ namespace Rill
 
         public int FrameCount => entries.Length;
 
-        /// <summary>Of the largest frame.</summary>
+        /// <summary>Number of particles in the largest frame.</summary>
         public int MaxParticles { get; }
 
         /// <summary>Whether it has no index that can be read, so that there may have been more frames.</summary>
@@ -57,11 +57,11 @@ namespace Rill
             int low = 0, high = entries.Length - 1;
             while (low < high)
             {
-                int middle = (low + high + 1) / 2;
-                if (entries[middle].time <= time)
-                    low = middle;
+                int mid = (low + high + 1) / 2;
+                if (entries[mid].time <= time)
+                    low = mid;
                 else
-                    high = middle - 1;
+                    high = mid - 1;
             }
             return low;
         }

@@ -139,7 +139,7 @@ namespace Rill
                 bytes = at + last.Length;
         }
 
-        // Where it ends in the file.
+        // Returns where it ends in the file.
         long WriteFrame(RecordedFrame frame, uint checksum, long at)
         {
             int length = LengthOf(frame);

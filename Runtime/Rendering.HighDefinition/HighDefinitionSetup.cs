@@ -5,7 +5,7 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace Rill.HighDefinition
 {
-    /// <summary>What a project with the High Definition Render Pipeline lacks for fluid surfaces.</summary>
+    /// <summary>Settings that a project with the High Definition Render Pipeline lacks for fluid surfaces.</summary>
     sealed class HighDefinitionSetup : IRenderSetup
     {
         public IEnumerable<SetupProblem> Problems

@@ -70,7 +70,7 @@ namespace Rill.HighDefinition
 
         static void End(ScriptableRenderContext context, Camera camera) => volumes.Find(camera)?.Pass.End();
 
-        // Of HDRP's textures, which are as large as the largest camera needs, this one uses the first texels.
+        // HDRP's textures are as large as the largest camera needs; this camera uses the first texels.
         static FluidViews ViewsOf(HDCamera seen)
         {
             seen.camera.TryGetComponent(out HDAdditionalCameraData data);

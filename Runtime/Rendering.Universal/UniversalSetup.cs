@@ -4,7 +4,7 @@ using UnityEngine.Rendering.Universal;
 
 namespace Rill.Universal
 {
-    /// <summary>What a project with the Universal Render Pipeline lacks for fluid surfaces.</summary>
+    /// <summary>Settings that a project with the Universal Render Pipeline lacks for fluid surfaces.</summary>
     /// <remarks>Depth and opaque texture may be off in the asset: the pass asks for both.</remarks>
     sealed class UniversalSetup : IRenderSetup
     {

@@ -11,13 +11,13 @@ namespace Rill.Universal
     /// <remarks>
     /// Overlay cameras of a stack draw no surfaces: the base camera has drawn them.
     /// Cameras share the queue of their renderer, which URP empties when it has drawn one of them. A script that draws another in
-    /// beginCameraRendering, as mirrors and portals do by UniversalRenderPipeline.RenderSingleCamera, thus takes this camera's pass with it
+    /// beginCameraRendering, as mirrors and portals do by UniversalRenderPipeline.RenderSingleCamera, thus removes this camera's pass
     /// (14.0 to 17.3: ScriptableRenderer.InternalFinishRenderingCommon). What listens last enqueues after that; and a camera that is drawn
     /// without an event, as RenderSingleCamera does it, is seen by <see cref="FluidSurfaceFeature"/> alone.
     /// </remarks>
     static class UniversalSurfaces
     {
-        // As URP has it: a scale this near to 1 is 1.
+        // URP takes a scale this near to 1 as 1.
         const float ScaleThreshold = 0.05f;
 
         static CameraParts<SurfacePass> passes = new CameraParts<SurfacePass>();
@@ -88,7 +88,7 @@ namespace Rill.Universal
         {
             End(PassOf(camera));
             End(ReadyOf(wetPasses, camera));
-            // Of the cameras that this one was drawn inside of.
+            // Passes of the cameras that this one was drawn inside of.
             for (int i = 0; i < passes.Count; i++)
                 passes[i].Enqueue();
             for (int i = 0; i < wetPasses.Count; i++)
@@ -172,7 +172,7 @@ namespace Rill.Universal
             return any;
         }
 
-        /// <summary>As URP chooses it: the scene view has the asset's. No component is added to a camera that has none.</summary>
+        /// <summary>Returns the renderer that URP chooses: the scene view has the asset's. No component is added to a camera that has none.</summary>
         public static ScriptableRenderer RendererOf(Camera camera, UniversalAdditionalCameraData data, UniversalRenderPipelineAsset asset)
         {
             ScriptableRenderer own = data != null && camera.cameraType != CameraType.SceneView ? data.scriptableRenderer : null;

@@ -35,7 +35,7 @@ namespace Rill
         /// <summary>Side of a floor tile, m, at least 0.001.</summary>
         public float Tile { get => tile; set => tile = Mathf.Max(value, 1e-3f); }
 
-        // What stands around the fluid is a frame to look at, not a thing.
+        // The frame around the fluid is only an outline, so it casts no shadows.
         DomainRenderer() : base(ShadowCastingMode.Off) { }
 
         private protected override Feature Drawn => Features.DomainRenderer;

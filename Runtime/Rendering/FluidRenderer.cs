@@ -11,10 +11,10 @@ namespace Rill
     {
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
-        [Tooltip("Whether it casts shadows of the scene's lights.")]
+        [Tooltip("Casts shadows of the scene's lights.")]
         [SerializeField] ShadowCastingMode castShadows;
 
-        [Tooltip("Whether the shadow of the main light falls on it.")]
+        [Tooltip("Receives the shadow of the main light.")]
         [SerializeField] bool receiveShadows = true;
 
         [NonSerialized] Material shaderMaterial;
@@ -59,7 +59,7 @@ namespace Rill
 
         StageDescription IDrawsFluid.Describe() => Describe();
 
-        /// <summary>What this renderer costs the scene.</summary>
+        /// <summary>Describes what this renderer costs the scene.</summary>
         internal StageDescription Describe()
         {
             var description = new StageDescription(GetType().Name, isActiveAndEnabled, isActiveAndEnabled ? $"component on '{name}'"
@@ -103,7 +103,7 @@ namespace Rill
             };
         }
 
-        /// <summary>What DrawnParticles.hlsl reads: the particles, at the time of this frame.</summary>
+        /// <summary>Sets what DrawnParticles.hlsl reads: the particles, at the time of this frame.</summary>
         private protected void SetParticles(MaterialPropertyBlock properties)
         {
             PbfSolver solver = Simulation.Solver;
@@ -131,7 +131,7 @@ namespace Rill
             properties.SetVector(Ids.SunColor, color);
         }
 
-        /// <summary>As MainLight.hlsl reads it.</summary>
+        /// <summary>Returns the sun as MainLight.hlsl reads it.</summary>
         /// <param name="sun">Replaces the pipeline's; null: it shines from above where the pipeline's is not read.</param>
         private protected static void SunOf(Light sun, out Vector4 direction, out Vector4 color)
         {

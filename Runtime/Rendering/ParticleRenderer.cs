@@ -12,7 +12,7 @@ namespace Rill
     [AddComponentMenu("Rill/Particle Renderer"), Icon(PackagePaths.Icon), ManualPage("rendering.md")]
     public sealed class ParticleRenderer : FluidRenderer
     {
-        /// <summary>What the color of a particle shows.</summary>
+        /// <summary>Quantity that the color of a particle shows.</summary>
         public enum Quantity
         {
             /// <summary>Speed, m/s.</summary>
@@ -27,7 +27,7 @@ namespace Rill
         [Range(0.1f, 2f)]
         [SerializeField] float radius = 0.6f;
 
-        [Tooltip("What the color shows. Density costs a visit to the neighbors if Velocity Smoothing is 0. Phase: the number that the " +
+        [Tooltip("Quantity that the color shows. Density costs a visit to the neighbors if Velocity Smoothing is 0. Phase: the number that the " +
             "emitter gave, 0 without one.")]
         [SerializeField] Quantity colorBy = Quantity.Speed;
 
@@ -83,7 +83,7 @@ namespace Rill
         /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
         public Color Ambient { get => ambient; set => ambient = value; }
 
-        /// <summary>What the color of a particle shows.</summary>
+        /// <summary>Quantity that the color of a particle shows.</summary>
         public Quantity ColorBy { get => colorBy; set => colorBy = value; }
 
         /// <summary>Speed, m/s, or relative density error at which the last color is reached.</summary>
@@ -116,7 +116,7 @@ namespace Rill
             properties.SetFloat(Ids.ParticleRadius, radius * Simulation.ParticleSpacing);
             SetColors(solver);
             bool speed = colorBy == Quantity.Speed;
-            // Density errors have a sign: rest density is the middle of the ramp.
+            // Density errors have a sign: rest density is the center of the ramp.
             properties.SetVector(Ids.ColorRange, speed ? new Vector4(1f / colorRange, 0f, 0f, 0f) : new Vector4(0f, 0.5f / colorRange, 0.5f, 0f));
             SetSun(properties, sun);
             properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
@@ -127,7 +127,7 @@ namespace Rill
             bool byPhase = colorBy == Quantity.Phase;
             bool hasPhases = byPhase && solver.Tags != null;
             SetKeyword(ParticleTags.Keyword, hasPhases);
-            // Where no emitter gave a phase, all are 0.
+            // If no emitter gave a phase, all are 0.
             properties.SetVector(Ids.SlowColor, ShaderColor(byPhase ? PhaseColor(0) : slowColor));
             properties.SetVector(Ids.MiddleColor, ShaderColor(byPhase ? PhaseColor(0) : middleColor));
             properties.SetVector(Ids.FastColor, ShaderColor(byPhase ? PhaseColor(0) : fastColor));

@@ -67,7 +67,7 @@ namespace Rill
             return found != null ? found : null;
         }
 
-        /// <summary>What is wrong and what to do where a stage is not there.</summary>
+        /// <summary>Describes a missing stage and what to do about it.</summary>
         internal static string MissingProblem(string stage)
         {
             string byFluid = stage == OfBaking ? "Put" :

@@ -10,7 +10,7 @@ namespace Rill
     /// frame in which they were changed.
     /// </summary>
     /// <remarks>A terrain that a <c>FluidPhysicsColliders</c> takes by layer needs it for a part alone, or for a surface of its own.
-    /// Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this
+    /// Holes of the terrain are closed, which is logged once; trees and details are not colliders. Without the terrain module this
     /// component is not there.</remarks>
     [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
     [DisallowMultipleComponent]
@@ -61,7 +61,7 @@ namespace Rill
                 return;
             }
             heights = new TerrainHeights(data, part);
-            SayHoles();
+            LogHoles();
             if (heights.Problem != null)
             {
                 Refuse(heights.Problem);
@@ -74,7 +74,7 @@ namespace Rill
         {
             fluidCollider = GetComponent<FluidCollider>();
             shapeBefore = fluidCollider.Shape;
-            fluidCollider.Shape = ColliderShape.HeightField;        // without heights too: it is no solid of another shape then
+            fluidCollider.Shape = ColliderShape.HeightField;        // without heights too: it is not a collider of another shape then
             Refresh();
         }
 
@@ -113,7 +113,7 @@ namespace Rill
             problems.AddIfAny(holesAreKnown ? TerrainHeights.HolesProblem : null);
         }
 
-        void SayHoles()
+        void LogHoles()
         {
             if (heights.HasHoles && !holesAreKnown)
                 Debug.LogWarning($"Rill: FluidTerrain '{name}': {TerrainHeights.HolesProblem}", this);
@@ -123,7 +123,7 @@ namespace Rill
         void Refuse(string problem)
         {
             refusal = problem;
-            Debug.LogError($"Rill: FluidTerrain '{name}' is no collider: {problem}", this);
+            Debug.LogError($"Rill: FluidTerrain '{name}' is not a collider: {problem}", this);
         }
 
         void Release()

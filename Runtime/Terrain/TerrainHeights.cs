@@ -41,7 +41,7 @@ namespace Rill
         /// <summary>Null where there are none: see <see cref="Problem"/>.</summary>
         public HeightField Field { get; private set; }
 
-        /// <summary>Why there are no heights; null where there are.</summary>
+        /// <summary>Reason why no heights can be read; null if they can.</summary>
         public string Problem { get; private set; }
 
         /// <summary>Whether the part has holes, which are closed to water.</summary>
@@ -89,7 +89,7 @@ namespace Rill
             return false;
         }
 
-        // What was edited on the GPU comes to the CPU later, which is told again.
+        // Edits on the GPU reach the CPU later, which raises another event.
         void OnHeightsChanged(Terrain changed, RectInt region, bool synched)
             => isEdited |= synched && changed.terrainData == data && region.Overlaps(taken);
 

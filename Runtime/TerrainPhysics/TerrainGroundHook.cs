@@ -5,7 +5,7 @@ namespace Rill
     /// <summary>Lets fluids take Terrain Colliders by layer.</summary>
     static class TerrainGroundHook
     {
-        /// <summary>As play begins, and in the Editor as scripts are loaded.</summary>
+        /// <summary>Runs as play begins, and in the Editor as scripts are loaded.</summary>
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         internal static void Install() => ColliderGround.Find = Find;
 

@@ -26,7 +26,7 @@ namespace Rill
         /// once a timeline was built with a playback bound to the track.</summary>
         public override double duration => RecordingDuration > begin ? RecordingDuration - begin : base.duration;
 
-        /// <summary>Of what is bound to the track, s; 0 while it is not known.</summary>
+        /// <summary>Duration of the recording bound to the track, s; 0 while it is unknown.</summary>
         [field: NonSerialized] internal double RecordingDuration { get; set; }
 
         /// <summary>Makes a playable that stands for the clip. The track does the rest.</summary>
@@ -39,7 +39,7 @@ namespace Rill
         void IAppliesSettings.CheckSettings()
         {
             bool isTime = begin >= 0.0 && !double.IsInfinity(begin);
-            clamped.Set(isTime ? null : Invariant($"begin {begin} is no time since the first frame, 0 s or more; 0 is used."));
+            clamped.Set(isTime ? null : Invariant($"begin {begin} is not a time since the first frame, 0 s or more; 0 is used."));
             begin = isTime ? begin : 0.0;
         }
 

@@ -10,7 +10,7 @@ namespace Rill.Samples
         [Tooltip("The game that it plays.")]
         [SerializeField] WellGame game;
 
-        [Tooltip("Where it pours, m from the middle of the well. -0.7 to 0.7.")]
+        [Tooltip("Where it pours, m from the center of the well. -0.7 to 0.7.")]
         [Range(-0.7f, 0.7f)]
         [SerializeField] float aim;
 
@@ -20,7 +20,7 @@ namespace Rill.Samples
 
         [System.NonSerialized] float over;
 
-        /// <summary>Where it pours, m from the middle of the well.</summary>
+        /// <summary>Position where it pours, m from the center of the well.</summary>
         public float Aim { get => aim; set => aim = value; }
 
         /// <summary>Time until it plays again, s; 0 for one game.</summary>

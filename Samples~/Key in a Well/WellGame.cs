@@ -82,7 +82,7 @@ namespace Rill.Samples
         /// <summary>Called when the water is used up in vain.</summary>
         public event Action OnLost;
 
-        /// <summary>Position of the tap along its beam, m; 0 is above the middle of the well.</summary>
+        /// <summary>Position of the tap along its beam, m; 0 is above the center of the well.</summary>
         public float TapX => tap.transform.position.x;
 
         /// <summary>Water that there is to pour, m³, above 0.</summary>

@@ -111,7 +111,7 @@ namespace Rill.Samples
             particles.Dispatch(commands, shader, kernel);
         }
 
-        // What is not alive any more is in the ball.
+        // Dead particles count as held in the ball.
         void CountHeld()
         {
             if (readback.HasData && readback.Step >= countsFrom)
@@ -122,7 +122,7 @@ namespace Rill.Samples
             fluid.RequestParticles(readback, ParticleFields.Ids);       // false while one is pending
         }
 
-        // As many particles as it holds, a spacing apart.
+        // Drops as many particles as it holds, a spacing apart.
         void Fall()
         {
             float d = fluid.ParticleSpacing;

@@ -41,7 +41,7 @@ struct Box
 
 struct Cluster
 {
-    float4 sphere;    // middle of the area, radius around all triangles
+    float4 sphere;    // center of the area, radius around all triangles
     float4 areaVector;    // twice the area, summed as vectors and, w, as lengths
 };
 

@@ -2,7 +2,7 @@
 #ifndef RILL_GENERATED_SHADOW_VALUES_INCLUDED
 #define RILL_GENERATED_SHADOW_VALUES_INCLUDED
 
-// Where each of the uniforms of the Built-in pipeline's shadow lies in the copy that ShadowCopy.hlsl makes of them, texels of one row.
+// Positions of the uniforms of the Built-in pipeline's shadow in the copy that ShadowCopy.hlsl makes of them, texels of one row.
 static const uint kWorldToShadow = 0;    // of four cascades, four rows each
 static const uint kSplitSpheres = 16;    // four
 static const uint kSplitSquaredRadii = 20;

@@ -2,16 +2,16 @@
 #ifndef RILL_GENERATED_SURFACE_VIEW_INCLUDED
 #define RILL_GENERATED_SURFACE_VIEW_INCLUDED
 
-// What every pass and draw of a fluid's surface reads of one camera. In a buffer, written as the camera's commands are recorded: a draw is submitted before that, and only then are the camera's matrices final.
+// Constants of one camera for every pass and draw of a fluid's surface. In a buffer, written as the camera's commands are recorded: a draw is submitted before that, and only then are the camera's matrices final.
 cbuffer RillSurfaceView
 {
     float4 _SurfaceClipX[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
     float4 _SurfaceClipY[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
     float4 _SurfaceClipZ[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
     float4 _SurfaceClipW[2];    // rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight
-    float4 _RayOrigin[2];    // of each eye: where a ray through the middle of the picture starts, world, and its change along x and y of the picture
-    float4 _RayOriginX[2];    // of each eye: where a ray through the middle of the picture starts, world, and its change along x and y of the picture
-    float4 _RayOriginY[2];    // of each eye: where a ray through the middle of the picture starts, world, and its change along x and y of the picture
+    float4 _RayOrigin[2];    // of each eye: where a ray through the center of the picture starts, world, and its change along x and y of the picture
+    float4 _RayOriginX[2];    // of each eye: where a ray through the center of the picture starts, world, and its change along x and y of the picture
+    float4 _RayOriginY[2];    // of each eye: where a ray through the center of the picture starts, world, and its change along x and y of the picture
     float4 _RayDirection[2];    // where it goes, 1 m along the view, and the change of that
     float4 _RayDirectionX[2];    // where it goes, 1 m along the view, and the change of that
     float4 _RayDirectionY[2];    // where it goes, 1 m along the view, and the change of that

@@ -4,11 +4,11 @@
 #define RILL_FILTERING_INCLUDED
 
 // place: 0 to 1 over the texture.
-float LoadTrilinear(Texture3D<float> field, float3 place)
+float LoadTrilinear(Texture3D<float> field, float3 position)
 {
     uint3 size;
     field.GetDimensions(size.x, size.y, size.z);
-    float3 at = clamp(place * size - 0.5, 0.0, size - 1.0);
+    float3 at = clamp(position * size - 0.5, 0.0, size - 1.0);
     int3 a = int3(at), b = min(a + 1, int3(size) - 1);
     float3 part = at - a;
     float4 row = lerp(

@@ -9,7 +9,7 @@ static const int kMaxExponent = 7;
 uint PackVector(float3 v)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    // Of the power of two above the largest component; it counts from 127 in the bits of a float.
+    // Exponent of the power of two above the largest component; it counts from 127 in the bits of a float.
     int exponent = clamp(int(asuint(largest) >> 23) - 126, kMinExponent, kMaxExponent);
     int3 mantissas = int3(clamp(round(v * exp2(8 - exponent)), -255.0, 255.0));
     uint3 bits = uint3(mantissas) & 511u;

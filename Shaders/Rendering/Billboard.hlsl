@@ -2,14 +2,14 @@
 #ifndef RILL_BILLBOARD_INCLUDED
 #define RILL_BILLBOARD_INCLUDED
 
-// Of one of the six vertices: -1 to 1.
+// Returns the corner of one of the six vertices: -1 to 1.
 float2 QuadCorner(uint vertex)
 {
     static const float2 kCorners[6] = { float2(-1, -1), float2(-1, 1), float2(1, 1), float2(-1, -1), float2(1, 1), float2(1, -1) };
     return kCorners[vertex % 6];
 }
 
-// Of a ball as it is seen, in the plane of its center: with perspective wider than the ball. World, m.
+// Returns the visible radius of a ball, in the plane of its center: with perspective wider than the ball. World, m.
 float SilhouetteRadius(float3 center, float radius)
 {
     if (!IsOrthographic())

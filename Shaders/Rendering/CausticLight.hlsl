@@ -24,7 +24,7 @@ float2 CausticsIn(uint layer, float2 texel)
     return _CausticMap.SampleLevel(rill_field_linear_clamp_sampler, at / (_CausticSize.xy * _CausticSize.zw + float2(0.0, 1.0)), 0).xy;
 }
 
-// The same at a point in the water, d.
+// Returns the caustics at a point in the water, d.
 float2 CausticsAt(float3 p)
 {
     float range = _CausticMap.Load(int3(CausticRangeTexel(), 0)).x, last = _CausticLight.w - 1.0;

@@ -9,7 +9,7 @@
 #define RILL_CAUSTIC_MAP_INCLUDED
 
 float4 _CausticAxisX, _CausticAxisY;    // (p, 1) times these: x and y in the map, texels
-float4 _CausticLight;       // xyz: unit, towards the light; w: number of layers, 0 where there is no map
+float4 _CausticLight;       // xyz: unit, towards the light; w: number of layers, 0 without a map
 float4 _CausticUp;          // xyz: unit; w: height of the last layer
 float4 _CausticSize;        // xy: of a layer, texels; z: layers in a row; w: rows
 
@@ -35,7 +35,7 @@ float CausticHeight(float3 p)
     return dot(_CausticUp.xyz, p) - _CausticUp.w;
 }
 
-// Of a layer above the last.
+// Height of a layer above the last.
 float CausticLayerHeight(uint layer, float range)
 {
     return range * (1.0 - layer / max(_CausticLight.w - 1.0, 1.0));

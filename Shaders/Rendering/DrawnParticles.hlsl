@@ -1,5 +1,5 @@
-// Where particles are drawn: at the time of the frame, which lies between fixed steps. A particle goes on along the chord of the
-// last substep, for the time by which the newest state stays behind the frame. (Its velocity would be another path once viscosity
+// Positions at which particles are drawn: at the time of the frame, which lies between fixed steps. A particle goes on along the chord of the
+// last substep, for the time by which the newest state lags the frame. (Its velocity would be another path once viscosity
 // has acted on it.) The path ends at the walls of the domain. Lengths in d, in the domain's frame.
 //
 //   _Positions       [kAlive]  in   float4, xyz position, d
@@ -27,7 +27,7 @@ float3 PositionAfter(uint i, float substeps, float seconds)
     float3 position = _Positions[i].xyz;
     if (seconds == 0.0)
         return position;
-    // What has come since the last step has no chord yet.
+    // Particles that were added since the last step have no chord yet.
     float3 path = i < _Counters[kMoved] ? (position - _StartPositions[i].xyz) * substeps : _Velocities[i].xyz * seconds;
     return clamp(position + path, min(position, kWallDistance), max(position, _DrawnDomainSize.xyz - kWallDistance));
 }

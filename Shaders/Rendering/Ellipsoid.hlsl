@@ -15,15 +15,15 @@ float3 ToBall(Ellipsoid e, float3 v)
     return float3(dot(e.a, v), dot(e.b, v), dot(e.c, v)) / max(squares, 1e-20);
 }
 
-// Where the ray enters the ball of radius 1 and where it leaves it; false where it passes by.
+// Returns where the ray enters the ball of radius 1 and where it leaves it; false if it misses.
 bool HitBall(float3 origin, float3 direction, out float2 hit)
 {
     float squared = max(dot(direction, direction), 1e-20);
-    float middle = -dot(origin, direction) / squared;
-    float3 nearest = origin + direction * middle;       // and not b b - a c, which cancels far away
+    float nearestT = -dot(origin, direction) / squared;
+    float3 nearest = origin + direction * nearestT;       // and not b b - a c, which cancels far away
     float missing = 1.0 - dot(nearest, nearest);
     float halfWay = sqrt(max(missing, 0.0) / squared);
-    hit = float2(middle - halfWay, middle + halfWay);
+    hit = float2(nearestT - halfWay, nearestT + halfWay);
     return missing > 0.0;
 }
 

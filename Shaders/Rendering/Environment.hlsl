@@ -1,4 +1,4 @@
-// What the scene's surroundings look like in a direction: the reflection probes, light probes and sky that the pipeline gives, or a
+// Light of the scene's surroundings from a direction: the reflection probes, light probes and sky that the pipeline gives, or a
 // cube map of the user's own where RILL_OWN_REFLECTION is on. Includes nothing of Unity's; see View.hlsl.
 //
 //   _ReflectionCube      of the user's own; linear. In HDRP, whose light has units: nits
@@ -77,7 +77,7 @@ float3 DecodeProbe(float4 sampled, float4 hdr)
 
 #if !defined(RILL_OWN_REFLECTION) && !defined(RILL_HIGH_DEFINITION)
 
-// Where a ray from a point of the world hits the walls of a probe's box, seen from the probe.
+// Returns where a ray from a point of the world hits the walls of a probe's box, seen from the probe.
 float3 ProjectedOnBox(float3 direction, float3 world, float4 probe, float4 low, float4 high)
 {
     if (probe.w <= 0.0)
@@ -126,7 +126,7 @@ float3 AtlasProbe(uint probe, float3 world, float3 direction, float level)
     return lerp(AtlasMip(probe, octahedron, floor(mip)), AtlasMip(probe, octahedron, min(floor(mip) + 1.0, last)), frac(mip));
 }
 
-// As the clustered renderer and the others of URP blend probes, whatever the asset says of blending and boxes. The sky is the rest.
+// Blends probes like the clustered renderer and the others of URP, whatever the asset says of blending and boxes. The sky is the rest.
 float3 ProbesOfUniversal(float3 world, float3 direction, float level)
 {
     float3 sum = 0.0;
@@ -165,7 +165,7 @@ float3 ProbesOfUniversal(float3 world, float3 direction, float level)
 
 #endif
 
-// What is seen in a direction from a point of the world, linear. roughness: perceptual, 0 a mirror.
+// Returns what is visible in a direction from a point of the world, linear. roughness: perceptual, 0 a mirror.
 float3 Mirrored(float3 world, float3 direction, float roughness)
 {
     float level = roughness * (1.7 - 0.7 * roughness) * kReflectionLevels;
@@ -183,7 +183,7 @@ float3 Mirrored(float3 world, float3 direction, float roughness)
 #endif
 }
 
-// What a white surface of the scene that faces there shows of the light around.
+// Returns what a white surface of the scene that faces there shows of the light around.
 float3 AmbientOfScene(float3 normal)
 {
 #if !defined(RILL_HIGH_DEFINITION)
@@ -200,7 +200,7 @@ float3 AmbientOfScene(float3 normal)
 #endif
 }
 
-// The same of a part of the water, as it mirrors its surroundings.
+// Returns the ambient light of a part of the water, as it mirrors its surroundings.
 float3 Ambient(float3 world, float3 normal)
 {
 #if defined(RILL_OWN_REFLECTION)

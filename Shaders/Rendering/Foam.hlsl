@@ -47,7 +47,7 @@ float FoamLifetime(FoamParticle particle)
     return (particle.b.w >> 2 & 16383) * kLifetimeUnit;
 }
 
-// Of the largest radius, 0 to 1.
+// Fraction of the largest radius, 0 to 1.
 float FoamSize(FoamParticle particle)
 {
     return (particle.b.w >> 16 & 255) * (1.0 / 255.0);
@@ -66,13 +66,13 @@ float3 DrawnFoamPosition(FoamParticle particle, float seconds, float3 domainSize
     return clamp(position + FoamVelocity(particle) * seconds, min(position, 0.0), max(position, domainSize));
 }
 
-// Of a particle where the largest has this radius.
+// Radius of a particle if the largest has this radius.
 float DrawnFoamRadius(FoamParticle particle, float largest)
 {
     return largest * FoamSize(particle) * (FoamKind(particle) == kSpray ? 0.7 : 1.0);
 }
 
-// At its middle, where it is that of a particle in the middle of its life.
+// At its center, where it is that of a particle halfway through its life.
 float DrawnFoamOpacity(FoamParticle particle, float opacity)
 {
     float life = saturate(FoamAge(particle) / max(FoamLifetime(particle), 1e-3));
@@ -87,7 +87,7 @@ FoamParticle PackFoam(float3 position, float3 velocity, uint kind, float age, ui
     return particle;
 }
 
-// What stays for its life, for PackFoam: lifetime in s; size and random from 0 to 1.
+// Packs what is constant for its life, for PackFoam: lifetime in s; size and random from 0 to 1.
 uint PackFoamRest(float lifetime, float size, float random)
 {
     uint units = min(uint(lifetime / kLifetimeUnit + 0.5), kMaxLifetime);

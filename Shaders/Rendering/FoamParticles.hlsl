@@ -84,7 +84,7 @@ float RankInCells(float2 at, uint seed)
     return 1.0 - exp(-pow(2.04 * sqrt(nearest), 2.35));       // fitted to 30,000 points, within 0.016
 }
 
-// Where foam covers less than all, it is the rims of its cells that do.
+// Partial foam covers the rims of its cells.
 float InCells(float covered, float2 at, float cellPixels, uint seed)
 {
     float soft = max(min(min(kSoft, covered), 1.0 - covered), 1e-3);
@@ -105,7 +105,7 @@ float4 FoamFragment(FoamVaryings input) : SV_Target
     }
     MainLight light = GetMainLight();
     float3 lightColor = light.color * MainLightShadow(light, input.world.xyz, WorldToClip(input.world.xyz));
-    // Foam scatters light to all sides: what comes from above lights it whichever way the disc faces.
+    // Foam scatters light to all sides: what comes from above lights it wherever the disc faces.
     float3 lit = _FoamColor.rgb * (_AmbientColor.rgb + lightColor * (0.35 + 0.45 * saturate(light.direction.y)));
     return float4(lit, covered);
 }

@@ -232,7 +232,7 @@ float LightShadow(float3 world, float4 clip)
 
 #endif
 
-// Of a point that the pass draws, at its clip position. A light chosen on the component has a shadow only if it is the main one.
+// Shadow of a point that the pass draws, at its clip position. A light chosen on the component has a shadow only if it is the main one.
 float MainLightShadow(MainLight light, float3 world, float4 clip)
 {
     float3 main = RILL_LIGHT_DIRECTION;

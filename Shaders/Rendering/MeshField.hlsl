@@ -85,7 +85,7 @@ float MeshDistance(float3 p)
     return MeshDistance(p, isUniform);
 }
 
-// The same in full precision: filters know a place between two nodes to 1/256.
+// Returns the distance in full precision: filters resolve a position between two nodes to 1/256.
 float PreciseMeshDistance(float3 p)
 {
     float3 at = InMeshNodes(p);
@@ -114,7 +114,7 @@ float3 MeshNormal(float3 p)
     return MeshNormal(p, false);
 }
 
-// Where a ray leaves the domain's box, d, and the wall there: its normal points out. Of a point beyond it, what lies ahead.
+// Returns where a ray leaves the domain's box, d, and the wall there: its normal points out. For a point beyond it, the box ahead counts.
 float BoxExit(float3 from, float3 along, out float3 wall)
 {
     float3 safe = abs(along) > 1e-7 ? along : 1e-7;
@@ -124,7 +124,7 @@ float BoxExit(float3 from, float3 along, out float3 wall)
     return max(exit, 0.0);
 }
 
-// Where a ray enters the domain's box, d: 0 inside; below 0 where it misses.
+// Returns where a ray enters the domain's box, d: 0 inside; below 0 if it misses.
 float BoxEntry(float3 from, float3 along)
 {
     float3 safe = abs(along) > 1e-7 ? along : 1e-7;

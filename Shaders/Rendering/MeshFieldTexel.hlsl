@@ -1,4 +1,4 @@
-// Where bricks lie in the texture of the field from which the water's mesh was found: for who stores it and who reads it. Includes nothing of
+// Positions of bricks in the texture of the field from which the water's mesh was found, for writers and readers. Includes nothing of
 // Unity's.
 #ifndef RILL_MESH_FIELD_TEXEL_INCLUDED
 #define RILL_MESH_FIELD_TEXEL_INCLUDED

@@ -1,4 +1,4 @@
-// What a smooth surface does to light. Includes nothing.
+// Optics of a smooth surface. Includes nothing.
 #ifndef RILL_OPTICS_INCLUDED
 #define RILL_OPTICS_INCLUDED
 

@@ -71,7 +71,7 @@ SceneTrace TraceScene(float3 from, float3 path, uint maxSteps, float border)
     r.to = b.xyz / b.w;
     r.fromW = a.w;
     r.toW = b.w;
-    // As far as the picture goes.
+    // Limits it to the picture.
     float2 shift = r.to.xy - r.from.xy;
     float2 room = (border - r.from.xy * sign(shift)) / max(abs(shift), 1e-6);
     float last = saturate(min(room.x, room.y));
@@ -143,7 +143,7 @@ SceneTrace TraceScene(float3 from, float3 path, uint maxSteps, float border)
     result.hidden = !result.found && wasBehind;
     float ends = result.found ? high : last;
     float shown = result.found ? high : seen;
-    // In place of what is hidden that beside it is seen, mirrored at the edge of what hides it, and drawn out, so that little is seen twice.
+    // A hidden part is replaced by what is visible beside it, mirrored at the edge of what hides it, and drawn out, so that little is seen twice.
     if (result.hidden)
         shown = max(0.0, seen - kMirroredPart * (last - seen));
     // Beyond the picture nothing is known: its border is seen.

@@ -1,4 +1,4 @@
-// What MotionVectors passes write: how far a point has come on the screen since the last frame, by its own motion and the
+// Output of MotionVectors passes: how far a point has come on the screen since the last frame, by its own motion and the
 // camera's. Includes nothing of Unity's; see View.hlsl.
 #ifndef RILL_SCREEN_MOTION_INCLUDED
 #define RILL_SCREEN_MOTION_INCLUDED
@@ -44,7 +44,7 @@ float4 MotionOnScreen(float3 world, float3 previous)
 #endif
 }
 
-// The same in a pass for which the pipeline says whether the renderer is to have any.
+// Returns the motion in a pass for which the pipeline says whether the renderer is to have any.
 float4 ScreenMotion(float3 world, float3 previous)
 {
 #ifdef RILL_HIGH_DEFINITION

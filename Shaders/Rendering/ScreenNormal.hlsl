@@ -1,4 +1,4 @@
-// What DepthNormals passes write: a world normal as URP stores it. Includes nothing.
+// Output of DepthNormals passes: a world normal as URP stores it. Includes nothing.
 #ifndef RILL_SCREEN_NORMAL_INCLUDED
 #define RILL_SCREEN_NORMAL_INCLUDED
 

@@ -1,4 +1,4 @@
-// What the Built-in pipeline gives a directional light's shadow by, copied while it is there: transparent draws come after it.
+// Inputs of a directional light's shadow in the Built-in pipeline, copied while it is there: transparent draws come after it.
 //
 //   _ShadowMapSource   in   the light's map of depths, after it was drawn
 //   the uniforms of UnityShadows, before the mask on the screen is made of them

@@ -59,7 +59,7 @@ SurfaceParticle PackElement(uint kind, float3 position)
     return packed;
 }
 
-// Of a particle of which no plane is known.
+// Packs a particle whose plane is unknown.
 SurfaceParticle PackBall(float3 position, float radius)
 {
     SurfaceElement ball = (SurfaceElement)0;

@@ -27,7 +27,7 @@ float3 MotionOfWater(float3 world, float3 chord)
     return mul((float3x3)_LastDomainToWorld, chord * (_FrameLag.x - _FrameLag.z)) + mul(_DomainMotion, inDomain).xyz;
 }
 
-// Where the water is; its motion in xy. Discards where there is none.
+// Returns the water's motion in xy, and its position. Discards pixels without water.
 float4 MotionAt(float2 picture, out float3 world)
 {
     int2 texel = SurfaceTexel(picture);

@@ -34,7 +34,7 @@ Plane UnpackPlane(uint2 packed)
     return plane;
 }
 
-// Of the planes of neighbors that face as the particle's own does.
+// Sums over the planes of neighbors that face as the particle's own does.
 struct PlaneSums
 {
     float3 normal;

@@ -1,7 +1,7 @@
 // The views that the water's surface is drawn for: one camera, one or two eyes. Its own matrices, so that its textures can be
 // filled outside the pipeline's passes. Positions on the picture are -1 to 1 with y up; textures begin at the bottom of the picture.
 //
-// Depth in the surface's textures is the device's with 1 at the near plane, 0 at the far plane and 0 where there is no water.
+// Depth in the surface's textures is the device's with 1 at the near plane, 0 at the far plane and 0 without water.
 // Planes are linear in it on the picture, with perspective and without. Where the camera's near plane is oblique, as that of a planar
 // mirror, it is still the depth of a straight one: the scene's is another, and what the oblique plane cuts off is left out.
 #ifndef RILL_SURFACE_VIEW_INCLUDED
@@ -108,7 +108,7 @@ int2 SurfaceTexel(float2 picture)
     return int2(clamp(TexelsAt(picture, _SurfaceSize, _SurfaceWindow), 0.0, _SurfaceWindow.zw - 1.0));
 }
 
-// What SV_Position takes for a place in the viewport, -1 to 1 with y up, at a depth of the surface's textures, in a render texture.
+// Returns SV_Position for a point in the viewport, -1 to 1 with y up, at a depth of the surface's textures, in a render texture.
 float4 ViewportPosition(float2 at, float depth)
 {
 #if RILL_OPENGL
@@ -118,7 +118,7 @@ float4 ViewportPosition(float2 at, float depth)
 #endif
 }
 
-// The same for a point in the clip space of the surface.
+// Returns SV_Position for a point in the clip space of the surface.
 float4 WindowClip(float4 clip)
 {
     float2 scale = _SurfaceSize.xy / max(_SurfaceWindow.zw, 1.0), shift = scale - 2.0 * _SurfaceWindow.xy / max(_SurfaceWindow.zw, 1.0) - 1.0;
@@ -136,14 +136,14 @@ float2 TriangleCorner(uint vertex)
     return float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
 }
 
-// Of a rectangle as two triangles, on the picture.
+// Corners of a rectangle as two triangles, on the picture.
 float2 RectangleCorner(uint vertex, float2 low, float2 high)
 {
     static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
     return lerp(low, high, kCorners[vertex % 6]);
 }
 
-// The middle of a texel of the surface's textures on the picture.
+// The center of a texel of the surface's textures on the picture.
 float2 TexelPicture(int2 texel)
 {
     return (texel + _SurfaceWindow.xy + 0.5) * _SurfaceSize.zw * 2.0 - 1.0;

@@ -123,7 +123,7 @@ float3 _WorldSpaceCameraPos;
 #define RILL_EYE _WorldSpaceCameraPos
 #endif
 
-// As long as matrices do not jitter (temporal antialiasing), and those of the last frame: for motion vectors alone.
+// Matrices without jitter (temporal antialiasing), and those of the last frame: for motion vectors alone.
 #if defined(RILL_UNIVERSAL) && defined(RILL_STEREO)
 float4x4 _NonJitteredViewProjMatrixStereo[2];
 float4x4 _PrevViewProjMatrixStereo[2];
@@ -191,7 +191,7 @@ bool SelectView(uint instance)
 #define RestoreView(input)
 #endif
 
-// Where a vertex of what must not be drawn goes: all three of a triangle in one point, outside.
+// Position of vertices that must not be drawn: all three of a triangle in one point, outside.
 static const float4 kNowhere = float4(2, 2, 2, 1);
 
 // ---- world to clip
@@ -224,7 +224,7 @@ float PixelsPerMeter(float3 world)
 }
 #endif
 
-// As SV_Depth takes it.
+// Returns the depth for SV_Depth.
 float DeviceDepth(float4 clip)
 {
     float depth = clip.z / clip.w;

@@ -44,7 +44,7 @@ MainLight LightOfWater()
     return light;
 }
 
-// What scatters in the water sends to the eye in the end, where it is deep.
+// Light that scattering in deep water sends to the eye in the end.
 float3 ScatteredLight(Medium medium, float3 around, float3 lightColor, float toLight)
 {
     return (around + lightColor * (0.5 * saturate(toLight) + 0.25)) * medium.color;
@@ -136,10 +136,10 @@ UnderWaterVaryings UnderWaterVertex(uint vertex : SV_VertexID, uint instance : S
         return result;
 
     // Nothing where no part of the near plane can be in the water.
-    float3 middle = InDomain(OnNearPlane(0.0));
-    float radius = length(InDomain(OnNearPlane(1.0)) - middle);
-    float3 nearest = clamp(middle, 0.0, _DrawnDomainSize.xyz);
-    if (distance(middle, nearest) > radius || MeshDistance(nearest) < -min(radius + 0.5, 0.9 * kMeshFar) && radius < 0.9 * kMeshFar - 0.5)
+    float3 center = InDomain(OnNearPlane(0.0));
+    float radius = length(InDomain(OnNearPlane(1.0)) - center);
+    float3 nearest = clamp(center, 0.0, _DrawnDomainSize.xyz);
+    if (distance(center, nearest) > radius || MeshDistance(nearest) < -min(radius + 0.5, 0.9 * kMeshFar) && radius < 0.9 * kMeshFar - 0.5)
         return result;
     float2 picture = RectangleCorner(vertex, -1.0, 1.0);
     SurfaceRay ray = RayThrough(picture, eyeIndex);
@@ -262,7 +262,7 @@ WaterPoint PointOn(float2 picture)
     return p;
 }
 
-// What the surface mirrors: the scene where the ray meets it on the picture, else the surroundings.
+// Returns what the surface mirrors: the scene where the ray meets it on the picture, else the surroundings.
 float3 Reflected(float3 world, float3 direction, float roughness, float2 picture)
 {
     float3 color = Mirrored(world, direction, roughness);

@@ -52,14 +52,14 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     float reach = (droplet.isCap ? kCapRadius : droplet.along) * Spacing();
     result.world = PointOnSilhouette(ballCenter, QuadCorner(vertex), result.a.xyz, droplet.isCap ? 1.0 : droplet.across / droplet.along, reach);
     result.clip = WorldToClip(result.world);
-    // As near as any of it, along the view.
+    // Depth of its nearest part, along the view.
     float4 nearest = WorldToClip(ballCenter + RILL_VIEW_MATRIX[2].xyz * reach);
     if (nearest.w > 1e-4)
         result.clip.z = nearest.z / nearest.w * result.clip.w;
     return result;
 }
 
-// What a ray meets that leaves a droplet of a few pixels: the scene, as if all of it stood as far away as what is behind the droplet.
+// Returns what a ray meets that leaves a droplet of a few pixels: the scene, as if all of it stood as far away as what is behind the droplet.
 float3 SeenByDroplet(float3 world, float3 along, float2 picture, float z)
 {
     float3 color = Mirrored(world, along, 0.0);
@@ -87,7 +87,7 @@ float3 SeenInDroplet(Ellipsoid e, float3 world, float3 normal, float3 ray, float
     return lerp(SeenByDroplet(leaves, beyond, picture, z), Mirrored(world, reflect(ray, normal), _SurfaceOptics.z), reflectance);
 }
 
-// Returns what is seen in a cap: the solid that it lies on, bent once, and what it mirrors. plane: of the solid, see Ellipsoid's frame.
+// Returns what is visible in a cap: the solid that it lies on, bent once, and what it mirrors. plane: of the solid, see Ellipsoid's frame.
 float4 SeenInCap(Ellipsoid e, float plane, float3 world, float3 normal, float3 ray)
 {
     float index = _SurfaceOptics.x, reflectance = Reflectance(-dot(normal, ray), 1.0 / index);

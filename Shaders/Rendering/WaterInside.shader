@@ -1,4 +1,4 @@
-// What an eye in the water sees, see Water.hlsl: a SubShader for each render pipeline. After the mesh.
+// View of an eye in the water, see Water.hlsl: a SubShader for each render pipeline. After the mesh.
 Shader "Rill/Water Inside"
 {
     SubShader

@@ -41,7 +41,7 @@ ShadowVaryings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
     return result;
 }
 
-// What stands in the water is lit by CausticLight.hlsl where the shadow begins behind the water.
+// Objects in the water are lit by CausticLight.hlsl where the shadow begins behind the water.
 float4 ShadowFragment(ShadowVaryings input, out float depth : SV_Depth) : SV_Target
 {
     RestoreView(input);

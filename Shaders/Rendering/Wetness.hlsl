@@ -23,7 +23,7 @@ StructuredBuffer<uint> _WetStamps;
 uint _WetNow;                   // fluid's time of the frame, as the stamps have it
 uint _WetStamp;                 // of the newest state
 float4 _WetLook;                // x darkening, y smoothness, 0 to 1; z 1 / the time to dry, 1/s; w 1 where the fluid itself is opaque
-float4 _WetFog;                 // the scene's: what is seen through it at z is saturate(x z + y) exp2(-z' - z'^2) with z' of z and w
+float4 _WetFog;                 // the scene's: the visible fraction at z is saturate(x z + y) exp2(-z' - z'^2) with z' of z and w
 float4 _WetFogColor;
 
 #ifdef RILL_HIGH_DEFINITION
@@ -88,7 +88,7 @@ float2 WetnessAt(float3 p)
     return edge * sum / max(reached, 1e-6);
 }
 
-// What the film mirrors in a direction, linear. roughness: 0 a mirror.
+// Returns what the film mirrors in a direction, linear. roughness: 0 a mirror.
 float3 SkyIn(float3 direction, float roughness)
 {
     float level = roughness * (1.7 - 0.7 * roughness) * kSkyLevels;
@@ -111,7 +111,7 @@ float SeenThroughFog(float z)
 float4 WetFragment(SurfaceVaryings input) : SV_Target
 {
     RestoreView(input);
-    // The middle of the texel that the depth is of.
+    // The center of the texel that the depth is of.
     float2 size = SceneSize(), texel = 2.0 / size;
     float2 picture = (floor((input.picture.xy * 0.5 + 0.5) * size) + 0.5) * texel - 1.0;
     float z = SceneDepthAt(picture, eyeIndex);
@@ -129,11 +129,11 @@ float4 WetFragment(SurfaceVaryings input) : SV_Target
     float inBox = saturate(1.0 - 2.0 * max(beyond.x, max(beyond.y, beyond.z)));
     float2 wet = inBox * WetnessAt(front);
     if (_WetLook.w > 0.5)
-        wet.x = max(wet.x - max(wet.y, WetnessAt(p - kInFront * normal).y), 0.0);       // what is seen there may be the fluid
+        wet.x = max(wet.x - max(wet.y, WetnessAt(p - kInFront * normal).y), 0.0);       // the visible surface may be the fluid
     if (wet.x < kDry)
         discard;
 
-    // Under water there is no film.
+    // No film exists under water.
     float film = _WetLook.y * saturate(wet.x - wet.y);
     float cosine = saturate(dot(normal, toEye)), grazing = 1.0 - cosine, squared = grazing * grazing;
     float roughness = 1.0 - _WetLook.y;

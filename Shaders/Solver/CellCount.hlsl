@@ -7,7 +7,7 @@ RWStructuredBuffer<uint2> _CellRanks;       // [kAlive], cell and arrival number
 
 static const uint kCulled = 0xFFFFFFFFu;
 
-// Where a particle would go without the constraint (Macklin and Mueller 2013, algorithm 1, lines 1-4).
+// Returns where a particle would go without the constraint (Macklin and Mueller 2013, algorithm 1, lines 1-4).
 float3 Predict(float3 p, float3 velocity)
 {
     return p + velocity * _TimeStep + _GravityStep;
@@ -16,18 +16,18 @@ float3 Predict(float3 p, float3 velocity)
 // Whether the position is finite: one that is not has no cell, and its particle is left out of the sort and so of the simulation.
 bool CountInCell(uint i, float3 predicted)
 {
-    uint2 place = uint2(kCulled, 0);
+    uint2 cellAndRank = uint2(kCulled, 0);
     bool isFinite = IsFinite(predicted);
     if (isFinite)
     {
-        place.x = CellIndex(ClampToDomain(predicted));
-        InterlockedAdd(_CellHistogram[place.x], 1, place.y);
+        cellAndRank.x = CellIndex(ClampToDomain(predicted));
+        InterlockedAdd(_CellHistogram[cellAndRank.x], 1, cellAndRank.y);
     }
-    _CellRanks[i] = place;
+    _CellRanks[i] = cellAndRank;
     return isFinite;
 }
 
-// The same as part of a step, which tells of particles that are left out.
+// Counts as part of a step, which reports particles that are left out.
 void CountInStep(uint i, float3 predicted)
 {
     if (!CountInCell(i, predicted))

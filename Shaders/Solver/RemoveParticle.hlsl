@@ -4,7 +4,7 @@
 
 #include "RemovedMark.hlsl"
 
-// Its position is no number from here on. The sort counts every such as not finite, which is taken back in advance.
+// Its position is NaN from here on. The sort counts every such as not finite, which is taken back in advance.
 void Remove(uint i, float3 p)
 {
     _Positions[i] = asfloat(kRemovedBits);

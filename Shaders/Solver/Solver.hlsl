@@ -1,4 +1,4 @@
-// What every kernel of the solver shares: constants of a step, counters, the particle-to-thread map, kernels, walls.
+// Common parts of all kernels of the solver: constants of a step, counters, the particle-to-thread map, kernels, walls.
 //
 // Lengths are in units of the particle spacing d, times in seconds, densities relative to rest: the numbers that a
 // kernel sees do not depend on the scale of the scene. Positions are in the domain's frame, its lowest corner at 0.
@@ -53,7 +53,7 @@ float3 ClampToDomain(float3 p)
     return clamp(p, kContactOffset, _DomainSize - kContactOffset);
 }
 
-// Where a particle's flow alone takes it in a substep. The projection is found and looked up there: water that is about to meet
+// Returns where a particle's flow alone takes it in a substep. The projection is found and looked up there: water that is about to meet
 // other water, or a wall, lies in its cells already.
 float3 AlongFlow(float3 p, float3 velocity)
 {
@@ -87,7 +87,7 @@ float3 CoincidentDirection(uint self, uint other)
 // Fraction of the rest density that a half space of fluid behind a plane at distance s adds, and its derivative along the
 // normal (negative: density falls as the particle leaves the wall).
 //   density     poly6 integrated over the half space:  1/2 - 315/256 (x - 4/3 x^3 + 6/5 x^5 - 4/7 x^7 + x^9/9), x = s/h
-//   derivative  the spiky gradient integrated the same way:  -30/h^6 (h t^4/4 - t^5/5), t = h - s
+//   derivative  the spiky gradient integrated likewise:  -30/h^6 (h t^4/4 - t^5/5), t = h - s
 void HalfSpace(float s, out float density, out float derivative)
 {
     s = clamp(s, 0.0, kSupport);
@@ -125,7 +125,7 @@ void WallDensity(float3 p, out float density, out float3 gradient)
 static const float kFar = 1.0;              // none comes near it in the substep
 static const float kNeedsSweep = 2.0;          // one may: CollidePaths finds out
 
-// The same with what colliders add: xyz its gradient, w the density.
+// Adds what colliders contribute: xyz its gradient, w the density.
 void AddBoundary(float4 boundary, inout float density, inout float3 gradient)
 {
     gradient = gradient * (1.0 - boundary.w) + boundary.xyz * (1.0 - density);

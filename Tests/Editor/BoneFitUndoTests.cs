@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What Fit to Bones does can be undone.</summary>
+    /// <summary>The changes by Fit to Bones can be undone.</summary>
     [Category("EditMode")]
     public class BoneFitUndoTests
     {

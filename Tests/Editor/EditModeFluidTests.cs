@@ -77,8 +77,8 @@ namespace Rill.Editor.Tests
             Assert.That(corners.Length, Is.EqualTo(ParticleMesh.Corners * water.Count));
             for (int i = 0; i < water.Count; i++)
             {
-                float3 middle = 0.5f * (corners[i * ParticleMesh.Corners] + corners[i * ParticleMesh.Corners + 1]);
-                Assert.That(math.distance(middle, water.positions[i].xyz), Is.LessThan(1e-4f), "spacings");
+                float3 center = 0.5f * (corners[i * ParticleMesh.Corners] + corners[i * ParticleMesh.Corners + 1]);
+                Assert.That(math.distance(center, water.positions[i].xyz), Is.LessThan(1e-4f), "spacings");
             }
         }
 

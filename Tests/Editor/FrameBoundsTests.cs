@@ -9,10 +9,10 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What F frames in the scene view. Unity asks each inspector of the selection by name, and so does this.</summary>
+    /// <summary>Bounds that F frames in the scene view. Unity asks each inspector of the selection by name, and so does this.</summary>
     public class FrameBoundsTests
     {
-        // As Unity's SceneView looks for the messages: private methods of a base class are not found.
+        // Finds messages like Unity's SceneView: private methods of a base class are not found.
         const BindingFlags AsUnityLooks = BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.Instance | BindingFlags.FlattenHierarchy;
         const float Turn = 0.70710678f;     // sine and cosine of 45 degrees
 

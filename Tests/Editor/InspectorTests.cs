@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What inspectors show, without drawing it.</summary>
+    /// <summary>Contents of inspectors, without drawing them.</summary>
     public class InspectorTests
     {
         static readonly Type[] Components =

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What happens before scripts are loaded again.</summary>
+    /// <summary>Work that is done before scripts are loaded again.</summary>
     public class KeptStateReloadTests
     {
         [TearDown]

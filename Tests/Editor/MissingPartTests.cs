@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What the inspector of a fluid that shows or holds nothing offers.</summary>
+    /// <summary>Offers of the inspector of a fluid that shows or holds nothing.</summary>
     public class MissingPartTests
     {
         EditorScene scene;

@@ -10,7 +10,7 @@ namespace Rill.Editor.Tests
     /// <summary>Rows of inspectors clip nothing in narrow views. Laid out, not drawn.</summary>
     public class RowLayoutTests
     {
-        // Of an inspector: what its margins and a scroll bar leave, and the editor's own label column.
+        // Sizes of an inspector: what its margins and a scroll bar leave, and the editor's own label column.
         const float Margins = 36f, LabelColumn = 120f, Line = 18f, Indent = 15f;
 
         static readonly float[] ViewWidths = { 300f, 350f, 600f };

@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What GameObject > Rill makes.</summary>
+    /// <summary>Objects that GameObject > Rill creates.</summary>
     public class SceneSetupTests
     {
         static readonly Func<GameObject, GameObject>[] Parts = { SceneSetup.CreateVolume, SceneSetup.CreateEmitter, SceneSetup.CreateDrain,

@@ -11,7 +11,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What follows from changed settings: in the Editor's next update where Unity validates, at once where a script sets them.</summary>
+    /// <summary>Effects of changed settings: in the Editor's next update where Unity validates, at once where a script sets them.</summary>
     public class SettingsQueueTests
     {
         EditorScene scene;
@@ -50,7 +50,7 @@ namespace Rill.Editor.Tests
         [Test]
         public void Stages_that_alone_were_put_back_are_stored_again()
         {
-            // As by Revert on the hidden field of a prefab instance, or by pasted values of an older component.
+            // Changes like Revert on the hidden field of a prefab instance, or by pasted values of an older component.
             Change(fluid, "shaders.stages", property => property.arraySize = 1);
             SettingsQueue.Apply();
             Assert.That(Stored(fluid), Has.Member("ParticleUpload").And.Member("Statistics"));

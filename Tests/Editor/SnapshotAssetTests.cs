@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What the inspector's button writes.</summary>
+    /// <summary>Asset that the inspector's button writes.</summary>
     public class SnapshotAssetTests
     {
         [Test]

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What importing the package must leave behind, seen without playing.</summary>
+    /// <summary>Results of importing the package, seen without playing.</summary>
     public class StageAssetTests
     {
         [TestCase("Clear", "ClearWords", "ClearBlocks", "ClearTriples")]
@@ -41,7 +41,7 @@ namespace Rill.Editor.Tests
             }
         }
 
-        // What runs instead of a kernel that this device is too small for.
+        // Returns what runs instead of a kernel that this device is too small for.
         static string StandInFor(ComputeShader shader, string kernel)
         {
             string standIn = shader.HasKernel(kernel + KernelNeed.Small) ? kernel + KernelNeed.Small : kernel + KernelNeed.Narrow;

@@ -7,7 +7,7 @@ using UnityEngine.Profiling;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What the inspector says of a fluid that runs.</summary>
+    /// <summary>Statistics that the inspector shows for a running fluid.</summary>
     public class StatisticsViewTests
     {
         [Test]

@@ -8,7 +8,7 @@ namespace Rill.Tests
     /// <summary>A body goes along with a box that moved and turned since a snapshot: pose, motion, and what acts on it.</summary>
     public class BodyPlacementTests
     {
-        static readonly Vector3 Place = new Vector3(0.3f, -0.2f, 0.5f), Velocity = new Vector3(0.4f, 0.1f, -0.6f),
+        static readonly Vector3 Position = new Vector3(0.3f, -0.2f, 0.5f), Velocity = new Vector3(0.4f, 0.1f, -0.6f),
             Spin = new Vector3(-0.5f, 0.7f, 0.2f), Force = new Vector3(3f, -1f, 2f), Torque = new Vector3(-2f, 4f, 1f);
         static readonly Quaternion Rotation = Quaternion.Euler(10f, 50f, -30f);
 
@@ -33,12 +33,12 @@ namespace Rill.Tests
             var to = new RigidPose(new float3(-4f, 0f, 8f), turn * (Quaternion)from.rotation);
             body.rotation = Quaternion.identity;
             body.angularVelocity = Vector3.one;
-            Assert.That(BodyPlacement.Place(body, record, new BoxMotion(from, to)));
+            Assert.That(BodyPlacement.Restore(body, record, new BoxMotion(from, to)));
             BodyRecord placed = default;
             BodyPlacement.Save(body, ref placed);
-            Vector3 place = (Vector3)to.position + turn * (Place - (Vector3)from.position);
-            AssertNear(placed.pose.position, place, "m");
-            AssertNear(placed.shown.position, place, "m, of the object");
+            Vector3 position = (Vector3)to.position + turn * (Position - (Vector3)from.position);
+            AssertNear(placed.pose.position, position, "m");
+            AssertNear(placed.shown.position, position, "m, of the object");
             AssertSame(placed.pose.Pose.rotation, turn * Rotation, "of the body");
             AssertSame(placed.shown.Pose.rotation, turn * Rotation, "of the object");
             AssertNear(placed.velocity, turn * Velocity, "m/s");
@@ -47,21 +47,21 @@ namespace Rill.Tests
             AssertNear(placed.torque, turn * Torque, "N m");
         }
 
-        // As one whose object is shown between two steps of the physics.
+        // A body whose object is shown between two steps of the physics.
         [Test]
         public void A_body_and_the_object_that_stays_behind_it_keep_their_own_poses()
         {
             BodyRecord record = Saved();
             Quaternion behind = Quaternion.Euler(5f, 45f, -28f);
-            body.transform.SetPositionAndRotation(Place - 0.1f * Vector3.right, behind);
+            body.transform.SetPositionAndRotation(Position - 0.1f * Vector3.right, behind);
             UnityEngine.Physics.SyncTransforms();
-            body.position = Place;
+            body.position = Position;
             body.rotation = Rotation;
             BodyPlacement.Save(body, ref record);
-            BodyPlacement.Place(body, record, new BoxMotion(new RigidPose(0f, quaternion.identity), new RigidPose(0f, quaternion.identity)));
-            AssertNear(body.transform.position, Place - 0.1f * Vector3.right, "m, of the object");
+            BodyPlacement.Restore(body, record, new BoxMotion(new RigidPose(0f, quaternion.identity), new RigidPose(0f, quaternion.identity)));
+            AssertNear(body.transform.position, Position - 0.1f * Vector3.right, "m, of the object");
             AssertSame(body.transform.rotation, behind, "of the object");
-            AssertNear(body.position, Place, "m");
+            AssertNear(body.position, Position, "m");
             AssertSame(body.rotation, Rotation, "of the body");
         }
 
@@ -70,23 +70,23 @@ namespace Rill.Tests
         {
             BodyRecord record = Saved();
             record.flags = BodyRecord.Sleeps;
-            BodyPlacement.Place(body, record, new BoxMotion(new RigidPose(0f, quaternion.identity), new RigidPose(0f, quaternion.identity)));
+            BodyPlacement.Restore(body, record, new BoxMotion(new RigidPose(0f, quaternion.identity), new RigidPose(0f, quaternion.identity)));
             Assert.That(body.IsSleeping());
             Assert.That((body.GetAccumulatedForce(), body.GetAccumulatedTorque()), Is.EqualTo((Vector3.zero, Vector3.zero)));
         }
 
         BodyRecord Saved()
         {
-            body.transform.SetPositionAndRotation(Place, Rotation);
+            body.transform.SetPositionAndRotation(Position, Rotation);
             UnityEngine.Physics.SyncTransforms();
             body.angularVelocity = Spin;
             body.AddForce(Velocity, ForceMode.VelocityChange);
             UnityEngine.Physics.simulationMode = SimulationMode.Script;
             UnityEngine.Physics.Simulate(1e-4f);
             UnityEngine.Physics.simulationMode = SimulationMode.FixedUpdate;
-            body.position = Place;
+            body.position = Position;
             body.rotation = Rotation;
-            body.transform.SetPositionAndRotation(Place, Rotation);
+            body.transform.SetPositionAndRotation(Position, Rotation);
             body.angularVelocity = Spin;
             body.AddForce(Force);
             body.AddTorque(Torque);

@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What a new Fluid Buoyancy brings, and what it says of a body that has nothing to float with.</summary>
+    /// <summary>Parts that a new Fluid Buoyancy adds, and its message for a body without a collider.</summary>
     public class BodyWithoutColliderTests
     {
         readonly List<GameObject> made = new List<GameObject>();
@@ -32,7 +32,7 @@ namespace Rill.Tests
             GameObject boat = Make("Boat");
             Make("Hull", boat).AddComponent<FluidCollider>();
             boat.AddComponent<FluidBuoyancy>();
-            Assert.That(boat.GetComponent<FluidCollider>() == null, "a shape that nobody chose");
+            Assert.That(boat.GetComponent<FluidCollider>() == null, "a shape that was not chosen");
             Assert.That(boat.GetComponent<Rigidbody>() != null, "what it carries");
         }
 

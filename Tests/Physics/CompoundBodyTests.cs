@@ -161,11 +161,11 @@ namespace Rill.Tests
             GameObject thing = Make("Body");
             thing.transform.position = new Vector3(0f, height, 0f);
             float volume = 0f;
-            foreach ((Vector3 place, Vector3 side) in parts)
+            foreach ((Vector3 position, Vector3 side) in parts)
             {
                 var part = new GameObject("Part") { layer = Layer };
                 part.transform.SetParent(thing.transform, false);
-                part.transform.localPosition = place;
+                part.transform.localPosition = position;
                 if (byLayer)
                     part.AddComponent<BoxCollider>().size = side;
                 else

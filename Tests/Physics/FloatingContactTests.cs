@@ -50,7 +50,7 @@ namespace Rill.Tests
             Assert.That(farthest, Is.LessThan(quay + longest + 0.005f), "into the quay: as it comes, by a step's travel");
             Assert.That(Front(body), Is.GreaterThan(quay - 0.02f), "it lies against the quay");
             Assert.That(body.position.y, Is.InRange(0.25f, 0.5f), "and floats");
-            // Archimedes' half, a spacing (a quarter of the side) either way, and what friction holds: the water presses the
+            // Archimedes' half, a spacing (a quarter of the side) up or down, and what friction holds: the water presses the
             // body to the quay by 36 N, 0.6 of it is 0.28 of the body's buoyancy.
             Assert.That(submerged, Is.InRange(0.25f, 0.99f), "mean of a second");
         }

@@ -17,7 +17,7 @@ namespace Rill.Tests
         public readonly FluidBuoyancy Buoyancy;
         public readonly float Volume, Depth, Side;
 
-        /// <summary>Height of the body's middle over the floor, m, and its velocity, m/s, after each frame.</summary>
+        /// <summary>Height of the body's center over the floor, m, and its velocity, m/s, after each frame.</summary>
         public readonly List<float> Heights = new List<float>(), Speeds = new List<float>();
         /// <summary>Largest change of the body's velocity over the time in which it came, m/s²; of its angular velocity, rad/s².</summary>
         public float PeakAcceleration { get; private set; }
@@ -91,7 +91,7 @@ namespace Rill.Tests
         }
 
         /// <summary>Level of the water over the floor, m, from the number and the mean height of its particles: under plain iterations it
-        /// stands lower than it was filled in, the deeper the more, and a body that begins under water takes the place of some.</summary>
+        /// stands lower than it was filled in, the deeper the more, and a body that begins under water displaces some.</summary>
         public float Level => Fluid.TryGetStatistics(out FluidStatistics statistics)
             ? statistics.particles * (Spacing * Spacing * Spacing) / (Side * Side) * statistics.volumeRatio : Depth;
 

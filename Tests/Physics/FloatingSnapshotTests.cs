@@ -237,7 +237,7 @@ namespace Rill.Tests
             }
         }
 
-        // Of all bodies, and of the water.
+        // State of all bodies, and of the water.
         float[] State()
         {
             var values = new List<float>();

@@ -143,7 +143,7 @@ namespace Rill.Tests
 
         static Vector3 Size(ColliderShape shape) => shape == ColliderShape.Box ? BoxSize : Vector3.one * BallSize;
 
-        // Height of the middle of a body that floats as Archimedes has it: a prism, or a ball whose cap of height x (of its diameter) has
+        // Height of the center of a body that floats as Archimedes has it: a prism, or a ball whose cap of height x (of its diameter) has
         // the fraction 3x² - 2x³.
         static float Draft(ColliderShape shape, float height, float ratio, float level)
         {

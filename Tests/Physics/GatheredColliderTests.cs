@@ -18,7 +18,7 @@ namespace Rill.Tests
         readonly List<GameObject> made = new List<GameObject>();
         FluidPhysicsColliders colliders;
 
-        // Inactive: no fluid runs, and the test asks in its place.
+        // Inactive: no fluid runs, and the test asks instead.
         [SetUp]
         public void MakeSource()
         {

@@ -134,7 +134,7 @@ namespace Rill.Tests
                     collider.Shape = ColliderShape.Plane;
                     solid.transform.position = new Vector3(0f, 0.12f, 0f);
                     solid.transform.rotation = Quaternion.Euler(0f, 0f, 4f);
-                    lowest = 0.12f;      // in the middle: a layer there lies on its lower half
+                    lowest = 0.12f;      // in the center: a layer there lies on its lower half
                     return 0.12f + Mathf.Tan(4f * Mathf.Deg2Rad) * 0.5f * Hull.x;       // its lower edge hangs over the slope
                 default:
                     heights = new HeightField(new float[8, 8], 2f, 2f, new Vector3(-1f, 0f, -1f));

@@ -55,7 +55,7 @@ namespace Rill.Tests
             Assert.That(scene.Speeds.Last(), Is.LessThan(0.1f));
         }
 
-        // Of a prism; of a ball whose cap of the depth x, as a fraction of its diameter, has the fraction 3x² - 2x³.
+        // Draft of a prism; for a ball whose cap of the depth x, as a fraction of its diameter, has the fraction 3x² - 2x³.
         static float Draft(ColliderShape shape, float height, float density)
         {
             float ratio = density / FloatingScene.Density, depth = shape == ColliderShape.Box ? ratio : Mathf.Sqrt(ratio / 3f);

@@ -70,7 +70,7 @@ namespace Rill.Tests
             => ((IColliderSource)of).Gather(Vector3.zero, Quaternion.identity, Vector3.one, 0.05f)
                 .ConvertAll(collider => ((GatheredCollider)collider).Collider);
 
-        // Inactive: no fluid runs, and the test asks in its place.
+        // Inactive: no fluid runs, and the test asks instead.
         FluidPhysicsColliders Pool(bool isLocal)
         {
             GameObject pool = Make("Pool", isLocal);

@@ -8,7 +8,7 @@ namespace Rill.Tests
     /// <summary>The snippets of the manual that need the physics, as in ManualSnippets.</summary>
     public class PhysicsManualSnippets
     {
-        static void TakeColliders(FluidSimulation fluid)
+        static void UseColliders(FluidSimulation fluid)
         {
             #region Take the colliders of the physics
             var taken = fluid.gameObject.AddComponent<FluidPhysicsColliders>();
@@ -72,7 +72,7 @@ namespace Rill.Tests
             pool.SetActive(false);
             try
             {
-                TakeColliders(pool.AddComponent<FluidSimulation>());
+                UseColliders(pool.AddComponent<FluidSimulation>());
                 var taken = pool.GetComponent<FluidPhysicsColliders>();
                 Assert.That((taken.ColliderLayers.value, taken.FloatingLayers.value), Is.EqualTo((1, 256)));
                 Assert.That(taken.Validate(out string problem), problem);

@@ -61,8 +61,8 @@ namespace Rill.Tests
             float nearest = float.PositiveInfinity;
             foreach (float4 particle in State(fluid))
             {
-                float3 place = fluid.DomainToWorld.MultiplyPoint3x4((Vector3)particle.xyz);
-                nearest = math.min(nearest, math.min(math.distance(place, center) - 0.12f, math.distance(place.xy, axis.xy) - 0.06f));
+                float3 position = fluid.DomainToWorld.MultiplyPoint3x4((Vector3)particle.xyz);
+                nearest = math.min(nearest, math.min(math.distance(position, center) - 0.12f, math.distance(position.xy, axis.xy) - 0.06f));
             }
             // A particle keeps half a spacing from a surface; the moving one may be met within a step.
             Assert.That(nearest, Is.GreaterThan(0.25f * Spacing));
@@ -88,9 +88,9 @@ namespace Rill.Tests
             }
             Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(4));
             float4[] state = State(fluid);
-            float half = 0.5f * Inner / Spacing, middle = 0.6f / Spacing;
+            float half = 0.5f * Inner / Spacing, center = 0.6f / Spacing;
             foreach (float4 particle in state)
-                Assert.That(math.all(math.abs(particle.xz - middle) < half), $"a particle is at {particle.xyz}");
+                Assert.That(math.all(math.abs(particle.xz - center) < half), $"a particle is at {particle.xyz}");
             done(state);
         }
 

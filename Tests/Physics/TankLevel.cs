@@ -14,7 +14,7 @@ namespace Rill.Tests
         /// <param name="fluid">Its box is upright over the origin.</param>
         /// <param name="side">Of the tank, m.</param>
         /// <param name="height">At which is asked, m: in the box.</param>
-        /// <param name="body">Size of what floats in the middle: it and the 1.5 spacings around it are left out, m.</param>
+        /// <param name="body">Size of what floats in the center: it and the 1.5 spacings around it are left out, m.</param>
         public TankLevel(FluidSimulation fluid, float side, float height, Vector3 body)
         {
             float margin = 1.5f * fluid.ParticleSpacing, inner = side - 2f * fluid.ParticleSpacing;

@@ -9,7 +9,7 @@ namespace Rill.Tests
     /// <summary>Work on the device from a test: run, fill with garbage, read back.</summary>
     static class GpuTest
     {
-        /// <summary>What outputs hold before a kernel writes them: not a number as a float, out of any range as an index.</summary>
+        /// <summary>Content of outputs before a kernel writes them: not a number as a float, out of any range as an index.</summary>
         public const uint Garbage = 0xFFFFDEAD;
 
         /// <summary>Particle counts at and around a thread group, a prime, and one that takes many groups; 0 has tests of its own.</summary>

@@ -184,11 +184,11 @@ namespace Rill.Tests
             return highest;
         }
 
-        static void MoveCollider(FluidCollider paddle, bool isAnotherPlace)
+        static void MoveCollider(FluidCollider paddle, bool isTeleport)
         {
             #region Move a collider
             paddle.transform.position += 0.5f * Time.deltaTime * Vector3.right;     // it pushes the water
-            if (isAnotherPlace)
+            if (isTeleport)
             {
                 paddle.transform.position = Vector3.up;
                 paddle.Teleport();                                                  // it was not in the water between
@@ -223,7 +223,7 @@ namespace Rill.Tests
             #endregion
         }
 
-        static void HearHits(FluidCollider gate)
+        static void ListenToHits(FluidCollider gate)
         {
             #region Hear what the water hits
             gate.HitImpulse = 20f;                                              // N s of one reading, which is that of one to three frames
@@ -266,7 +266,7 @@ namespace Rill.Tests
             #endregion
         }
 
-        static void AskTheWater(FluidProbe probe, Transform buoy)
+        static void QueryWater(FluidProbe probe, Transform buoy)
         {
             #region Ask the water
             if (probe.TryGetSample(out FluidProbeSample water) && water.hasSurface)     // false before the first result
@@ -284,7 +284,7 @@ namespace Rill.Tests
             return () => text;
         }
 
-        static string AskAndWait(FluidProbe probe)
+        static string QueryAndWait(FluidProbe probe)
         {
             string text = null;
             #region Ask and wait (queries.md)
@@ -306,9 +306,9 @@ namespace Rill.Tests
             #endregion
         }
 
-        static void AskInManyPlaces(FluidSimulation fluid, Vector3[] floats, ref FluidQueryBatch batch)
+        static void QueryManyPoints(FluidSimulation fluid, Vector3[] floats, ref FluidQueryBatch batch)
         {
-            #region Ask the water in many places
+            #region Ask the water in many positions
             batch ??= new FluidQueryBatch(fluid, points: floats.Length, rays: 1);      // once; Dispose it in OnDisable
             batch.SetPoints(floats, 0, floats.Length);                                 // each frame in which they have moved
             for (int i = 0; i < floats.Length; i++)
@@ -509,7 +509,7 @@ namespace Rill.Tests
             WatchABasin(basin, jet);
             Func<string> gauge = ReadAGauge(probe);
             MoveCollider(collider, true);
-            HearHits(collider);
+            ListenToHits(collider);
             AddSplash(fluid, new Vector3(0.3f, 0f, 0f));
             float highest = float.MinValue;
             using (var readback = new ParticleReadback())
@@ -521,7 +521,7 @@ namespace Rill.Tests
                     yield return null;
                 }
             }
-            Assert.That(highest, Is.EqualTo(0.4f).Within(0.04f), "the top of the splash as it is added, on its way down since");
+            Assert.That(highest, Is.EqualTo(0.4f).Within(0.04f), "the top of the splash as it is added, falling since");
             Assert.That(ReadStatistics(fluid), Does.Contain("particles").And.EndWith("0 refused"));
             fluid.TryGetStatistics(out FluidStatistics statistics);
             Assert.That(statistics.added, Is.EqualTo(8 * 12 * 10 + 125));
@@ -529,10 +529,10 @@ namespace Rill.Tests
             Assert.That(fluid.Budget.mode, Is.EqualTo(BudgetMode.Milliseconds));
             var buoy = new GameObject("Buoy").transform;
             buoy.SetParent(root.transform, false);
-            AskTheWater(probe, buoy);
+            QueryWater(probe, buoy);
             Assert.That(buoy.position.y, Is.InRange(-0.4f, -0.1f), "1.2 m of water in four tenths of the box are 0.48 m in all of it");
             Assert.That(basin.Latest.valid);
-            Assert.That(AskAndWait(probe), Does.Contain($"step {fluid.StepCount}, 0.0"));
+            Assert.That(QueryAndWait(probe), Does.Contain($"step {fluid.StepCount}, 0.0"));
             Assert.That(gauge(), Does.StartWith("-0.").And.EndWith(" m"));
             var leaf = new GameObject("Leaf").transform;
             leaf.SetParent(root.transform, false);
@@ -542,7 +542,7 @@ namespace Rill.Tests
             probe.transform.SetPositionAndRotation(above, Quaternion.LookRotation(Vector3.down, Vector3.forward));     // the eye
             for (int i = 0; i < 6; i++)
             {
-                AskInManyPlaces(fluid, floats, ref batch);
+                QueryManyPoints(fluid, floats, ref batch);
                 CastRays(batch, probe.transform, buoy, leaf);
                 yield return null;
             }
@@ -599,7 +599,7 @@ namespace Rill.Tests
             int before = fluid.StepCount;
             for (int i = 0; i < 8; i++)
                 yield return null;
-            Assert.That(fluid.IsCulled, "there is no camera");
+            Assert.That(fluid.IsCulled, "without a camera");
             Assert.That(fluid.StepCount - before, Is.EqualTo(2));
             Time.captureDeltaTime = 0f;
         }

@@ -15,12 +15,12 @@ namespace Rill.Tests
         public int Count => positions.Length;
 
         /// <summary>At rest, numbered in their order.</summary>
-        public ParticleState(float3 box, float3[] places)
+        public ParticleState(float3 box, float3[] points)
         {
             this.box = box;
-            positions = places.Select(place => new float4(place, 0f)).ToArray();
-            velocities = new float4[places.Length];
-            ids = Enumerable.Range(0, places.Length).Select(i => (uint)i).ToArray();
+            positions = points.Select(p => new float4(p, 0f)).ToArray();
+            velocities = new float4[points.Length];
+            ids = Enumerable.Range(0, points.Length).Select(i => (uint)i).ToArray();
         }
 
         /// <summary>Positions anywhere in a box of three different sides, about as many as its volume: densities on both sides of rest.</summary>
@@ -36,20 +36,20 @@ namespace Rill.Tests
         }
 
         /// <summary>A cubic lattice of spacing 1 from <paramref name="first"/> on, each particle up to <paramref name="jitter"/> off its
-        /// place.</summary>
+        /// position.</summary>
         public static ParticleState Lattice(float3 box, float3 first, int3 counts, float jitter = 0f)
         {
             var random = new Unity.Mathematics.Random(4711u);
-            var places = new float3[counts.x * counts.y * counts.z];
-            for (int i = 0; i < places.Length; i++)
+            var positions = new float3[counts.x * counts.y * counts.z];
+            for (int i = 0; i < positions.Length; i++)
             {
                 var cell = new float3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y));
-                places[i] = first + cell + random.NextFloat3(-jitter, jitter);
+                positions[i] = first + cell + random.NextFloat3(-jitter, jitter);
             }
-            return new ParticleState(box, places);
+            return new ParticleState(box, positions);
         }
 
-        /// <summary>The same particles in another order: ids go with them.</summary>
+        /// <summary>Returns the particles in another order, with their ids.</summary>
         public ParticleState Shuffled(int seed)
         {
             var random = new System.Random(seed);
@@ -92,7 +92,7 @@ namespace Rill.Tests
         /// <summary>Words of a buffer of arguments.</summary>
         public const int ArgumentCount = 12;
 
-        /// <summary>What Arguments.hlsl writes for a number of particles: a draw of one instance, a dispatch, a draw of two.</summary>
+        /// <summary>Returns what Arguments.hlsl writes for a number of particles: a draw of one instance, a dispatch, a draw of two.</summary>
         public static uint[] ArgumentsFor(int count)
         {
             uint vertices = (uint)(count * GpuBuffer.VerticesPerParticle);

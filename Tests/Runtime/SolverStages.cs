@@ -66,7 +66,7 @@ namespace Rill.Tests
 
         public uint Counter(ParticleCounter counter) => GpuTest.Read<uint>(Particles.Counters, ParticleBuffers.CounterCount)[(int)counter];
 
-        /// <summary>What a stage gets that is run alone.</summary>
+        /// <summary>Context for a stage that is run alone.</summary>
         public StepContext Context(CommandBuffer cmd) => Context(cmd, Input);
 
         public StepContext Context(CommandBuffer cmd, in StepInput input, CoarseCorrection coarse = null)
@@ -106,10 +106,10 @@ namespace Rill.Tests
             for (int i = 0; i < sorted; i++)
             {
                 bool inFirst = i < Layout.FirstListParticles;
-                int place = inFirst ? i : i - Layout.FirstListParticles;
+                int index = inFirst ? i : i - Layout.FirstListParticles;
                 lists[i] = new int[counts[i]];
                 for (int k = 0; k < lists[i].Length; k++)
-                    lists[i][k] = (int)(inFirst ? first : second)[place / 32 * 32 * (capacity / 4) + k / 4 * 32 + place % 32][k % 4];
+                    lists[i][k] = (int)(inFirst ? first : second)[index / 32 * 32 * (capacity / 4) + k / 4 * 32 + index % 32][k % 4];
             }
             return lists;
         }

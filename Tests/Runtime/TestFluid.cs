@@ -45,16 +45,16 @@ namespace Rill.Tests
                 .Select(p => p * Spacing).ToArray());
         }
 
-        public TestFluid Add(float3[] places, float3 velocity = default) => Add(places, _ => velocity);
+        public TestFluid Add(float3[] positions, float3 velocity = default) => Add(positions, _ => velocity);
 
-        public TestFluid Add(float3[] places, Func<float3, float3> velocityAt) => Add(places, places.Select(velocityAt).ToArray());
+        public TestFluid Add(float3[] positions, Func<float3, float3> velocityAt) => Add(positions, positions.Select(velocityAt).ToArray());
 
-        public TestFluid Add(float3[] places, float3[] speeds)
+        public TestFluid Add(float3[] points, float3[] speeds)
         {
-            using (var positions = new NativeArray<float4>(places.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))
+            using (var positions = new NativeArray<float4>(points.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))
             using (var velocities = new NativeArray<float4>(speeds.Select(v => new float4(v, 0f)).ToArray(), Allocator.Persistent))
                 Solver.Add(positions, velocities);
-            Added += places.Length;
+            Added += points.Length;
             return this;
         }
 

@@ -60,10 +60,10 @@ namespace Rill.Tests
         public void A_terrain_without_data_is_no_solid_of_another_shape()
         {
             thing.GetComponent<Terrain>().terrainData = null;
-            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is no collider: its Terrain has no terrain data"));
+            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is not a collider: its Terrain has no terrain data"));
             thing.AddComponent<FluidTerrain>();
             thing.SetActive(true);
-            Assert.That(thing.GetComponent<FluidCollider>().Describe(out _), Is.Not.Null, "no box of 1 m that nobody chose");
+            Assert.That(thing.GetComponent<FluidCollider>().Describe(out _), Is.Not.Null, "no box of 1 m that was not chosen");
         }
 
         [Test]
@@ -83,7 +83,7 @@ namespace Rill.Tests
         public void What_is_no_ground_is_said_by_name()
         {
             thing.GetComponent<Terrain>().terrainData = null;
-            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is no collider: its Terrain has no terrain data"));
+            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is not a collider: its Terrain has no terrain data"));
             FluidTerrain terrain = Add();
             LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': part .* does not lie within 0 to 1"));
             terrain.Part = new Rect(0f, 0f, 2f, 1f);

@@ -155,7 +155,7 @@ namespace Rill.Tests
         {
             hill.transform.position = new Vector3(-1f, -0.6f, -1f);
             data.size = new Vector3(2f, 1f, 2f);
-            Level(0.5f);        // 0.1 m below the middle of the box
+            Level(0.5f);        // 0.1 m below the center of the box
             FluidDetector below = null;
             FluidSimulation fluid = Fluid("Pool", 0.6f * Vector3.one, 0.05f, 1000, Vector3.zero, pool =>
             {
@@ -185,7 +185,7 @@ namespace Rill.Tests
             data.SetHeights(0, 0, heights);
         }
 
-        // Inactive: no fluid runs, and the test asks in its place.
+        // Inactive: no fluid runs, and the test asks instead.
         FluidPhysicsColliders Source(string name)
         {
             var pool = new GameObject(name);

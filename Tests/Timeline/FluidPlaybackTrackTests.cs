@@ -217,7 +217,7 @@ namespace Rill.Tests
             foreach (double begin in new[] { -1.0, double.NaN, double.PositiveInfinity })
             {
                 LogAssert.Expect(LogType.Warning,
-                    new Regex("FluidPlaybackClip 'FluidPlaybackClip': begin .* is no time since the first frame"));
+                    new Regex("FluidPlaybackClip 'FluidPlaybackClip': begin .* is not a time since the first frame"));
                 asset.Begin = begin;
                 Assert.That(asset.Begin, Is.Zero);
             }

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Where a label, the figure after it and the bar below both stand.</summary>
+    /// <summary>Rectangles of a label, the figure after it and the bar below both.</summary>
     readonly struct BarRowLayout
     {
         readonly float indent, figureWidth;

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace Rill.Editor
 {
     /// <summary>
-    /// Where the label, the value and the unit of a field stand in its row: the unit behind the value, the label in the label
+    /// Rectangles of the label, the value and the unit of a field in its row: the unit behind the value, the label in the label
     /// column, in a wider one, or above the value, whichever is the first that clips nothing.
     /// </summary>
     readonly struct FieldRowLayout
@@ -48,7 +48,7 @@ namespace Rill.Editor
         /// <summary>Whether the label stands above the value.</summary>
         public bool IsStacked => labelHeight > 0f;
 
-        /// <summary>Of the label column in this row, the indent included; 0 where the label stands above.</summary>
+        /// <summary>Width of the label column in this row, the indent included; 0 where the label stands above.</summary>
         public float LabelWidth { get; }
 
         public float Height => labelHeight + valueHeight;
@@ -59,7 +59,7 @@ namespace Rill.Editor
         /// <summary>The value, with its label beside it unless that stands above.</summary>
         public Rect FieldIn(Rect row) => new Rect(row.x, row.y + labelHeight, row.width - unitWidth, valueHeight);
 
-        /// <summary>After the first line of the value; of no width where there is no unit.</summary>
+        /// <summary>Rectangle after the first line of the value, with width 0 without a unit.</summary>
         public Rect UnitIn(Rect row) => new Rect(row.xMax - unitWidth + Gap, row.y + labelHeight, Mathf.Max(unitWidth - Gap, 0f), lineHeight);
     }
 }

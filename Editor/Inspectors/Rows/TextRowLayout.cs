@@ -2,13 +2,14 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Where a label and a text of any length stand: side by side, the text in as many lines as it takes, or one above the other.</summary>
+    /// <summary>Rectangles of a label and a text of any length: side by side, the text in as many lines as it takes, or one above the
+    /// other.</summary>
     readonly struct TextRowLayout
     {
         /// <summary>Pixels below which a column of text is no longer worth reading.</summary>
         public const float MinText = 100f;
 
-        // Of a text below its label.
+        // Indentation of a text below its label.
         const float Step = 15f;
 
         readonly float indent, column, labelHeight, textHeight;

@@ -155,11 +155,11 @@ ENDHLSL
         {
             RenderTexture first = Target(format, GraphicsFormat.None, slices, true), second = Target(format, GraphicsFormat.None, slices, true);
             string type = format == GraphicsFormat.R16G16B16A16_SFloat ? "float4" : "float", suffix = slices > 1 ? "Array" : "";
-            string place = slices > 1 ? "uint3 at" : "uint2 at", load = slices > 1 ? "int4(at, 0)" : "int3(at, 0)", slice = slices > 1 ? "at.z" : "0";
+            string parameter = slices > 1 ? "uint3 at" : "uint2 at", load = slices > 1 ? "int4(at, 0)" : "int3(at, 0)", slice = slices > 1 ? "at.z" : "0";
             ComputeShader kernels = ComputeOf(
                 $"#pragma kernel Write\n#pragma kernel Double\nRWTexture2D{suffix}<{type}> _Out; Texture2D{suffix}<{type}> _In;\n" +
-                $"[numthreads(8, 8, 1)] void Write({place} : SV_DispatchThreadID) {{ _Out[at] = at.x + 100 * {slice}; " +
-                $"}}\n[numthreads(8, 8, 1)] void Double({place} : SV_DispatchThreadID) {{ _Out[at] = 2 * _In.Load({load}); }}");
+                $"[numthreads(8, 8, 1)] void Write({parameter} : SV_DispatchThreadID) {{ _Out[at] = at.x + 100 * {slice}; " +
+                $"}}\n[numthreads(8, 8, 1)] void Double({parameter} : SV_DispatchThreadID) {{ _Out[at] = 2 * _In.Load({load}); }}");
             using var cmd = new CommandBuffer();
             cmd.SetComputeTextureParam(kernels, 0, "_Out", first);
             cmd.DispatchCompute(kernels, 0, Width / 8, Height / 8, slices);

@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace Host.Tests
 {
-    /// <summary>_CameraDepthTexture of an orthographic camera with near plane 1 and far plane 11: a quad over the middle of 64 x 32 pixels.</summary>
+    /// <summary>_CameraDepthTexture of an orthographic camera with near plane 1 and far plane 11: a quad over the center of 64 x 32 pixels.</summary>
     public class CameraDepthTests : ShaderTextFixture
     {
         const float AtFive = 0.6f, AtSeven = 0.4f;      // (far - distance) / (far - near)
@@ -42,7 +42,7 @@ namespace Host.Tests
             return request.GetData<float>().ToArray();
         }
 
-        static float Middle => Depth()[16 * 64 + 32];
+        static float Center => Depth()[16 * 64 + 32];
 
         // Without a ShadowCaster pass of its own.
         static Shader Plain(string fallback, string tags = "") => ShaderOf($@"Shader ""Test/Plain {fallback.Replace("\"", "")}{tags.Length}"" {{
@@ -75,7 +75,7 @@ ENDCG
         {
             Quad(Shader.Find(shader));
             Frame();
-            Assert.That(Middle, Is.EqualTo(AtFive).Within(1e-5f));
+            Assert.That(Center, Is.EqualTo(AtFive).Within(1e-5f));
             Assert.That(Depth()[0], Is.Zero, "the far plane is 0");
         }
 
@@ -87,7 +87,7 @@ ENDCG
             Quad(Shader.Find(shader));
             Quad(Shader.Find("Standard"), 2);
             Frame();
-            Assert.That(Middle, Is.EqualTo(AtSeven).Within(1e-5f), "what is behind it");
+            Assert.That(Center, Is.EqualTo(AtSeven).Within(1e-5f), "what is behind it");
             Assert.That(Pixel(32, 16).r, Is.GreaterThan(200), "though it is drawn in front");
         }
 
@@ -99,7 +99,7 @@ ENDCG
         {
             Quad(Plain(fallback));
             Frame();
-            Assert.That(Middle, Is.EqualTo(expected ? AtFive : 0).Within(1e-5f));
+            Assert.That(Center, Is.EqualTo(expected ? AtFive : 0).Within(1e-5f));
             Assert.That(new Material(Plain(fallback)).passCount, Is.EqualTo(1), "it is no pass of the material");
         }
 
@@ -112,7 +112,7 @@ ENDCG
             Assert.That(Logged.Count(line => line.Contains(
                 "Shader 'Test/Plain Nobody/Has This0': fallback shader 'Nobody/Has This' not found")), Is.EqualTo(1),
                 string.Join("\n", Logged));
-            Assert.That(Middle, Is.Zero);
+            Assert.That(Center, Is.Zero);
         }
 
         [Test]
@@ -120,7 +120,7 @@ ENDCG
         {
             Quad(Shader.Find("Standard")).GetComponent<MeshRenderer>().sharedMaterial.SetShaderPassEnabled("ShadowCaster", false);
             Frame();
-            Assert.That(Middle, Is.Zero);
+            Assert.That(Center, Is.Zero);
         }
 
         [TestCase(2500, AtFive)]
@@ -129,7 +129,7 @@ ENDCG
         {
             Quad(Shader.Find("Standard")).GetComponent<MeshRenderer>().sharedMaterial.renderQueue = queue;
             Frame();
-            Assert.That(Middle, Is.EqualTo(expected).Within(1e-5f));
+            Assert.That(Center, Is.EqualTo(expected).Within(1e-5f));
         }
 
         [Test]
@@ -138,7 +138,7 @@ ENDCG
             Quad(Shader.Find("Standard")).GetComponent<MeshRenderer>().shadowCastingMode = only ? ShadowCastingMode.ShadowsOnly
                 : ShadowCastingMode.Off;
             Frame();
-            Assert.That(Middle, Is.EqualTo(only ? 0 : AtFive).Within(1e-5f));
+            Assert.That(Center, Is.EqualTo(only ? 0 : AtFive).Within(1e-5f));
         }
 
         [TestCase("vertex:vert", AtFive)]
@@ -148,7 +148,7 @@ ENDCG
             // The vertex function moves by two units before the object's scale of one.
             Quad(Surface(options)).transform.localScale = new Vector3(4, 4, 1);
             Frame();
-            Assert.That(Middle, Is.EqualTo(expected).Within(1e-5f));
+            Assert.That(Center, Is.EqualTo(expected).Within(1e-5f));
         }
 
         [Test]

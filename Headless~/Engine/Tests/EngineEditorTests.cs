@@ -13,7 +13,7 @@ namespace Host.Tests
         enum Mode { First, Second = 5 }
 
         [Serializable]
-        struct Part { public float length; public Vector3 place; }
+        struct Part { public float length; public Vector3 position; }
 
         [Serializable]
         class Tally { public int stored; [NonSerialized] public int running; }
@@ -47,7 +47,7 @@ namespace Host.Tests
             var serialized = new SerializedObject(settings);
             serialized.FindProperty("count").intValue = 9;
             serialized.FindProperty("part.length").floatValue = 8;
-            serialized.FindProperty("parts").GetArrayElementAtIndex(1).FindPropertyRelative("place").vector3Value = Vector3.one;
+            serialized.FindProperty("parts").GetArrayElementAtIndex(1).FindPropertyRelative("position").vector3Value = Vector3.one;
             serialized.FindProperty("parts").arraySize = 3;
             serialized.FindProperty("other").objectReferenceValue = settings.gameObject;
             Assert.That(serialized.FindProperty("mode").enumValueIndex, Is.EqualTo(1));
@@ -58,7 +58,7 @@ namespace Host.Tests
             Assert.That(settings.Count, Is.EqualTo(9));
             Assert.That(settings.part.length, Is.EqualTo(8));
             Assert.That(settings.parts, Has.Count.EqualTo(3));
-            Assert.That(settings.parts[1].place, Is.EqualTo(Vector3.one));
+            Assert.That(settings.parts[1].position, Is.EqualTo(Vector3.one));
             Assert.That(settings.parts[1].length, Is.EqualTo(4));
             Assert.That(settings.other, Is.SameAs(settings.gameObject));
             Assert.That(serialized.FindProperty("missing"), Is.Null);
@@ -87,11 +87,11 @@ namespace Host.Tests
             Assert.That(serialized.isEditingMultipleObjects);
             Assert.That(serialized.FindProperty("part.length").hasMultipleDifferentValues);
             Assert.That(serialized.FindProperty("parts").hasMultipleDifferentValues);
-            Assert.That(serialized.FindProperty("part.place").hasMultipleDifferentValues, Is.False);
-            serialized.FindProperty("part.place").vector3Value = Vector3.up;
+            Assert.That(serialized.FindProperty("part.position").hasMultipleDifferentValues, Is.False);
+            serialized.FindProperty("part.position").vector3Value = Vector3.up;
             serialized.ApplyModifiedProperties();
             Assert.That(Story.Take(), Is.EqualTo(new[] { "valid 3", "valid 3" }));
-            Assert.That((first.part.place, second.part.place), Is.EqualTo((Vector3.up, Vector3.up)));
+            Assert.That((first.part.position, second.part.position), Is.EqualTo((Vector3.up, Vector3.up)));
             Assert.That((first.part.length, second.part.length), Is.EqualTo((2f, 7f)), "what was not written stays each object's own");
         }
 

@@ -24,7 +24,7 @@ namespace Host.Tests
             public float tenth = 0.1f;
             public bool flag = true;
             public Kind kind = Kind.Some;
-            public Vector2 place = new Vector2(1, -2.5f);
+            public Vector2 position = new Vector2(1, -2.5f);
             public int[] list = { 1, 2 };
             public List<Inner> inners = new List<Inner> { new Inner { name = "a \"b\"" } };
             [NonSerialized] public int hidden = 9;
@@ -34,7 +34,7 @@ namespace Host.Tests
 
         [Test]
         public void Fields_that_Unity_serializes_are_written_as_Unity_writes_them() => Assert.That(JsonUtility.ToJson(new Data()), Is.EqualTo(
-            "{\"number\":3,\"tenth\":0.10000000149011612,\"flag\":true,\"kind\":7,\"place\":{\"x\":1.0,\"y\":-2.5},\"list\":[1,2],\"inners\":[{\"name\":\"a \\\"b\\\"\",\"secret\":0.5}]}"));
+            "{\"number\":3,\"tenth\":0.10000000149011612,\"flag\":true,\"kind\":7,\"position\":{\"x\":1.0,\"y\":-2.5},\"list\":[1,2],\"inners\":[{\"name\":\"a \\\"b\\\"\",\"secret\":0.5}]}"));
 
         [Test]
         public void Pretty_print_breaks_lines_and_indents_by_four()
@@ -43,7 +43,7 @@ namespace Host.Tests
         [Test]
         public void What_was_written_is_read_again()
         {
-            var data = new Data { number = -4, place = new Vector2(8, 9), list = new[] { 5 }, hidden = 1 };
+            var data = new Data { number = -4, position = new Vector2(8, 9), list = new[] { 5 }, hidden = 1 };
             data.inners[0].name = "tab\tand é \u2192";
             var read = JsonUtility.FromJson<Data>(JsonUtility.ToJson(data, true));
             Assert.That(JsonUtility.ToJson(read), Is.EqualTo(JsonUtility.ToJson(data)));
@@ -55,8 +55,8 @@ namespace Host.Tests
         {
             var data = new Data();
             JsonUtility.FromJsonOverwrite(
-                " { \"place\" : { \"y\" : 4 }, \"stranger\" : [ { } , null ], \"kind\" : 0, \"list\" : \"no list\" } ", data);
-            Assert.That(data.place, Is.EqualTo(new Vector2(1, 4)));
+                " { \"position\" : { \"y\" : 4 }, \"stranger\" : [ { } , null ], \"kind\" : 0, \"list\" : \"no list\" } ", data);
+            Assert.That(data.position, Is.EqualTo(new Vector2(1, 4)));
             Assert.That(data.kind, Is.EqualTo(Kind.None));
             Assert.That(data.list, Is.EqualTo(new[] { 1, 2 }));
             Assert.That(data.number, Is.EqualTo(3));

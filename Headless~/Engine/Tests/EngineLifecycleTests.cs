@@ -114,12 +114,12 @@ namespace Host.Tests
         public void Execution_order_decides_who_goes_first_in_every_message()
         {
             Add<Late>("late");
-            Add<Updater>("middle");
+            Add<Updater>("normal");
             Add<Early>("early");
             Story.Take();
             Frames(1);
             string[] names = Story.Take().Select(l => l.Split(' ')[0]).ToArray();
-            Assert.That(names, Is.EqualTo(Enumerable.Repeat(new[] { "early", "middle", "late" }, 4).SelectMany(x => x)));
+            Assert.That(names, Is.EqualTo(Enumerable.Repeat(new[] { "early", "normal", "late" }, 4).SelectMany(x => x)));
         }
 
         [Test]
@@ -341,7 +341,7 @@ namespace Host.Tests
 
         // ---- copies
         [Serializable]
-        class Inner { public int number; public Transform place; [NonSerialized] public int lost = 7; }
+        class Inner { public int number; public Transform target; [NonSerialized] public int lost = 7; }
 
         class Copied : MonoBehaviour
         {
@@ -372,8 +372,8 @@ namespace Host.Tests
             original.number = 11;
             original.Text = "text";
             original.list = new List<float> { 1, 2 };
-            original.inner = new Inner { number = 12, place = child, lost = 99 };
-            original.many = new[] { new Inner { number = 13, place = outside } };
+            original.inner = new Inner { number = 12, target = child, lost = 99 };
+            original.many = new[] { new Inner { number = 13, target = outside } };
             original.curve = AnimationCurve.Linear(0, 0, 1, 1);
             original.self = original.gameObject;
             original.outside = outside;
@@ -389,9 +389,9 @@ namespace Host.Tests
             Assert.That(copy.list, Is.EqualTo(new[] { 1f, 2f }).And.Not.SameAs(original.list));
             Assert.That(copy.inner.number, Is.EqualTo(12));
             Assert.That(copy.inner.lost, Is.EqualTo(7));
-            Assert.That(copy.inner.place, Is.SameAs(copy.transform.GetChild(0)));
+            Assert.That(copy.inner.target, Is.SameAs(copy.transform.GetChild(0)));
             Assert.That(copy.many[0].number, Is.EqualTo(13));
-            Assert.That(copy.many[0].place, Is.SameAs(outside));
+            Assert.That(copy.many[0].target, Is.SameAs(outside));
             Assert.That(copy.curve, Is.EqualTo(original.curve).And.Not.SameAs(original.curve));
             Assert.That(copy.self, Is.SameAs(copy.gameObject));
             Assert.That(copy.child, Is.SameAs(copy.transform.GetChild(0)));

@@ -436,7 +436,7 @@ namespace Host.Tests
                 Assert.That(values[0], Is.EqualTo(new Vector4(8, 4, 0, 0)));
                 Assert.That(values[1].y * 255, Is.EqualTo(0).Within(1e-3f), "row 0 is the bottom");
                 Assert.That(values[2].y * 255, Is.EqualTo(3).Within(1e-3f));
-                Assert.That(values[3].y * 255, Is.LessThan(0.5f), "the lowest eighth is the middle of row 0");
+                Assert.That(values[3].y * 255, Is.LessThan(0.5f), "the lowest eighth is the center of row 0");
             }
             UnityEngine.Object.DestroyImmediate(copy);
             UnityEngine.Object.DestroyImmediate(target);

@@ -33,7 +33,7 @@ namespace Host.Tests
             return material;
         }
 
-        // Scaled through a global would hide mistakes: the picture is small enough for a triangle of 2 x 2 units, 4 x 4 pixels at the middle.
+        // Scaled through a global would hide mistakes: the picture is small enough for a triangle of 2 x 2 units, 4 x 4 pixels at the center.
         static Color32 Pixel(int x, int y, RenderTexture target = null)
         {
             byte[] picture = Screenshot.ReadRgba(target);
@@ -41,7 +41,7 @@ namespace Host.Tests
             return new Color32(picture[at], picture[at + 1], picture[at + 2], picture[at + 3]);
         }
 
-        // The four pixels of the middle: the triangle's corners are at (30, 18), (30, 14) and (34, 18) from the top left.
+        // The four pixels of the center: the triangle's corners are at (30, 18), (30, 14) and (34, 18) from the top left.
         const int Left = 30, Right = 33, Top = 14, Bottom = 17;
 
         [Test]

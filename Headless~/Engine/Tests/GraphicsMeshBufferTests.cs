@@ -15,7 +15,7 @@ namespace Host.Tests
     {
         const MeshUpdateFlags ByKernel = MeshUpdateFlags.DontValidateIndices | MeshUpdateFlags.DontRecalculateBounds;
 
-        // The lower left half of a square of 4 x 4 pixels at the middle of the picture, in yellow and blue.
+        // The lower left half of a square of 4 x 4 pixels at the center of the picture, in yellow and blue.
         static readonly float[] Corners =
         {
             -1, -1, 5, 1, 1, 0, 1, 1, 0,

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Host.Tests
 {
-    /// <summary>Surface shaders: a quad of 4 x 4 pixels at the middle of 64 x 32, under a light from the viewer's side.</summary>
+    /// <summary>Surface shaders: a quad of 4 x 4 pixels at the center of 64 x 32, under a light from the viewer's side.</summary>
     public class GraphicsSurfaceTests : ShaderTextFixture
     {
         static readonly Color32 clear = new Color32(0, 0, 255, 255);
@@ -193,12 +193,12 @@ ENDCG
         const string ProceduralCode = @"#pragma multi_compile_instancing
 #pragma instancing_options procedural:setup
 #ifdef UNITY_PROCEDURAL_INSTANCING_ENABLED
-StructuredBuffer<float4> _Places;
+StructuredBuffer<float4> _Positions;
 #endif
 void setup()
 {
 #ifdef UNITY_PROCEDURAL_INSTANCING_ENABLED
-    float4 p = _Places[unity_InstanceID];
+    float4 p = _Positions[unity_InstanceID];
     unity_ObjectToWorld._11_21_31_41 = float4(p.w, 0, 0, 0);
     unity_ObjectToWorld._12_22_32_42 = float4(0, p.w, 0, 0);
     unity_ObjectToWorld._13_23_33_43 = float4(0, 0, p.w, 0);
@@ -218,13 +218,13 @@ void setup()
             Camera camera = NewCamera();
             var material = new Material(Surface("Standard", ProceduralBody, ProceduralCode, output: "SurfaceOutputStandard"));
             Mesh quad = Resources.GetBuiltinResource<Mesh>("Quad.fbx");
-            using (var places = new ComputeBuffer(2, 16))
+            using (var positions = new ComputeBuffer(2, 16))
             using (var arguments = new ComputeBuffer(1, 5 * sizeof(uint), ComputeBufferType.IndirectArguments))
             using (var commands = new CommandBuffer())
             {
-                places.SetData(new[] { new Vector4(-4, 0, 0, 2), new Vector4(4, 2, 0, 2) });
+                positions.SetData(new[] { new Vector4(-4, 0, 0, 2), new Vector4(4, 2, 0, 2) });
                 arguments.SetData(new uint[] { quad.GetIndexCount(0), 2, 0, 0, 0 });
-                material.SetBuffer("_Places", places);
+                material.SetBuffer("_Positions", positions);
                 if (call == "indirect")
                     Graphics.DrawMeshInstancedIndirect(quad, 0, material, everywhere, arguments);
                 else if (call == "procedural")

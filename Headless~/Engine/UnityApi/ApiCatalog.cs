@@ -95,7 +95,7 @@ namespace Host.UnityApi
         /// <summary>With a type's arguments instead of its parameters.</summary>
         public static ApiTypeName Substitute(ApiTypeName type, IReadOnlyList<ApiTypeName> arguments) => type.Map(part =>
             part.Form == ApiTypeForm.Parameter && part.Name[0] == '!' && part.Name[1] != '!'
-            && int.TryParse(part.Name.AsSpan(1), out int place) && place < arguments.Count ? arguments[place] : part);
+            && int.TryParse(part.Name.AsSpan(1), out int index) && index < arguments.Count ? arguments[index] : part);
 
         ApiType Declare(string name)
         {
@@ -138,12 +138,12 @@ namespace Host.UnityApi
                 return part;
             if (part.Path.Count == 1 && part.Arguments.Count == 0)
             {
-                for (int place = 0; place < own.Count; place++)
-                    if (own[place] == part.Name)
-                        return ApiTypeName.Parameter("!!" + place);
-                for (int place = type.TypeParameters.Count - 1; place >= 0; place--)
-                    if (type.TypeParameters[place] == part.Name)
-                        return ApiTypeName.Parameter("!" + place);
+                for (int index = 0; index < own.Count; index++)
+                    if (own[index] == part.Name)
+                        return ApiTypeName.Parameter("!!" + index);
+                for (int index = type.TypeParameters.Count - 1; index >= 0; index--)
+                    if (type.TypeParameters[index] == part.Name)
+                        return ApiTypeName.Parameter("!" + index);
             }
             ApiType found = Lookup(part.Key, type);
             return found == null ? part : ApiTypeName.Named(found.Key.Split('.'), WithOuter(part.Arguments, found));

@@ -69,11 +69,11 @@ namespace Host.UnityApi
         public ApiTypeName Element => Arguments[0];
 
         /// <summary>The same with every named type or parameter in it replaced; arguments first.</summary>
-        public ApiTypeName Map(Func<ApiTypeName, ApiTypeName> replace)
+        public ApiTypeName Map(Func<ApiTypeName, ApiTypeName> map)
         {
             ApiTypeName mapped = Arguments.Count == 0 ? this
-                : new ApiTypeName(Form, Path, Arguments.Select(argument => argument.Map(replace)).ToList(), Rank, Full);
-            return Form is ApiTypeForm.Named or ApiTypeForm.Parameter ? replace(mapped) : mapped;
+                : new ApiTypeName(Form, Path, Arguments.Select(argument => argument.Map(map)).ToList(), Rank, Full);
+            return Form is ApiTypeForm.Named or ApiTypeForm.Parameter ? map(mapped) : mapped;
         }
 
         public override string ToString() => Form switch

@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 namespace UnityEditor
 {
     /// <summary>
-    /// A reload of scripts, as after a recompile, in edit mode or in the middle of play (Recompile And Continue Playing). The C# objects of
+    /// A reload of scripts, as after a recompile, in edit mode or during play (Recompile And Continue Playing). The C# objects of
     /// scripts stand in for those of the new domain: each is constructed again, and has what Unity's serialization carried over.
     /// </summary>
     /// <remarks>

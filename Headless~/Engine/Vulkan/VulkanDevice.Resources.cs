@@ -42,12 +42,12 @@ namespace Host.Vulkan
             Check(vk.CreateBuffer(device, &info, null, &handle), $"vkCreateBuffer of {bytes:N0} bytes for '{name}'");
             VkMemoryRequirements need;
             vk.GetBufferMemoryRequirements(device, handle, &need);
-            GpuAllocation place;
-            try { place = Allocate(need, use, image: false, $"Buffer '{name}'"); }
+            GpuAllocation allocation;
+            try { allocation = Allocate(need, use, image: false, $"Buffer '{name}'"); }
             catch (OutOfGpuMemoryException) { vk.DestroyBuffer(device, handle, null); throw; }
-            Check(vk.BindBufferMemory(device, handle, place.Block.Memory, place.Offset), "vkBindBufferMemory");
+            Check(vk.BindBufferMemory(device, handle, allocation.Block.Memory, allocation.Offset), "vkBindBufferMemory");
             SetName(VkObjectType.BUFFER, (ulong)handle, name);
-            var buffer = new VulkanBuffer(this, name, bytes, handle, place, isOwn: use != MemoryUse.Device);
+            var buffer = new VulkanBuffer(this, name, bytes, handle, allocation, isOwn: use != MemoryUse.Device);
             Register(buffer);
             if (buffer.IsOwn) ownBuffers++;
             return buffer;
@@ -118,13 +118,13 @@ namespace Host.Vulkan
             Check(vk.CreateImage(device, &info, null, &image), $"vkCreateImage '{d.Name}', {d.Format} {d.Width} x {d.Height} x {d.Depth}");
             VkMemoryRequirements need;
             vk.GetImageMemoryRequirements(device, image, &need);
-            GpuAllocation place;
-            try { place = Allocate(need, MemoryUse.Device, image: true, $"Texture '{d.Name}'"); }
+            GpuAllocation allocation;
+            try { allocation = Allocate(need, MemoryUse.Device, image: true, $"Texture '{d.Name}'"); }
             catch (OutOfGpuMemoryException) { vk.DestroyImage(device, image, null); throw; }
-            Check(vk.BindImageMemory(device, image, place.Block.Memory, place.Offset), "vkBindImageMemory");
+            Check(vk.BindImageMemory(device, image, allocation.Block.Memory, allocation.Offset), "vkBindImageMemory");
             SetName(VkObjectType.IMAGE, (ulong)image, d.Name);
 
-            var texture = new VulkanTexture(this, d, layers, image, place);
+            var texture = new VulkanTexture(this, d, layers, image, allocation);
             Register(texture);
             BeginOperation();
             SuspendPass();

@@ -157,7 +157,7 @@ namespace Host.Tests
             SignedDistanceField field = Load(again);
             Assert.That((field.SourceMesh, field.Resolution.z, field.name), Is.EqualTo((source, 16, "Box")));
             Assert.That((Vector3)field.Bounds.center, Is.EqualTo(new Vector3(-0.25f, 0.5f, 0.75f)), "mirrored and scaled");
-            Assert.That(field.TrySample(new Vector3(-0.25f, 0.5f, 0.75f), out float middle) && middle < 0f, "the box's middle is inside");
+            Assert.That(field.TrySample(new Vector3(-0.25f, 0.5f, 0.75f), out float center) && center < 0f, "the box's center is inside");
         });
 
         [Test]
@@ -224,7 +224,7 @@ namespace Host.Tests
         {
             List<(Vector2 From, Vector2 To)> pieces = ZeroLine.Of(new[,] { { -1f, 0.5f }, { 0.5f, -1f } });
             Assert.That(pieces.Select(piece => (piece.From + piece.To) / 2).Any(p => p.x > 0.6f && p.y < 0.4f),
-                "the middle is negative: the line goes around the positive corner at (1, 0)");
+                "the center is negative: the line goes around the positive corner at (1, 0)");
             Assert.That(pieces.Count, Is.EqualTo(2));
         }
 

@@ -54,10 +54,10 @@ namespace Host.Tests
             Assert.That(body.mass, Is.EqualTo(0.4f * 1000f * (0.45f * 0.15f * 0.3f + 0.15f * 0.15f * 0.18f)).Within(0.01f));
             boat.transform.position = fluid.transform.position + new Vector3(0f, -0.35f, 0f);
             Run(240);
-            Vector3 place = fluid.transform.InverseTransformPoint(boat.transform.position);
-            TestContext.Out.WriteLine($"at {place}, up {boat.transform.up}");
+            Vector3 position = fluid.transform.InverseTransformPoint(boat.transform.position);
+            TestContext.Out.WriteLine($"at {position}, up {boat.transform.up}");
             Assert.That(Vector3.Angle(boat.transform.up, Vector3.up), Is.LessThan(12f), "upright");
-            Assert.That(place.y, Is.EqualTo(-0.4f + 0.1f * 0.15f).Within(0.05f), "within a spacing");
+            Assert.That(position.y, Is.EqualTo(-0.4f + 0.1f * 0.15f).Within(0.05f), "within a spacing");
         }
 
         [TestCaseSource(nameof(Items))]

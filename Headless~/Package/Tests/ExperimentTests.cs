@@ -83,7 +83,7 @@ namespace Host.Tests
         [TestCase("vortex:40:8:fast", "speed in m/s is fast; give a number")]
         [TestCase("vortex:2000:1000:1", "is 4,000,000,000 particles; a simulation holds 16,777,216")]
         [TestCase("bucket:12:12:-1", "turning in rad/s is -1; give")]
-        [TestCase("bucket:12:12:50", "turning in rad/s is 50, at which the middle of the floor falls dry; give at most 11.43")]
+        [TestCase("bucket:12:12:50", "turning in rad/s is 50, at which the center of the floor falls dry; give at most 11.43")]
         [TestCase("utube:8:24:20", "height in spacings is 20, which leaves the lower leg less than the passage of 8 below; give at most 16")]
         [TestCase("wavemaker:2:1:4", "layers is 2; give a whole number from 4")]
         [TestCase("wavemaker:24:0:4", "kh, wave number times depth, is 0")]

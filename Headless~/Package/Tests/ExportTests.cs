@@ -116,10 +116,10 @@ namespace Host.Tests
         {
             using var scene = new SampleScene(sample);
             var fluid = Object.FindAnyObjectByType<FluidSimulation>();
-            Transform place = fluid.transform;
+            Transform box = fluid.transform;
             return new Box
             {
-                toLocal = Matrix4x4.Translate(0.5f * fluid.DomainSize) * Matrix4x4.TRS(place.position, place.rotation, Vector3.one).inverse,
+                toLocal = Matrix4x4.Translate(0.5f * fluid.DomainSize) * Matrix4x4.TRS(box.position, box.rotation, Vector3.one).inverse,
                 size = fluid.DomainSize,
                 spacing = fluid.ParticleSpacing,
                 density = fluid.Material.density,

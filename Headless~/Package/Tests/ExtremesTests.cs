@@ -52,13 +52,13 @@ namespace Host.Tests
         public void Close_pairs_are_those_of_comparing_all_with_all(float distance)
         {
             var random = new Random(5);
-            float3[] places = Enumerable.Range(0, 600).Select(_ => random.NextFloat3(-1f, 1f)).ToArray();
+            float3[] positions = Enumerable.Range(0, 600).Select(_ => random.NextFloat3(-1f, 1f)).ToArray();
             int expected = 0;
-            for (int i = 0; i < places.Length; i++)
+            for (int i = 0; i < positions.Length; i++)
                 for (int j = 0; j < i; j++)
-                    expected += math.distance(places[i], places[j]) < distance ? 1 : 0;
+                    expected += math.distance(positions[i], positions[j]) < distance ? 1 : 0;
             Assert.That(expected, Is.GreaterThan(0));
-            Assert.That(ClosePairs.Count(places, distance), Is.EqualTo(expected));
+            Assert.That(ClosePairs.Count(positions, distance), Is.EqualTo(expected));
         }
     }
 }

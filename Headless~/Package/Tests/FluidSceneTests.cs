@@ -222,7 +222,7 @@ namespace Host.Tests
             return settings;
         }
 
-        // 8 x 8 x 8 particles in the middle of a box, seen by a camera, measured never.
+        // 8 x 8 x 8 particles in the center of a box, seen by a camera, measured never.
         internal static FluidSimulation Build(string name)
         {
             var scene = Scenes.Single(candidate => candidate.Name == name);

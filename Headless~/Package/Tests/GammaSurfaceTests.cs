@@ -115,9 +115,9 @@ namespace Host.Tests
             var material = new Material(Shader.Find("Unlit/Color")) { color = Color.black };
             floor.GetComponent<MeshRenderer>().sharedMaterial = material;
             Look(new Vector3(0f, Bottom + Depth + 2f, entry - 2f), new Vector3(0f, Bottom + Depth, entry), Vector3.up);
-            int middle = Size / 2;
-            float white = Mean(24, 40, middle - rows - 2, middle - rows).y, black = Mean(24, 40, middle + rows, middle + rows + 2).y;
-            float found = (Mean(24, 40, middle - rows, middle + rows).y - black) / (white - black);
+            int center = Size / 2;
+            float white = Mean(24, 40, center - rows - 2, center - rows).y, black = Mean(24, 40, center + rows, center + rows + 2).y;
+            float found = (Mean(24, 40, center - rows, center + rows).y - black) / (white - black);
             float pixel = 2f * camera.orthographicSize / Size, along = (found - 0.5f) * 2f * rows * pixel * Mathf.Sqrt(2f);      // on the water, m
             Object.DestroyImmediate(material);
             TestContext.WriteLine($"{along / (Depth * (1f - slope)):0.000} of the offset too far");

@@ -366,10 +366,10 @@ namespace Host.Tests
             collider.MeasuresForce = measuresForce;
         }
 
-        static void AddDeforming(Vector3 place)
+        static void AddDeforming(Vector3 position)
         {
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
-            cube.transform.position = place;
+            cube.transform.position = position;
             cube.AddComponent<FluidDeformingMesh>();
         }
 
@@ -422,8 +422,8 @@ namespace Host.Tests
             StepInput input = new StepInput { timeStep = FrameTime, gravity = new float3(0f, -9.81f, 0f), settings = SolverSettings.Default,
                 material = FluidMaterial.Water };
             using var solver = new PbfSolver(new SolverLayout(8f * Spacing, Spacing, 500, 64, 1f, maxBinding));
-            using (var places = new NativeArray<float4>(1, Allocator.Persistent))
-                solver.Add(places, places);
+            using (var positions = new NativeArray<float4>(1, Allocator.Persistent))
+                solver.Add(positions, positions);
             using var commands = new CommandBuffer { name = "step" };
             solver.Step(commands, input);
             return Footprint.Of(() => Graphics.ExecuteCommandBuffer(commands));

@@ -86,7 +86,7 @@ namespace Host.Tests
             return text.ToString();
         }
 
-        static (double X, double Y)[] Outline(string places) => places.Split(' ').Select(place => place.Split(',').Select(double.Parse).ToArray())
+        static (double X, double Y)[] Outline(string corners) => corners.Split(' ').Select(corner => corner.Split(',').Select(double.Parse).ToArray())
             .Select(p => (p[0], p[1])).ToArray();
 
         static (double X, double Y)[] Star(int corners, Func<int, double> radius)

@@ -122,7 +122,7 @@ namespace Host.Tests
             bucket.Compare(speed, rings);
             Assert.That(bucket.Steepness, Is.EqualTo(fraction * fraction).Within(1e-6));
             Assert.That(bucket.OwnSteepness, Is.EqualTo(1).Within(1e-6));
-            Assert.That(bucket.MaxError, Is.EqualTo((1 - fraction * fraction) / 2).Within(0.03), "at the wall and in the middle");
+            Assert.That(bucket.MaxError, Is.EqualTo((1 - fraction * fraction) / 2).Within(0.03), "at the wall and in the center");
 
             var level = new RotatingBucket { RestDepth = depth };
             level.Compare(speed, rings.Select(ring => (ring.r, depth, ring.Item3)).ToArray());

@@ -21,20 +21,20 @@ namespace Host.Tests
 
         FluidSimulation fluid;
 
-        static GameObject Make(Type part, Transform parent, Vector3 place, Action<Component> set = null)
+        static GameObject Make(Type part, Transform parent, Vector3 position, Action<Component> set = null)
         {
             var made = new GameObject(part.Name);
             made.SetActive(false);
             made.transform.SetParent(parent, false);
-            made.transform.localPosition = place;
+            made.transform.localPosition = position;
             Component component = made.AddComponent(part);
             set?.Invoke(component);
             made.SetActive(true);
             return made;
         }
 
-        T Add<T>(Vector3 place, Action<T> set = null) where T : Component
-            => Make(typeof(T), fluid.transform, place, component => set?.Invoke((T)component)).GetComponent<T>();
+        T Add<T>(Vector3 position, Action<T> set = null) where T : Component
+            => Make(typeof(T), fluid.transform, position, component => set?.Invoke((T)component)).GetComponent<T>();
 
         // Water of half a meter in a box of a meter.
         void Fill(int statisticsInterval = 0)

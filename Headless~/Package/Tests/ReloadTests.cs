@@ -16,7 +16,7 @@ using Object = UnityEngine.Object;
 namespace Host.Tests
 {
     /// <summary>Scripts are reloaded with each component of the package, each of its inspectors and its window: in edit mode, while a fluid is
-    /// simulated there, and in the middle of play. Nothing is logged, nothing is left on the GPU, and all goes on.</summary>
+    /// simulated there, and during play. Nothing is logged, nothing is left on the GPU, and all goes on.</summary>
     public class ReloadTests : InspectorFixture
     {
         static readonly string[] Runtime = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.TerrainPhysics", "Rill.Timeline" };
@@ -162,7 +162,7 @@ namespace Host.Tests
             foreach (FluidSimulation large in Object.FindObjectsByType<FluidSimulation>(FindObjectsSortMode.None))
                 large.Configure(large.DomainSize, large.ParticleSpacing, Math.Min(large.Capacity, 3000));
             Play(2);
-            List<string> before = null;     // some of it comes once a fluid has begun in the middle of play
+            List<string> before = null;     // some of it comes once a fluid has begun during play
             for (int time = 0; time < 3; time++)
             {
                 Reload();

@@ -181,7 +181,7 @@ namespace Host.Tests
             Assert.That(drawn.w, Is.EqualTo(pipeline == "" ? 1 : 0), where);
         }
 
-        // Where the ray through the middle of a pixel meets the sphere, by hand.
+        // Where the ray through the center of a pixel meets the sphere, by hand.
         protected bool Hit(int x, int y, out Vector3 normal)
         {
             float missing = Missing(x, y, out Ray ray, out float along);

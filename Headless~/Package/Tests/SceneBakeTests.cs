@@ -90,7 +90,7 @@ namespace Host.Tests
                 Assert.That(Line(said, name), Does.Contain("up to date"));
             FluidCollider pier = UnityEngine.Object.FindObjectsOfType<FluidCollider>().Single(c => c.name == "Pier");
             Assert.That((pier.Field.SourceMesh, pier.Field.SourceMeshId), Is.EqualTo(("0000000000000000e000000000000000", (long)Cube)));
-            Assert.That(pier.Field.TrySample(Vector3.zero, out float middle) && middle < -0.4f);
+            Assert.That(pier.Field.TrySample(Vector3.zero, out float center) && center < -0.4f);
 
             Assert.That(Bake(root, out said, again: true, resolution: 40).Baked, Is.EqualTo(2));
             Assert.That(Line(said, "Pier"), Does.Contain("asked for").And.Contain("12 x 12 x 12").And.Contain("in place"),

@@ -74,7 +74,7 @@ namespace Host.Tests
         /// <summary>Without jitter, of this frame; to be asked before the headset is put down.</summary>
         private protected static Matrix4x4 WorldToClipOf(int eye) => StereoView.Projections[eye] * StereoView.Views[eye];
 
-        // Reversed depth at the middle of a pixel, without the jitter of the frame.
+        // Reversed depth at the center of a pixel, without the jitter of the frame.
         static Vector3 WorldAt(in Matrix4x4 clipToWorld, int pixel, float depth)
         {
             Vector4 world = clipToWorld * new Vector4((pixel % Wide + 0.5f) / Wide * 2 - 1, (pixel / Wide + 0.5f) / High * 2 - 1, 1 - 2 * depth, 1);

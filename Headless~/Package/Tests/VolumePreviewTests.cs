@@ -93,14 +93,14 @@ namespace Host.Tests
         public void Of_many_particles_some_are_drawn_and_the_inspector_says_so()
         {
             var scene = new EditModeScene(capacity: 100000);
-            Assert.That(VolumePreview.NoteOn(scene.Volume), Is.Null);
+            Assert.That(VolumePreview.HiddenNote(scene.Volume), Is.Null);
             scene.Fluid.Configure(new Vector3(1f, 1f, 0.8f), 0.016f, 100000);
-            Assert.That(VolumePreview.NoteOn(scene.Volume),
+            Assert.That(VolumePreview.HiddenNote(scene.Volume),
                 Is.EqualTo("The scene view shows every 3rd of its particles, since it draws at most 20,000."));
             Assert.That(Shown(VolumePreview.MeshOf(scene.Volume, scene.Fluid)).Count,
                 Is.LessThanOrEqualTo(VolumePreview.MaxDrawn).And.GreaterThan(VolumePreview.MaxDrawn / 2));
             scene.Fluid.Configure(new Vector3(1f, 1f, 0.8f), 0.005f, 100000);
-            Assert.That(VolumePreview.NoteOn(scene.Volume), Does.Contain("does not show its particles: more than 1,000,000"));
+            Assert.That(VolumePreview.HiddenNote(scene.Volume), Does.Contain("does not show its particles: more than 1,000,000"));
             Assert.That(VolumePreview.MeshOf(scene.Volume, scene.Fluid), Is.Null);
         }
 

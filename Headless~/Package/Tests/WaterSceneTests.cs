@@ -299,7 +299,7 @@ namespace Host.Tests
 
             public static bool IsAboveRim(Vector3 p) => p.y >= Rim;
 
-            /// <summary>Whether a place below the rim is on the water's side of the middle of the porcelain.</summary>
+            /// <summary>Whether a place below the rim is on the water's side of the center of the porcelain.</summary>
             public static bool IsInside(Vector3 p)
             {
                 float radius = new Vector2(p.x, p.z).magnitude;
@@ -311,11 +311,11 @@ namespace Host.Tests
                 return sine < 1f && p.y > 0.136f + 0.172f * (1f - Mathf.Sqrt(1f - sine * sine));
             }
 
-            public void Observe(IReadOnlyList<uint> ids, IReadOnlyList<Vector3> places)
+            public void Observe(IReadOnlyList<uint> ids, IReadOnlyList<Vector3> positions)
             {
                 for (int i = 0; i < ids.Count; i++)
                 {
-                    Side now = IsAboveRim(places[i]) ? Side.Above : IsInside(places[i]) ? Side.Inside : Side.Outside;
+                    Side now = IsAboveRim(positions[i]) ? Side.Above : IsInside(positions[i]) ? Side.Inside : Side.Outside;
                     last.TryGetValue(ids[i], out Side before);
                     Through += before == Side.Inside && now == Side.Outside || before == Side.Outside && now == Side.Inside ? 1 : 0;
                     if (before == Side.Above && now == Side.Outside)

@@ -9,7 +9,7 @@ namespace Rill
         const int PowerSteps = 32;
 
         public float3 center;
-        /// <summary>Of length 1.</summary>
+        /// <summary>Axis, of length 1.</summary>
         public float3 axis;
         /// <summary>From end to end.</summary>
         public float height;
@@ -23,26 +23,26 @@ namespace Rill
         /// <param name="axes">Directions to try beside the one along which the points lie; need not have length 1.</param>
         public static FittedCapsule Around(float3[] points, float[] weights, float coverage, float3[] axes)
         {
-            float3 middle = Middle(points, weights);
-            FittedCapsule best = Along(MaxAxis(points, weights, middle), middle, points, weights, coverage);
+            float3 center = Center(points, weights);
+            FittedCapsule best = Along(MaxAxis(points, weights, center), center, points, weights, coverage);
             foreach (float3 axis in axes)
             {
                 if (!(math.lengthsq(axis) > 0f))
                     continue;
-                FittedCapsule other = Along(math.normalize(axis), middle, points, weights, coverage);
+                FittedCapsule other = Along(math.normalize(axis), center, points, weights, coverage);
                 if (other.Volume < best.Volume)
                     best = other;
             }
             return best;
         }
 
-        static FittedCapsule Along(float3 axis, float3 middle, float3[] points, float[] weights, float coverage)
+        static FittedCapsule Along(float3 axis, float3 mid, float3[] points, float[] weights, float coverage)
         {
             var across = new float[points.Length];
             var along = new float[points.Length];
             for (int i = 0; i < points.Length; i++)
             {
-                float3 offset = points[i] - middle;
+                float3 offset = points[i] - mid;
                 along[i] = math.dot(offset, axis);
                 across[i] = math.length(offset - along[i] * axis);
             }
@@ -62,11 +62,11 @@ namespace Rill
                 from = to = 0.5f * (from + to);
             return new FittedCapsule
             {
-                center = middle + 0.5f * (from + to) * axis, axis = axis, radius = radius, height = to - from + 2f * radius
+                center = mid + 0.5f * (from + to) * axis, axis = axis, radius = radius, height = to - from + 2f * radius
             };
         }
 
-        static float3 Middle(float3[] points, float[] weights)
+        static float3 Center(float3[] points, float[] weights)
         {
             double3 sum = 0.0;
             double all = 0.0;
@@ -79,12 +79,12 @@ namespace Rill
         }
 
         // The direction of the largest spread, by power iteration on the covariance.
-        static float3 MaxAxis(float3[] points, float[] weights, float3 middle)
+        static float3 MaxAxis(float3[] points, float[] weights, float3 center)
         {
             float3 x = 0f, y = 0f, z = 0f;
             for (int i = 0; i < points.Length; i++)
             {
-                float3 offset = points[i] - middle;
+                float3 offset = points[i] - center;
                 x += weights[i] * offset.x * offset;
                 y += weights[i] * offset.y * offset;
                 z += weights[i] * offset.z * offset;

@@ -115,7 +115,7 @@ namespace Rill
 
         void IAppliesSettings.ApplySettings() => clamped.Log(this);
 
-        // Unity lets nobody add to a prefab or take from it where it lies: it has no scene there.
+        // Unity allows no additions to a closed prefab and no removals: it has no scene.
         string ClosedPrefabProblem => gameObject.scene.IsValid() ? null
             : "it is in a prefab that is not open. Open the prefab, or place it in a scene, and choose it there.";
 
@@ -198,7 +198,7 @@ namespace Rill
             return capsule;
         }
 
-        // What a capsule left in an instance of a prefab.
+        // Finds what a capsule left in an instance of a prefab.
         static GameObject FindEmpty(Transform bone)
         {
             for (int i = 0; i < bone.childCount; i++)

@@ -54,7 +54,7 @@ namespace Rill
         SdfGrid grid;
         [NonSerialized] Bounds box, limits;     // that the grid holds, and may hold, in the mesh's frame, m
         [NonSerialized] ClampedSettings clamped;
-        [NonSerialized] string refusal;         // why there is no mesh
+        [NonSerialized] string refusal;         // why no mesh can be used
         [NonSerialized] ColliderShape shapeBefore;
         [NonSerialized] int lastFrame = -1, framesOfBake, framesOfLast, framesSince;
         [NonSerialized] float begun, poseTime;  // s
@@ -76,7 +76,7 @@ namespace Rill
         /// <summary>Thickness of the shell that an open mesh becomes, m; 0 for two voxels.</summary>
         public float ShellThickness { get => shellThickness; set { shellThickness = value; Changed(); } }
 
-        /// <summary>Side of a voxel, m; 0 while there is no mesh.</summary>
+        /// <summary>Side of a voxel, m; 0 without a mesh.</summary>
         public float VoxelSize => mesh != null ? grid.VoxelSize : 0f;
 
         /// <summary>Fields that were baked since it was enabled or the box grew; 0 while no fluid is near.</summary>
@@ -89,16 +89,16 @@ namespace Rill
         /// first.</summary>
         [field: NonSerialized] public float FieldAge { get; private set; }
 
-        /// <summary>Triangles that are baked; 0 while there is no mesh.</summary>
+        /// <summary>Triangles that are baked; 0 without a mesh.</summary>
         internal int TriangleCount => mesh != null ? mesh.TriangleCount : 0;
 
-        /// <summary>As if the last frame were over.</summary>
+        /// <summary>Starts a frame, as if the last one were over.</summary>
         internal void StartFrame() => lastFrame = -1;
 
-        /// <summary>Middle of the field now, world space, m.</summary>
+        /// <summary>Center of the field now, world space, m.</summary>
         internal Vector3 WorldCenter => mesh != null && mesh.Problem == null ? (Vector3)CenterPose.position : transform.position;
 
-        /// <summary>From the middle of the field, m.</summary>
+        /// <summary>From the center of the field, m.</summary>
         internal Matrix4x4 FieldToWorld => mesh != null && mesh.Problem == null
             ? Matrix4x4.TRS(CenterPose.position, CenterPose.rotation, Vector3.one) : transform.localToWorldMatrix;
 
@@ -125,7 +125,7 @@ namespace Rill
             mesh = DeformedMesh.Of(this, sign, out refusal);
             if (mesh == null)
             {
-                Debug.LogError($"Rill: FluidDeformingMesh '{name}' is no collider: {refusal}", this);
+                Debug.LogError($"Rill: FluidDeformingMesh '{name}' is not a collider: {refusal}", this);
                 return;
             }
             limits = mesh.Bounds;
@@ -147,7 +147,7 @@ namespace Rill
         }
 
         /// <summary>Its place and size as a collider, world space, m.</summary>
-        /// <returns>Why it is no collider; null where it is one.</returns>
+        /// <returns>Why it is not a collider; null if it is one.</returns>
         internal string Describe(ref ColliderMotion motion, ref RigidPose pose)
         {
             if (mesh == null)
@@ -233,7 +233,7 @@ namespace Rill
             shaders.Follow(Features.Baking);
         }
 
-        // Of this frame: a bake goes on, or begins where the mesh has moved.
+        // Bakes for this frame: a bake goes on, or begins where the mesh has moved.
         void Bake()
         {
             if (field == null || !field.IsBaking)
@@ -276,7 +276,7 @@ namespace Rill
             {
                 refusal = missing.Message;
                 mesh = null;
-                Debug.LogError($"Rill: FluidDeformingMesh '{name}' is no collider: {refusal}", this);
+                Debug.LogError($"Rill: FluidDeformingMesh '{name}' is not a collider: {refusal}", this);
                 return false;
             }
         }

@@ -28,7 +28,7 @@ namespace Rill
         [Tooltip("Color of the foam in white light. Each channel 0 to 1; alpha has no effect, Opacity has.")]
         [SerializeField] Color color = Color.white;
 
-        [Tooltip("How much one particle covers of what is behind its middle. 0 to 1.")]
+        [Tooltip("Fraction of the background that one particle covers at its center. 0 to 1.")]
         [Range(0f, 1f)]
         [SerializeField] float opacity = 0.6f;
 
@@ -51,7 +51,7 @@ namespace Rill
         /// <summary>Its color in white light.</summary>
         public Color Color { get => color; set => color = value; }
 
-        /// <summary>How much one particle covers of what is behind its middle, 0 to 1.</summary>
+        /// <summary>Fraction of the background that one particle covers at its center, 0 to 1.</summary>
         public float Opacity { get => opacity; set { opacity = value; Changed(); } }
 
         /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
@@ -76,7 +76,7 @@ namespace Rill
 
         bool IsDrawnBySurface => TryGetComponent(out FluidSurface surface) && surface.isActiveAndEnabled;
 
-        /// <summary>What there is to draw in this frame.</summary>
+        /// <summary>Foam to draw in this frame.</summary>
         internal FoamFrame Frame
         {
             get

@@ -71,10 +71,10 @@ namespace Rill
                     continue;
                 if (buffer == null)
                     buffers.Add(buffer = new CameraBuffer(camera));
-                buffer.AskForDepth();
+                buffer.RequestDepth();
                 if (surface.Refraction)
                 {
-                    buffer.AskForOwnTarget();
+                    buffer.RequestOwnTarget();
                     buffer.PrepareSceneColor(views);
                 }
                 surface.Submit(views, buffer.sceneColor, shadow);
@@ -125,7 +125,7 @@ namespace Rill
             return views;
         }
 
-        // Of one light, which is the main one for all.
+        // Prepares the shadow of one light, which is the main one for all.
         static void PrepareShadow()
         {
             Light light = null;
@@ -219,7 +219,7 @@ namespace Rill
                     EngineObject.Release(ref sceneColor);
             }
 
-            public void AskForDepth()
+            public void RequestDepth()
             {
                 if ((Camera.depthTextureMode & DepthTextureMode.Depth) != 0)
                     return;
@@ -229,7 +229,7 @@ namespace Rill
 
             // A copy of the back buffer is upside down where textures begin at the top, and that of a target that the camera draws a part of
             // holds the whole; forced into a texture, its target is its part.
-            public void AskForOwnTarget()
+            public void RequestOwnTarget()
             {
                 bool hasOne = Camera.targetTexture != null && Camera.rect == new Rect(0f, 0f, 1f, 1f);
                 // The scene would store it in edit mode, where cameras draw into textures of the editor.

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What one camera has of its own.</summary>
+    /// <summary>Part that each camera has of its own.</summary>
     interface ICameraPart : IDisposable
     {
         Camera Camera { get; }

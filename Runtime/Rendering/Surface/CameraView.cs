@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What draws of a fluid need for one camera: constants, and whether they wait in Unity's queue.</summary>
+    /// <summary>State that draws of a fluid need for one camera: constants, and whether they wait in Unity's queue.</summary>
     abstract class CameraView : ICameraPart
     {
         const int FramesKept = 3;       // for which a camera may stay away

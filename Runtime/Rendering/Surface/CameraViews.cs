@@ -29,7 +29,7 @@ namespace Rill
             return found;
         }
 
-        /// <summary>What a draw of this camera may still show in this frame is no longer shown, until it is recorded again.</summary>
+        /// <summary>Hides the draws of this camera that are left from this frame, until they are recorded again.</summary>
         public void TurnOff(Camera camera) => views.Find(camera)?.TurnOff();
 
         /// <summary>Whether the picture that the camera draws now was prepared.</summary>

@@ -34,11 +34,11 @@ namespace Rill
             "headsets: its textures have half the picture's width and height.")]
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
 
-        [Tooltip("Whether the scene behind is seen bent, through a copy of the opaque scene. Off: the surface blends over whatever is " +
+        [Tooltip("Shows the scene behind bent, through a copy of the opaque scene. Off: the surface blends over whatever is " +
             "behind it, which other transparent objects behind it need.")]
         [SerializeField] bool refraction = true;
 
-        [Tooltip("Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. With Refraction, " +
+        [Tooltip("Gathers the sun's light by the surface on what stands in the water, and absorbs it on its path. With Refraction, " +
             "where the sun is known: set Sun, or the sun in Lighting > Environment.")]
         [SerializeField] bool caustics = true;
 
@@ -53,7 +53,7 @@ namespace Rill
         [Range(0f, 4f)]
         [SerializeField] float reflectionStrength = 1f;
 
-        [Tooltip("How much of the light is gone in the shadow of deep water where it casts shadows, 0 to 1. Drops, sheets and spray throw less.")]
+        [Tooltip("Opacity of the shadow that deep water casts, 0 to 1. Drops, sheets and spray cast less.")]
         [Range(0f, 1f)]
         [SerializeField] float shadowOpacity = 0.4f;
 
@@ -99,7 +99,7 @@ namespace Rill
         /// <summary>Whether the scene behind is seen bent; off, the surface blends over it.</summary>
         public bool Refraction { get => refraction; set => refraction = value; }
 
-        /// <summary>Whether the sun's light is gathered by the surface on what stands in the water, and absorbed on its way there. With
+        /// <summary>Whether the surface gathers the sun's light on what stands in the water, and absorbs it on its path. With
         /// <see cref="Refraction"/>, where the sun is known.</summary>
         public bool Caustics { get => caustics; set => caustics = value; }
 
@@ -223,7 +223,7 @@ namespace Rill
 
         private protected override void Begin()
         {
-            // Without compute shaders the fluid says so itself.
+            // Without compute shaders the fluid logs that itself.
             if (SystemInfo.supportsComputeShaders && (SurfaceMesh.DeviceProblem ?? WaterRays.DeviceProblem) is string why)
                 throw new InvalidOperationException($"{why}. Draw the fluid with a Particle Renderer there.");
             meshDraw = new MeshDraw(ShaderMaterial);
@@ -249,13 +249,13 @@ namespace Rill
             ReleaseCaustics();
             ReleasePhases();
             if (active.Count == 0)
-                WaterScratch.Shared.Release();
+                WaterScratch.Instance.Release();
         }
 
         private protected override void ReleaseUnused()
         {
             meshDraw?.ReleaseUnused();
-            WaterScratch.Shared.ReleaseUnused();
+            WaterScratch.Instance.ReleaseUnused();
             BuiltInSurfaces.ReleaseUnused();
         }
 
@@ -272,7 +272,7 @@ namespace Rill
             }
             bool casts = CastsShadow;
             Light light = KnownLight;
-            // Of a light that is not known, the shadow may fall anywhere.
+            // The shadow of an unknown light may fall anywhere.
             if (casts && light == null || watch.IsSeen(gameObject.layer, new FluidBox(Simulation), casts
                 ? light.transform.forward * QualitySettings.shadowDistance : Vector3.zero))
                 Simulation.Results.Surface.IsNeeded = true;

@@ -16,13 +16,13 @@ namespace Rill
         /// <summary>From world to view, looking along -z; of one eye or of the left one.</summary>
         public Matrix4x4 view, rightView;
 
-        /// <summary>As Camera.projectionMatrix has it: z -1 to 1, y up, with the jitter of this frame.</summary>
+        /// <summary>Projection like Camera.projectionMatrix: z -1 to 1, y up, with the jitter of this frame.</summary>
         public Matrix4x4 projection, rightProjection;
 
-        /// <summary>Of the picture of one eye, pixels.</summary>
+        /// <summary>Size of the picture of one eye, pixels.</summary>
         public int width, height;
 
-        /// <summary>What is in use of the scene's depth texture, texels; zero for all, whose size the pipeline knows: with a headset, a
+        /// <summary>Used part of the scene's depth texture, texels; zero for all, whose size the pipeline knows: with a headset, a
         /// camera does not.</summary>
         public Vector2 sceneSize;
 
@@ -69,7 +69,7 @@ namespace Rill
                 (rightView, rightProjection) = (view, projection);
         }
 
-        /// <summary>Where the pipeline draws one eye in this pass.</summary>
+        /// <summary>Sets where the pipeline draws one eye in this pass.</summary>
         /// <param name="eye">0 or 1.</param>
         public void KeepEye(int eye)
         {
@@ -82,7 +82,7 @@ namespace Rill
         /// <param name="eye">0 or 1.</param>
         public Matrix4x4 WorldToClipOf(int eye) => ProjectionOf(eye) * ViewOf(eye);
 
-        /// <summary>Of a camera as Unity has it: two eyes where it is stereo.</summary>
+        /// <summary>Returns the views of a camera as Unity has it: two eyes if it is stereo.</summary>
         /// <param name="isForHeadset">False where the pipeline draws one eye, whether the camera is stereo or not.</param>
         public static FluidViews Of(Camera camera, bool isForHeadset = true)
         {

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Rill
 {
-    /// <summary>What a project's render settings lack for fluid surfaces: each adapter of a render pipeline has one, the inspector shows
+    /// <summary>Problems of a project's render settings for fluid surfaces: each adapter of a render pipeline has one, the inspector shows
     /// them.</summary>
     interface IRenderSetup
     {

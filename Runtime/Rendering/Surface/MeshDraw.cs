@@ -62,7 +62,7 @@ namespace Rill
             return true;
         }
 
-        /// <summary>What a draw of this camera may still show in this frame is no longer shown, until it is recorded again.</summary>
+        /// <summary>Hides the draws of this camera that are left from this frame, until they are recorded again.</summary>
         public void TurnOff(Camera camera) => views.TurnOff(camera);
 
         /// <summary>Whether <see cref="Prepare"/> has found that the camera sees the fluid in the picture that it draws now.</summary>
@@ -115,12 +115,12 @@ namespace Rill
             view.LastFrame = Time.frameCount;
             constants.Set(camera);
             constants.pictureBounds = BoxOnPicture.Of(camera, mesh.Box).Bounds;
-            view.Place(camera, constants.pictureBounds, mesh);
+            view.SetWindow(camera, constants.pictureBounds, mesh);
             (constants.surfaceSize, constants.surfaceWindow) = (view.Window.Grid, view.Window.Rect);
             (constants.foamSize, constants.foamWindow) = (view.CoarseWindow.Grid, view.CoarseWindow.Rect);
             constants.foamColor = mesh.HasFoam ? mesh.foam.color : Vector4.one;
             view.Write(cmd, constants);
-            WaterScratch.Shared.Prepare(view, Mathf.CeilToInt(view.CoarseWindow.Grid.x), Mathf.CeilToInt(view.CoarseWindow.Grid.y),
+            WaterScratch.Instance.Prepare(view, Mathf.CeilToInt(view.CoarseWindow.Grid.x), Mathf.CeilToInt(view.CoarseWindow.Grid.y),
                 WaterSpray.WordsOf(mesh));
             rays.Record(cmd, camera, mesh, view, refracts);
             if (view.Spray != null)
@@ -153,7 +153,7 @@ namespace Rill
                         spray.Describe(stage, views[i].Faces.volumeDepth, withFoam);
                     views[i].Describe(stage);
                 }
-            WaterScratch.Shared.Describe(stage);
+            WaterScratch.Instance.Describe(stage);
         }
 
         public void Dispose()

@@ -54,7 +54,7 @@ namespace Rill
             return new PictureWindow(width, height, left, bottom, right - left, top - bottom);
         }
 
-        /// <summary>The same part in texels that are so many times as wide.</summary>
+        /// <summary>Returns this part in texels that are so many times as wide.</summary>
         /// <param name="divisor">A power of two up to 8.</param>
         public PictureWindow Coarser(int divisor) => new PictureWindow(gridWidth / divisor, gridHeight / divisor, x / divisor, y / divisor,
             (Width + divisor - 1) / divisor, (Height + divisor - 1) / divisor);

@@ -144,7 +144,7 @@ namespace Rill
         void Dispatch(Kernel kernel, int elements)
             => ThreadGroups.Dispatch(commands, shader, kernel, ((long)elements + CopyGroup - 1) / CopyGroup);
 
-        // Of a box from the origin to size, transformed.
+        // Bounds of a box from the origin to size, transformed.
         static Bounds BoundsOf(Matrix4x4 transform, Vector3 size)
         {
             Vector3 half = 0.5f * size, extents = Vector3.zero;

@@ -5,7 +5,7 @@ namespace Rill
     /// <summary>Something that keeps a fluid surface from looking as it should in this project.</summary>
     readonly struct SetupProblem
     {
-        /// <summary>What is wrong, where, and what follows from it.</summary>
+        /// <summary>Describes the fault, its location and its consequence.</summary>
         public readonly string Text;
 
         /// <summary>Label of the button that puts it right; null where no single click does.</summary>

@@ -19,7 +19,7 @@ namespace Rill
         const int MapPass = 0, ValuesPass = 1;      // of ShadowCopy.shader
         const int MaxSize = 2048, Stamps = 1 << 20;
 
-        /// <summary>Where each of the uniforms of the Built-in pipeline's shadow lies in the copy that ShadowCopy.hlsl makes of them,
+        /// <summary>Positions of the uniforms of the Built-in pipeline's shadow in the copy that ShadowCopy.hlsl makes of them,
         /// texels of one row.</summary>
         [GenerateHlsl("ShadowValues")]
         enum Value
@@ -56,7 +56,7 @@ namespace Rill
             light.AddCommandBuffer(LightEvent.BeforeScreenspaceMask, values);
         }
 
-        // As large as the pipeline's map gets at most, up to a limit.
+        // Size of the pipeline's largest map, up to a limit.
         static int Size => Mathf.Min(512 << (int)QualitySettings.shadowResolution, MaxSize);
 
         /// <summary>Why there is none on this device; null where there is.</summary>

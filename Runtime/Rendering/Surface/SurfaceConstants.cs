@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What every pass and draw of a fluid's surface reads of one camera. In a buffer, written as the camera's commands are recorded:
+    /// <summary>Constants of one camera for every pass and draw of a fluid's surface. In a buffer, written as the camera's commands are recorded:
     /// a draw is submitted before that, and only then are the camera's matrices final.</summary>
     [GenerateHlsl("SurfaceView", ConstantBuffer = "RillSurfaceView")]
     [StructLayout(LayoutKind.Sequential)]
@@ -11,7 +11,7 @@ namespace Rill
     {
         /// <summary>rows of each eye's matrix from world to clip space: y up, z 1 at the near plane, which is taken to be straight</summary>
         public EyeVectors surfaceClipX, surfaceClipY, surfaceClipZ, surfaceClipW;
-        /// <summary>of each eye: where a ray through the middle of the picture starts, world, and its change along x and y of the picture</summary>
+        /// <summary>of each eye: where a ray through the center of the picture starts, world, and its change along x and y of the picture</summary>
         public EyeVectors rayOrigin, rayOriginX, rayOriginY;
         /// <summary>where it goes, 1 m along the view, and the change of that</summary>
         public EyeVectors rayDirection, rayDirectionX, rayDirectionY;

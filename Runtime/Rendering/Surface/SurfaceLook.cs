@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What the water looks like to light: how it absorbs, scatters, refracts and reflects.</summary>
+    /// <summary>Optical properties of the water: how it absorbs, scatters, refracts and reflects.</summary>
     [Serializable]
     public struct SurfaceLook
     {
@@ -61,7 +61,7 @@ namespace Rill
         /// <summary>1/m: 0 where nothing scatters.</summary>
         internal float ScatteringRate => scatteringDepth > 0f ? 1f / scatteringDepth : 0f;
 
-        /// <summary>Of light that falls straight on the surface: 0.02 for water.</summary>
+        /// <summary>Reflectance of light that falls straight on the surface: 0.02 for water.</summary>
         internal float Reflectance
         {
             get

@@ -47,7 +47,7 @@ namespace Rill
         /// <param name="refracts">Else the straight path through the water is found alone.</param>
         public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view, bool refracts)
         {
-            WaterScratch scratch = WaterScratch.Shared;
+            WaterScratch scratch = WaterScratch.Instance;
             RecordFaces(cmd, camera, mesh, view);
             Kernel trace = traceRays.For(mesh.phases != null, mesh.caustics != null);
             cmd.BeginSample(RaysMarker);
@@ -90,7 +90,7 @@ namespace Rill
         {
             cmd.BeginSample(TilesMarker);
             view.Tiles.RecordStart(cmd, StereoInstancing.IsActive ? 2 : 1);
-            cmd.SetComputeBufferParam(shader, listTiles, Ids.TileMarks, WaterScratch.Shared.TileMarks);
+            cmd.SetComputeBufferParam(shader, listTiles, Ids.TileMarks, WaterScratch.Instance.TileMarks);
             cmd.SetComputeBufferParam(shader, listTiles, WaterView.Ids.WaterTiles, view.Tiles.Tiles);
             cmd.SetComputeBufferParam(shader, listTiles, Ids.TileArguments, view.Tiles.Arguments);
             SurfaceIds.Dispatch(cmd, shader, listTiles, WaterTiles.MarksOf(view.CoarseWindow.Width, view.CoarseWindow.Height), 1);
@@ -113,13 +113,13 @@ namespace Rill
 
         void SetFaces(CommandBuffer cmd, Kernel kernel)
         {
-            cmd.SetComputeTextureParam(shader, kernel, Ids.FaceDepth, WaterScratch.Shared.FaceDepth, 0, RenderTextureSubElement.Depth);
-            cmd.SetComputeTextureParam(shader, kernel, Ids.Faces, WaterScratch.Shared.Faces);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.FaceDepth, WaterScratch.Instance.FaceDepth, 0, RenderTextureSubElement.Depth);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.Faces, WaterScratch.Instance.Faces);
         }
 
         void RecordFaces(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view)
         {
-            WaterScratch scratch = WaterScratch.Shared;
+            WaterScratch scratch = WaterScratch.Instance;
             cmd.BeginSample(FacesMarker);
             cmd.SetKeyword(raster, sceneArray, camera.sceneIsArray);
             view.SetConstants(properties);

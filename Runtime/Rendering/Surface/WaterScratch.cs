@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What is filled and read while one fluid's surface is recorded for one camera, and by no one after: all fluids and cameras share
+    /// <summary>Resources that are filled and read while one fluid's surface is recorded for one camera, and not later: all fluids and cameras use
     /// it, since they come one after the other.</summary>
     sealed class WaterScratch
     {
@@ -19,10 +19,10 @@ namespace Rill
         GraphicsBuffer sprayAmounts, tileMarks;
         int lastFrame, lookedFrame;
         long largest;       // texels asked for since it was looked at
-        // What commands that are recorded and have not run may still refer to: a camera can be drawn while another is prepared.
+        // Resources that recorded commands may still refer to: a camera can be drawn while another is prepared.
         readonly List<(IDisposable what, int frame)> outgrown = new List<(IDisposable, int)>();
 
-        public static WaterScratch Shared => shared;
+        public static WaterScratch Instance => shared;
 
         /// <summary>The nearest faces of a mesh on the picture, see WaterRays.compute, and their depth.</summary>
         public RenderTexture Faces => faces;
@@ -69,7 +69,7 @@ namespace Rill
                 Shrink();
         }
 
-        // Where the largest use of a while leaves much of it empty it is made again by the next.
+        // If the largest use of a while leaves much of it empty, the next use makes it again.
         void Shrink()
         {
             if (faces != null && 4 * largest < 3 * TexelsOf(faces))

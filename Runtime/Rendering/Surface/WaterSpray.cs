@@ -30,7 +30,7 @@ namespace Rill
         /// <summary>Fills the layers of the view, after its faces and the copy of the scene's depth.</summary>
         public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, WaterView view)
         {
-            WaterScratch scratch = WaterScratch.Shared;
+            WaterScratch scratch = WaterScratch.Instance;
             cmd.BeginSample(Marker);
             clear.Record(cmd, scratch.SprayAmounts, view.CoarseWindow.Texels * camera.eyes * WordsOf(mesh));
             view.SetConstants(cmd, shader);
@@ -59,7 +59,7 @@ namespace Rill
 
         public void Describe(StageDescription stage, int eyes, bool withFoam)
         {
-            clear.Describe(stage, WaterScratch.Shared.SprayAmounts.stride, 1);
+            clear.Describe(stage, WaterScratch.Instance.SprayAmounts.stride, 1);
             stage.Kernel(addDroplets, eyes);
             if (withFoam)
                 stage.Kernel(addFoam, eyes);
@@ -77,22 +77,22 @@ namespace Rill
         {
             SetPicture(cmd, addFoam);
             cmd.SetComputeVectorParam(shader, Ids.FoamLook, foam.look);
-            cmd.SetComputeTextureParam(shader, addFoam, WaterRays.Ids.Faces, WaterScratch.Shared.Faces);
+            cmd.SetComputeTextureParam(shader, addFoam, WaterRays.Ids.Faces, WaterScratch.Instance.Faces);
             cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamParticles, foam.particles);
             cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamCounters, foam.counters);
             cmd.DispatchCompute(shader, addFoam, foam.arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
-        // Of the fluid's box along the view, or more; m.
+        // Depth of the fluid's box along the view, or more; m.
         static float FarthestDepth(Matrix4x4 worldToView, in FluidBox box)
         {
-            Vector3 middle = worldToView.MultiplyPoint3x4(box.DomainToWorld.MultiplyPoint3x4(0.5f * box.Size));
-            return Mathf.Max(-middle.z, 0f) + 0.5f * box.Spacing * box.Size.magnitude;
+            Vector3 center = worldToView.MultiplyPoint3x4(box.DomainToWorld.MultiplyPoint3x4(0.5f * box.Size));
+            return Mathf.Max(-center.z, 0f) + 0.5f * box.Spacing * box.Size.magnitude;
         }
 
         void SetPicture(CommandBuffer cmd, Kernel kernel)
         {
-            WaterScratch scratch = WaterScratch.Shared;
+            WaterScratch scratch = WaterScratch.Instance;
             cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
             cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.SceneCopy, scratch.SceneCopy);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SprayAmounts, scratch.SprayAmounts);

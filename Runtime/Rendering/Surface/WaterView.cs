@@ -85,7 +85,7 @@ namespace Rill
         }
 
         /// <summary>Sets which part of the picture is in use, as far as the textures go.</summary>
-        public void Place(in FluidViews camera, Vector4 bounds, in MeshFrame mesh)
+        public void SetWindow(in FluidViews camera, Vector4 bounds, in MeshFrame mesh)
         {
             Window = PictureWindow.Of(camera, bounds, mesh.rayScale).Within(Faces.width, Faces.height);
             CoarseWindow = Window.Coarser(Divisor(camera, mesh)).Within(Ends.width, Ends.height);

@@ -53,7 +53,7 @@ namespace Rill
                 return;
             if (buffer == null)
                 buffers.Add(buffer = new CameraBuffer(camera));
-            buffer.AskForDepth();
+            buffer.RequestDepth();
         }
 
         // Only now are the camera's matrices what scripts make of them.
@@ -97,7 +97,7 @@ namespace Rill
             public Camera Camera { get; }
             public bool IsGone => Camera == null || Time.frameCount - lastFrame > FramesKept;
 
-            public void AskForDepth()
+            public void RequestDepth()
             {
                 lastFrame = Time.frameCount;
                 if ((Camera.depthTextureMode & DepthTextureMode.Depth) != 0)

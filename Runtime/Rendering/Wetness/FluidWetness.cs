@@ -10,7 +10,7 @@ namespace Rill
     /// mirror the sky until they have dried.
     /// </summary>
     /// <remarks>
-    /// It is drawn over the picture of what is there, whatever its material and render pipeline: every camera that shows the object's layer shows
+    /// It is drawn over the picture of the scene, whatever its material and render pipeline: every camera that shows the object's layer shows
     /// it. Where water was last is kept on a grid over the fluid's box, in the box's own frame: what moves in the box leaves its wetness behind.
     /// See-through materials stay dry. Time is that of the fluid: while it is paused nothing dries.
     /// </remarks>

@@ -6,7 +6,7 @@ namespace Rill
     /// <summary>The fog of the Built-in pipeline and URP as two vectors, for a draw that would otherwise need a variant for each mode.</summary>
     static class SceneFog
     {
-        /// <summary>Returns x, y, z and w of _WetFog, see Wetness.hlsl: what is seen through the fog at a depth z along the view, m, is
+        /// <summary>Returns x, y, z and w of _WetFog, see Wetness.hlsl: the visible fraction through the fog at a depth z along the view, m, is
         /// saturate(x z + y) exp2(-(z' + z'^2)).</summary>
         public static Vector4 Parameters
         {

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What the draw of wet surfaces needs for one camera.</summary>
+    /// <summary>State that the draw of wet surfaces needs for one camera.</summary>
     sealed class WetnessView : CameraView
     {
         public readonly MaterialPropertyBlock Properties = new MaterialPropertyBlock();

@@ -3,7 +3,7 @@
 #ifndef RILL_COARSE_COLLIDERS_INCLUDED
 #define RILL_COARSE_COLLIDERS_INCLUDED
 
-static const float kMinOpen = 0.25;       // of a cell's volume: in less there is no room for a layer of particles
+static const float kMinOpen = 0.25;       // of a cell's volume: less has no room for a layer of particles
 static const float kFaceSteps = 1023.0;     // of the open fraction of a face
 static const float kCenterSteps = 1022.0;   // even: 0 is one of them
 static const float kVolumeSteps = 4095.0;

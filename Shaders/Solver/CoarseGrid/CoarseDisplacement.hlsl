@@ -7,9 +7,9 @@ StructuredBuffer<float4> _Displacements;    // [coarse cells], xyz at the cell's
 // Trilinear between the centers, constant beyond the outermost ones, and no longer than 'longest'.
 float3 CoarseDisplacement(float3 p, float longest)
 {
-    float3 place = p * _InverseCoarseSize - 0.5;
-    float3 lower = floor(place);
-    float3 fraction = place - lower;
+    float3 position = p * _InverseCoarseSize - 0.5;
+    float3 lower = floor(position);
+    float3 fraction = position - lower;
     int3 last = int3(_CoarseCounts) - 1;
     int3 a = clamp(int3(lower), 0, last);
     int3 b = clamp(int3(lower) + 1, 0, last);
@@ -33,7 +33,7 @@ float3 CoarseDisplacement(float3 p, float longest)
 static const float kAlone = 0.3;        // density relative to rest of a particle with a neighbor or two
 static const float kCovered = 0.55;     // and of one on an edge of water at rest
 
-// What the projection gives a particle; velocity.w is its density. Displacements continue around the water, for particles between
+// Displacement of a particle by the projection; velocity.w is its density. Displacements continue around the water, for particles between
 // its last cells' centers and its surface; spray there is pressed by nothing, and would hover where they cancel gravity.
 float3 ProjectedDisplacement(float3 p, float4 velocity)
 {

@@ -28,7 +28,7 @@ uint3 CellStrides(uint3 counts)
 }
 
 // Distance, in cells, of the free surface from where an active cell's potential stands, inverted: from how much water that cell and the
-// inactive one beyond hold. With water below, 'deep', the potential stands at the cell's center; without, in the middle of the water,
+// inactive one beyond hold. With water below, 'deep', the potential stands at the cell's center; without, in the center of the water,
 // since from its center a cell less than half full would have none: water of a few layers would feel no slope and rest in heaps.
 float InverseSurfaceDistance(float fill, float beyond, bool deep)
 {

@@ -21,7 +21,7 @@ uint ColliderCell(float3 p)
         { \
             uint index = word * 32 + firstbitlow(bits);
 
-// The same for the colliders near any of 'samples' points, at least two, from the start to the end of a path.
+// Loops over the colliders near any of 'samples' points, at least two, from the start to the end of a path.
 #define FOR_COLLIDERS_ALONG(start, path, samples, index) \
     for (uint word = 0; word < _ColliderWords; word++) \
     { \

@@ -1,17 +1,17 @@
-// What the colliders near a particle do to it: density, contact, the path that a particle can take. Include after Colliders.hlsl.
+// Effect of nearby colliders on a particle: density, contact, the path that a particle can take. Include after Colliders.hlsl.
 #ifndef RILL_COLLIDER_CONTACTS_INCLUDED
 #define RILL_COLLIDER_CONTACTS_INCLUDED
 
 #include "ColliderBins.hlsl"
 
-static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
+static const float kTouching = 0.05;        // d: a particle touches within this distance of where it must stay
 // d: as near to where it must stay as a mesh's distances tell; more would be asked of them for ever
 static const float kContactTolerance = 0.005;
 static const uint kDepenetrationSteps = 8;
 
 // ---- density
 
-// The densest half spaces behind the surfaces near a place, one for each direction.
+// The densest half spaces behind the surfaces near a point, one for each direction.
 struct Surfaces
 {
     float3 normals[3];
@@ -48,7 +48,7 @@ void BoxDensity(float3 p, float3 halfSides, bool insideOut, out float density, o
     }
 }
 
-// What a collider adds to the density at p, where it is 'contact.w' away along 'contact.xyz', and what lies behind its surface
+// Density that a collider adds at p, where it is 'contact.w' away along 'contact.xyz', and what lies behind its surface
 // if that is a plane: xyz gradient, w density.
 void ColliderDensity(Collider collider, float3 p, float4 contact, out float4 own, out float4 behind)
 {
@@ -62,7 +62,7 @@ void ColliderDensity(Collider collider, float3 p, float4 contact, out float4 own
     float3 gradient;
     BoxDensity(ToCollider(collider, p), collider.size, insideOut, own.w, gradient);
     own.xyz = Rotate(collider.rotation, gradient);
-    // Of what is inside, as much as at the surface.
+    // Inside, as much as at the surface.
     float surface, surfaceSlope;
     HalfSpace(0.0, surface, surfaceSlope);
     own.w = min(own.w, surface);
@@ -99,7 +99,7 @@ void DenserFirst(inout Surfaces surfaces, uint first, uint second)
 }
 
 // The density that lies behind any of them, w, and its gradient: planes combine as 1 - product of (1 - F), but what points the
-// same way as a denser one lies behind that already.
+// same direction as a denser one lies behind that already.
 float4 BehindAny(Surfaces surfaces)
 {
     DenserFirst(surfaces, 0, 1);
@@ -137,7 +137,7 @@ Surfaces WallSurfaces(float3 p, out float free)
     return surfaces;
 }
 
-// The collider nearest to a place, and what those around it add to the density there.
+// The collider nearest to a point, and what those around it add to the density there.
 struct Surroundings
 {
     float4 boundary;        // xyz gradient of the density added, 1/d; w the density, relative to rest
@@ -177,7 +177,7 @@ Surroundings FindSurroundings(float3 p)
     result.boundary = 0.0;
     if (touches)
     {
-        // Bodies side by side add up. Where they add up to more than lies behind their surfaces, they lie in the same place.
+        // Bodies side by side add up. Where they add up to more than lies behind their surfaces, they overlap.
         float4 all = BehindAny(surfaces);
         all.w = max(all.w + free - 1.0, 0.0);
         result.boundary = (apart.w < all.w ? apart : all) / free;
@@ -255,9 +255,9 @@ bool Trace(Collider collider, float3 a, float3 b, out float fraction, out float 
     for (uint i = 0; i < kMaxSteps; i++)
     {
         fraction = min(fraction + max(distance - kContactOffset, kShortestStep) / max(path, 1e-6), 1.0);
-        float3 place = lerp(a, b, fraction);
-        distance = MinDistanceAt(collider, place, lerp(collider.lastBlend, collider.blend, fraction));
-        if (distance < least && SurfaceDistance(collider, place, distance) < least)
+        float3 position = lerp(a, b, fraction);
+        distance = MinDistanceAt(collider, position, lerp(collider.lastBlend, collider.blend, fraction));
+        if (distance < least && SurfaceDistance(collider, position, distance) < least)
             return true;
         if (fraction >= 1.0)
             return false;

@@ -1,4 +1,4 @@
-// What colliders add to the density of a sorted particle. Include after Solver.hlsl.
+// Density that colliders add to a sorted particle. Include after Solver.hlsl.
 #ifndef RILL_COLLIDER_DENSITY_INCLUDED
 #define RILL_COLLIDER_DENSITY_INCLUDED
 

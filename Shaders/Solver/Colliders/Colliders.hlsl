@@ -1,4 +1,4 @@
-// Solid colliders: their shapes as signed distances, their motion in a substep, and which of them are near a place.
+// Solid colliders: their shapes as signed distances, their motion in a substep, and which of them are near a point.
 // Lengths in d, in the domain's frame. Include after Solver.hlsl.
 #ifndef RILL_COLLIDERS_INCLUDED
 #define RILL_COLLIDERS_INCLUDED
@@ -13,7 +13,7 @@ static const float kOtherSurfaceCosine = 0.5;         // and of those that are t
 
 StructuredBuffer<Collider> _Colliders;
 Texture3D<float> _Fields;                   // the distances of all meshes, brick by brick; see FieldAtlas.cs
-Texture3D<float> _Heights;                  // the heights of all height fields, the same way
+Texture3D<float> _Heights;                  // the heights of all height fields, likewise
 SamplerState sampler_LinearClamp;
 
 // ---- frames
@@ -23,7 +23,7 @@ float3 ToCollider(Collider collider, float3 p)
     return Unrotate(collider.rotation, p - collider.position);
 }
 
-// The same at the start of the substep.
+// Converts to the frame at the start of the substep.
 float3 ToLastCollider(Collider collider, float3 p)
 {
     return Unrotate(collider.lastRotation, p - collider.lastPosition);
@@ -81,13 +81,13 @@ bool Deforms(Collider collider)
 #endif
 }
 
-// Of a mesh that deforms at a blend of two fields: 0 where the steps of a frame start, 1 where they end.
+// Distance of a mesh that deforms, at a blend of two fields: 0 where the steps of a frame start, 1 where they end.
 float BlendedDistance(Collider collider, float3 p, float blend)
 {
-    float3 place = FieldPosition(collider, p);
-    float stored = _Fields.SampleLevel(sampler_LinearClamp, place, 0.0);
+    float3 position = FieldPosition(collider, p);
+    float stored = _Fields.SampleLevel(sampler_LinearClamp, position, 0.0);
     if (Deforms(collider))
-        stored = lerp(_Fields.SampleLevel(sampler_LinearClamp, place + float3(0.0, 0.0, collider.fieldBefore), 0.0), stored, blend);
+        stored = lerp(_Fields.SampleLevel(sampler_LinearClamp, position + float3(0.0, 0.0, collider.fieldBefore), 0.0), stored, blend);
     return stored * collider.fieldUnit;
 }
 
@@ -115,9 +115,9 @@ float4 MeshDistance(Collider collider, float3 p)
     return float4(direction, distance);
 }
 
-float GroundHeight(Collider collider, float2 place)
+float GroundHeight(Collider collider, float2 position)
 {
-    return _Heights.SampleLevel(sampler_LinearClamp, FieldPosition(collider, float3(place.x, 0.0, place.y)), 0.0) * collider.fieldUnit;
+    return _Heights.SampleLevel(sampler_LinearClamp, FieldPosition(collider, float3(position.x, 0.0, position.y)), 0.0) * collider.fieldUnit;
 }
 
 // From the ground below p as if it were a plane; beyond its sides there is none.
@@ -222,7 +222,7 @@ float Advance(Collider collider, float3 p)
     return advance;
 }
 
-// The same as a vector in the domain's frame. Of what deforms only the motion along its normal is known.
+// Deformation as a vector in the domain's frame. Only its part along the normal is known.
 float3 Deformation(Collider collider, float3 p)
 {
     float3 deformation = 0.0;

@@ -1,4 +1,4 @@
-// What colliders leave of the domain to the fluid. Include after Solver.hlsl.
+// Fraction of the domain that colliders leave to the fluid. Include after Solver.hlsl.
 //
 //   _ColliderVolume    [1]          uint, fraction of the domain that they take, in steps of 1 / kColliderVolumeSteps
 #ifndef RILL_OPEN_FRACTION_INCLUDED

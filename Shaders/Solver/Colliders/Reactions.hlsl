@@ -1,4 +1,4 @@
-// What the fluid does to colliders: sums of the displacements that they give to it, and their moments. Exact and independent of
+// Reactions on colliders: sums of the displacements that they give to it, and their moments. Exact and independent of
 // their order: integers, 64 bits each. Include after Colliders.hlsl and RWStructuredBuffer<uint> _Reactions is declared.
 #ifndef RILL_REACTIONS_INCLUDED
 #define RILL_REACTIONS_INCLUDED
@@ -18,7 +18,7 @@ void AddSigned(uint at, int value)
         InterlockedAdd(_Reactions[at + 1], high);
 }
 
-// What the fluid gained at p, in displacements of one particle, and its moment about the collider's place; kNoCollider for an
+// Returns what the fluid gained at p, in displacements of one particle, and its moment about the collider's position; kNoCollider for an
 // owner that does not want to know.
 uint Reaction(uint owner, float3 p, float3 gain, float range, out int3 sum, out int3 moment)
 {
@@ -48,7 +48,7 @@ void StoreReaction(uint owner, int3 sum, int3 moment, uint count)
 
 #ifdef RILL_CELL_REACTIONS
 
-// Of a cell of the coarse grid.
+// Adds the reaction of a cell of the coarse grid.
 void AddCellReaction(uint owner, float3 p, float3 gain)
 {
     int3 sum, moment;
@@ -64,7 +64,7 @@ void AddCellReaction(uint owner, float3 p, float3 gain)
 groupshared int3 g_Sums[kGroup];
 groupshared int3 g_Moments[kGroup];
 
-// Of a particle. All threads of a group come here; 'owner' is kNoCollider where there is nothing to add.
+// Adds the reaction of a particle. All threads of a group come here; 'owner' is kNoCollider where there is nothing to add.
 void AddReaction(uint thread, uint owner, float3 p, float3 gain)
 {
     int3 sum, moment;

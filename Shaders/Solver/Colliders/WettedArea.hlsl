@@ -9,7 +9,7 @@
 static const float kHalfGap = 0.05;         // d: what is as far above the surface and in another collider is covered by that
 static const float kCurvatureStep = 0.5;    // d, of differences between normals
 
-// What a particle at this distance from the surface counts, in faces of its cube. Over two spacings it comes to one, so that the layers
+// Weight of a particle at this distance from the surface, in faces of its cube. Over two spacings it comes to one, so that the layers
 // of resting water, the first denser than the second, count right together; one alone counts three quarters.
 float LayerFraction(float distance)
 {
@@ -29,7 +29,7 @@ float3 FieldNormal(Collider collider, float3 p)
     return (collider.flags & kInsideOut) != 0 ? -normal : normal;
 }
 
-// The same for a field, by how its normals turn along the axes.
+// Returns the fraction below for a field, by how its normals turn along the axes.
 float BelowField(Collider collider, float3 p, float distance)
 {
     float3 turnX = 0.0, turnY = 0.0, turnZ = 0.0;
@@ -92,11 +92,11 @@ void WetBox(uint owner, Collider collider, float3 p)
     }
 }
 
-// What a particle wets of one collider.
-void Wet(uint owner, float3 place)
+// Adds the area of one collider that a particle wets.
+void Wet(uint owner, float3 position)
 {
     Collider collider = _Colliders[owner];
-    float3 p = ToCollider(collider, place);
+    float3 p = ToCollider(collider, position);
     float4 contact = LocalDistance(collider, p);
     if ((collider.flags & kTellsWettedArea) == 0 || contact.w >= kSupport)
         return;

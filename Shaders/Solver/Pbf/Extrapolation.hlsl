@@ -1,7 +1,7 @@
-// What a velocity gets beyond that along the last path, see VelocityExtrapolation.cs. Include after Solver.hlsl and PackedVector.hlsl.
+// Change of a velocity beyond that along the last path, see VelocityExtrapolation.cs. Include after Solver.hlsl and PackedVector.hlsl.
 //
 //   _Means  [kSorted]  i/o  uint4, float xyz mean velocity of a particle's neighborhood along its path in a substep, d/s; w its change
-//                           since the substep before, d/s, packed, its bits turned by kNoChange: 0 where there is no mean
+//                           since the substep before, d/s, packed, its bits turned by kNoChange: 0 without a mean
 #ifndef RILL_EXTRAPOLATION_INCLUDED
 #define RILL_EXTRAPOLATION_INCLUDED
 

@@ -3,7 +3,7 @@
 //   Sums, Neighbor                                           what is added up, and what of
 //   void AddNeighbor(inout Sums, Plane own, Neighbor)
 //   uint2 PlaneOf(uint j)                                    read along with a neighbor
-// and kLanes, the threads that share the neighbors of a particle: each visits its part of them; WITH_COLLIDERS Contact.hlsl.
+// and kLanes, the threads that divide the neighbors of a particle: each visits its part of them; WITH_COLLIDERS Contact.hlsl.
 #ifndef RILL_MIRRORED_NEIGHBORS_INCLUDED
 #define RILL_MIRRORED_NEIGHBORS_INCLUDED
 
@@ -35,7 +35,7 @@ Particle ParticleOf(uint index, float3 position, Plane own, uint lane)
     return particle;
 }
 
-// What is visited: the water itself, or one image of it.
+// Image to visit: the water itself, or one mirror image of it.
 struct Mirror
 {
     bool isImage;
@@ -65,7 +65,7 @@ void Add(inout Sums sums, Particle particle, Mirror mirror, uint4 other, uint2 p
 #ifdef WITH_COLLIDERS
     if (mirror.isInCollider)
     {
-        // Behind the plane lies water that stands beside the collider, not before it.
+        // Beyond the plane lies water that stands beside the collider, not before it.
         float height = dot(neighbor.difference, particle.contact.xyz) + particle.contact.w;
         neighbor.difference -= 2.0 * height * particle.contact.xyz;
         neighbor.hasPlane = 0.0;
@@ -110,7 +110,7 @@ void VisitList(inout Sums sums, Particle particle, Mirror mirror)
 }
 
 #ifdef RILL_SLEEP
-// Where there is no list; but nothing has moved since it was sorted, nor has anything near it.
+// Visits without a list; but nothing has moved since it was sorted, nor has anything near it.
 void VisitRows(inout Sums sums, Particle particle, Mirror mirror)
 {
     uint4 rows = RowsWithin(particle.position, kSupport);

@@ -90,7 +90,7 @@ void StoreBlock(uint i, uint base, uint k, uint4 block)
     _Neighbors[base + k * kListStride] = block;
 }
 
-// Adds neighbor number 'count'; 'block' holds the last four, the new one behind: moving them all takes no test of which is its place.
+// Adds neighbor number 'count'; 'block' holds the last four, the new one last: moving them all takes no test of its slot.
 void AddNeighbor(uint i, uint base, inout uint4 block, uint count, uint neighbor)
 {
     block = uint4(block.yzw, neighbor);

@@ -1,4 +1,4 @@
-// Where a particle goes among those of its cell. Include after _CellStarts and _Order are declared.
+// Slot of a particle among those of its cell. Include after _CellStarts and _Order are declared.
 #ifndef RILL_ORDERED_SLOT_INCLUDED
 #define RILL_ORDERED_SLOT_INCLUDED
 

@@ -102,7 +102,7 @@ float3 SlopeOfOpenPart(float3 p)
         / (2.0 * kSlopeStep);
 }
 
-// Of the wall that p is at, out of the box; 0 for none.
+// Normal of the wall that p is at, out of the box; 0 for none.
 float3 NormalOfWall(float3 p)
 {
     float3 above = _DomainSize - p;
@@ -197,7 +197,7 @@ void AnswerRays(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         g_Phases[thread] = 0;
     GroupMemoryBarrierWithGroupSync();
 
-    // Of a ball a thread asks for a point on it, and one for each line where it touches: all threads together ask for a ray's start.
+    // For a ball a thread samples a point on it, and one for each line where it touches: all threads together ask for a ray's start.
     float4 near = 0.0;
     if (!isBall && IsInBox(ray.origin))
         near = SumNear(thread, ray.origin, false);

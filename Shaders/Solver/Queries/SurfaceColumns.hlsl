@@ -39,7 +39,7 @@ bool IsInside(float3 p)
     return all(p > kRingMargin) && all(p < _DomainSize - kRingMargin);
 }
 
-// Of a column from the center's. One that would be beyond a wall stands on the other side and further off: beside a wall there are
+// Offset of a column from the center's. One that would be beyond a wall stands on the other side and further off: beside a wall there are
 // then as many columns, as far apart.
 float2 ColumnOffset(uint column, float3 center, float3 up)
 {
@@ -112,7 +112,7 @@ void FindColumns(uint thread, bool isAsked, float3 center, float3 up)
     GroupMemoryBarrierWithGroupSync();
 }
 
-// Of the plane through the columns' heights by least squares; 'otherwise' where too few have one.
+// Normal of the plane through the columns' heights by least squares; 'otherwise' if too few have one.
 float3 NormalOfColumns(float3 up, float3 otherwise)
 {
     uint column;

@@ -40,8 +40,8 @@ float2 RangeInBox(float3 p, float3 direction)
     float3 slant = abs(direction) > 1e-6 ? direction : 1e-6;
     float3 ends = ((direction > 0.0 ? _DomainSize : 0.0) - p) / slant;
     float3 starts = ((direction > 0.0 ? 0.0 : _DomainSize) - p) / slant;
-    bool3 isBeside = p < 0.0 || p > _DomainSize;
-    ends = abs(direction) > 1e-6 ? ends : isBeside ? -1e9 : 1e9;
+    bool3 isOutside = p < 0.0 || p > _DomainSize;
+    ends = abs(direction) > 1e-6 ? ends : isOutside ? -1e9 : 1e9;
     starts = abs(direction) > 1e-6 ? starts : -1e9;
     return float2(max(starts.x, max(starts.y, starts.z)), min(ends.x, min(ends.y, ends.z)));
 }

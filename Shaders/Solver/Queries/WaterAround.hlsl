@@ -84,7 +84,7 @@ float OpenPart(float3 p)
     return max(1.0 - wall, kMinOpen);
 }
 
-// What is asked of the water around a point: w the density without its scale, xyz velocity times it.
+// Sums over the water around a point: w the density without its scale, xyz velocity times it.
 void AddNear(inout float4 sum, float3 p, bool ofPhases, uint i)
 {
     float3 difference = PositionOf(i) - p;
@@ -113,7 +113,7 @@ float4 SumNear(uint thread, float3 p, bool ofPhases)
     return sum;
 }
 
-// Of most of the water that was summed.
+// Phase of most of the water that was summed.
 uint DominantPhase()
 {
     uint phase = 0;

@@ -1,7 +1,7 @@
 // How walls hold a viscous fluid: by the water that is missing behind them, whose velocity along the wall goes on as it does
 // between particle and wall. Include after Solver.hlsl; with WITH_COLLIDERS after ColliderBins.hlsl.
 //
-// A particle s from a plane wall of velocity u sees, y behind it, fluid of velocity u - (v - u) y / s. So what is missing brakes it by
+// A particle s from a plane wall of velocity u sees, y beyond it, fluid of velocity u - (v - u) y / s. So what is missing brakes it by
 //   B(s) (u - v),  B(s) = 30 c / s  int_s^h y dy int w x^2 dA = c pi / 16 a^5 (a + 2 blend) / s,  a = h^2 - s^2,
 // along the wall. Across it the pressure holds it.
 #ifndef RILL_VISCOSITY_WALLS_INCLUDED
@@ -43,7 +43,7 @@ Walls DomainWalls(float3 p)
 
 #ifdef WITH_COLLIDERS
 
-// Walls that point the same way are one.
+// Walls with the same normal are one.
 void AddWall(inout Walls walls, float3 normal, float3 velocity, float friction, float distance)
 {
     distance = max(distance, kContactOffset);
@@ -77,7 +77,7 @@ void AddColliders(inout Walls walls, float3 p)
 
 #endif
 
-// What walls do to a particle: its acceleration is 15 nu / d^2 (pull - hold v), the hold a symmetric matrix.
+// Effect of walls on a particle: its acceleration is 15 nu / d^2 (pull - hold v), the hold a symmetric matrix.
 struct WallHold
 {
     float3 diagonal;        // 1/d^2: xx, yy, zz

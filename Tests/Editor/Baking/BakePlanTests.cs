@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What the window does when its button is pressed, without the window.</summary>
+    /// <summary>Tests the action of the window's button, without the window.</summary>
     public class BakePlanTests
     {
         const string Folder = "Assets/Rill Bake Tests/Fields";

@@ -7,7 +7,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>Slices and traced surfaces as pixels, of a field that is made up: a ball of radius 0.3 m away from the middle.</summary>
+    /// <summary>Slices and traced surfaces as pixels, of a field that is made up: a ball of radius 0.3 m away from the center.</summary>
     public class SdfPictureTests
     {
         static readonly float3 Center = new float3(0.1f, -0.1f, 0.05f);
@@ -108,15 +108,15 @@ namespace Rill.Editor.Tests
                 float off = random.NextFloat(0f, 0.45f);
                 float3 from = Center + off * side - 3f * along;
                 bool hit = SdfTrace.TryHit(volume, from, along, out float3 at);
-                // A ray that only grazes may go either way, and blended voxels are a little off the ball.
+                // A ray that only grazes may hit or miss, and blended voxels are a little off the ball.
                 if (math.abs(off - Radius) < 0.02f)
                     continue;
-                Assert.That(hit, Is.EqualTo(off < Radius), $"{off} m off the middle");
+                Assert.That(hit, Is.EqualTo(off < Radius), $"{off} m off the center");
                 hits += hit ? 1 : 0;
                 misses += hit ? 0 : 1;
                 if (hit)
                     Assert.That(math.distance(at, from + (3f - math.sqrt(Radius * Radius - off * off)) * along), Is.LessThan(0.04f),
-                        $"{off} m off the middle");
+                        $"{off} m off the center");
             }
             Assert.That(hits > 100 && misses > 50);
         }
@@ -131,12 +131,12 @@ namespace Rill.Editor.Tests
             float pixel = volume.Bounds.size.magnitude / 60f;
             int shown = pixels.Count(p => !p.Equals(SdfTrace.Background));
             Assert.That(shown * pixel * pixel, Is.EqualTo(Math.PI * Radius * Radius).Within(0.05 * Math.PI * Radius * Radius), "its area");
-            float3 middle = (Center - (float3)volume.Bounds.center) / pixel + new float3(40f, 30f, 0f);
-            int At(float up) => (int)(middle.y + up * Radius / pixel) * size.x + (int)middle.x;
+            float3 center = (Center - (float3)volume.Bounds.center) / pixel + new float3(40f, 30f, 0f);
+            int At(float up) => (int)(center.y + up * Radius / pixel) * size.x + (int)center.x;
             Assert.That(Brightness(pixels[At(0.7f)]), Is.GreaterThan(Brightness(pixels[At(-0.7f)]) + 100));
 
             SdfTrace.Paint(volume, 0f, 90f, size, pixels);
-            Assert.That(pixels[(int)((Center.z - volume.Bounds.center.z) / pixel + 30f) * size.x + (int)middle.x],
+            Assert.That(pixels[(int)((Center.z - volume.Bounds.center.z) / pixel + 30f) * size.x + (int)center.x],
                 Is.Not.EqualTo(SdfTrace.Background), "from above it lies at its x and z");
             Assert.Throws<ArgumentException>(() => SdfTrace.Paint(volume, 0f, 0f, size, new Color32[3]));
         }

@@ -12,19 +12,19 @@ using UnityEngine.TestTools;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What a pass before a step changes acts in that step and is accounted for.</summary>
+    /// <summary>Changes by a pass before a step act in that step and are accounted for.</summary>
     public class ParticleChangeTests
     {
         const float Spacing = 0.05f;
 
         // Far apart, so that none meets another.
-        static SourceScene Apart(out float3[] places)
+        static SourceScene Apart(out float3[] points)
         {
             var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 1000);
             scene.Fluid.Gravity = Vector3.zero;
-            places = Enumerable.Range(0, 64).Select(i => (new float3(i % 4, i / 4 % 4, i / 16) - 1.5f) * 0.25f).ToArray();
-            using (var positions = new NativeArray<float3>(places, Allocator.Persistent))
-            using (var velocities = new NativeArray<float3>(places.Length, Allocator.Persistent))
+            points = Enumerable.Range(0, 64).Select(i => (new float3(i % 4, i / 4 % 4, i / 16) - 1.5f) * 0.25f).ToArray();
+            using (var positions = new NativeArray<float3>(points, Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(points.Length, Allocator.Persistent))
                 scene.Fluid.AddParticles(positions, velocities);
             return scene;
         }
@@ -56,7 +56,7 @@ namespace Rill.Editor.Tests
             }
         }
 
-        // As gravity would, whatever the numerical damping takes of a change at once.
+        // Acts like gravity, whatever the numerical damping takes of a change at once.
         [Test]
         public void An_acceleration_that_lasts_adds_up_as_it_should([Values(1f, 0f)] float numericalDamping, [Values(1, 3)] int substeps)
         {
@@ -117,12 +117,12 @@ namespace Rill.Editor.Tests
         [Test]
         public void A_pass_can_kill_every_particle_and_more_can_come()
         {
-            using (SourceScene scene = Apart(out float3[] places))
+            using (SourceScene scene = Apart(out float3[] positions))
             using (var pass = new ParticlePass(scene))
             {
                 pass.Before("Kill", Vector3.zero, 10f);
                 scene.Step(2);
-                Assert.That(scene.AssertConserved().drained, Is.EqualTo(places.Length));
+                Assert.That(scene.AssertConserved().drained, Is.EqualTo(positions.Length));
                 Assert.That(pass.See(), Is.Empty);
                 pass.End();
                 scene.Add<FluidEmitter>(Vector3.zero, Vector3.down, e => e.Rate = 0.01f);
@@ -140,7 +140,7 @@ namespace Rill.Editor.Tests
             Assert.That(GpuTest.Read<uint>(scene.Fluid.Solver.Resting.States, 1)[0], Is.Zero, "asleep");
         }
 
-        // Mean speeds of a region count: slower than the sleep speed is no motion.
+        // Mean speeds of a region count: slower than the sleep speed is not a motion.
         [TestCase(1f, true)]
         [TestCase(0.1f, false)]
         public void Water_that_sleeps_wakes_in_the_step_that_pushes_it_faster_than_the_sleep_speed(float speed, bool wakes)
@@ -226,13 +226,13 @@ namespace Rill.Editor.Tests
         [Test]
         public void A_velocity_that_is_not_finite_removes_its_particle_and_counts_it_as_such()
         {
-            using (SourceScene scene = Apart(out float3[] places))
+            using (SourceScene scene = Apart(out float3[] positions))
             using (var pass = new ParticlePass(scene))
             {
                 pass.Before("Poison", Vector3.zero, 0.3f);
                 scene.Step();
                 FluidStatistics statistics = scene.AssertConserved();
-                Assert.That(statistics.nonFinite, Is.EqualTo(places.Count(p => math.length(p) < 0.3f)).And.GreaterThan(0));
+                Assert.That(statistics.nonFinite, Is.EqualTo(positions.Count(p => math.length(p) < 0.3f)).And.GreaterThan(0));
                 Assert.That(statistics.drained, Is.Zero);
             }
         }
@@ -260,7 +260,7 @@ namespace Rill.Editor.Tests
         [Test]
         public void A_pass_that_throws_is_logged_and_the_others_go_on()
         {
-            using (SourceScene scene = Apart(out float3[] places))
+            using (SourceScene scene = Apart(out float3[] positions))
             using (var pass = new ParticlePass(scene))
             {
                 scene.Fluid.BeforeStep += (commands, particles) => throw new ArgumentException("planted");
@@ -268,7 +268,7 @@ namespace Rill.Editor.Tests
                 LogAssert.Expect(LogType.Exception, new Regex("ArgumentException: planted"));
                 scene.Step();
                 Assert.That(scene.Fluid.IsRunning);
-                Assert.That(scene.Count(ParticleCounter.Drained), Is.EqualTo(places.Length));
+                Assert.That(scene.Count(ParticleCounter.Drained), Is.EqualTo(positions.Length));
             }
         }
 
@@ -295,9 +295,10 @@ namespace Rill.Editor.Tests
         [Test]
         public void The_snippet_of_the_manual_turns_and_removes_particles()
         {
-            using (SourceScene scene = Apart(out float3[] places))
+            using (SourceScene scene = Apart(out float3[] positions))
             {
-                ManualSnippets.ChangeParticles(scene.Fluid, LayoutProbes.Load("Turn"), new Vector4(places[0].x, places[0].y, places[0].z, 0f));
+                ManualSnippets.ChangeParticles(scene.Fluid, LayoutProbes.Load("Turn"),
+                    new Vector4(positions[0].x, positions[0].y, positions[0].z, 0f));
                 scene.Step(3);
                 Assert.That(scene.AssertConserved().drained, Is.EqualTo(1));
                 int turned = scene.Read().velocities.Count(v => math.length(v.xyz) > 0f);

@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Editor.Tests
 {
-    /// <summary>What a project's shaders read of the particles, against what the solver holds.</summary>
+    /// <summary>Compares what a project's shaders read of the particles with what the solver holds.</summary>
     public class ParticleContractTests
     {
         const float Spacing = 0.05f;
@@ -160,10 +160,10 @@ namespace Rill.Editor.Tests
         static void Add(FluidSimulation fluid, Vector3 center)
         {
             var random = new Unity.Mathematics.Random(5u);
-            float3[] places = Enumerable.Range(0, 300)
+            float3[] points = Enumerable.Range(0, 300)
                 .Select(_ => (float3)(center + fluid.transform.rotation * (Vector3)random.NextFloat3(-0.35f, 0.35f))).ToArray();
-            using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
-            using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
+            using (var positions = new Unity.Collections.NativeArray<float3>(points, Unity.Collections.Allocator.Persistent))
+            using (var velocities = new Unity.Collections.NativeArray<float3>(points.Length, Unity.Collections.Allocator.Persistent))
                 fluid.AddParticles(positions, velocities);
         }
 

@@ -78,7 +78,7 @@ namespace Rill.Editor.Tests
             }).ToArray();
         }
 
-        /// <summary>Of each particle the number of others within a radius and the sum of their ids, by the look-up of the include.</summary>
+        /// <summary>Returns for each particle the number of others within a radius and the sum of their ids, by the look-up of the include.</summary>
         public uint2[] Neighbors(float radius)
         {
             FluidParticles particles = Particles;

@@ -13,7 +13,7 @@ namespace Rill.Tests
         public int Signs, WrongSigns;
 
         /// <param name="every">1 looks at every voxel, 7 at every seventh.</param>
-        /// <param name="distance">Unsigned, m, at a place.</param>
+        /// <param name="distance">Unsigned, m, at a point.</param>
         /// <param name="isInside">Null compares no signs.</param>
         public static BakeError Of(SdfBake bake, int every, Func<double3, double> distance, Func<double3, bool> isInside)
         {
@@ -24,7 +24,7 @@ namespace Rill.Tests
                 double3 p = CenterOf(bake, i);
                 double expected = distance(p) / bake.VoxelSize;
                 double off = Math.Abs(Math.Abs(bake.Distances[i]) / (double)bake.VoxelSize - expected);
-                // No comparison with a distance that is no number may pass.
+                // No comparison with a distance that is NaN may pass.
                 off = double.IsNaN(off) ? double.PositiveInfinity : off;
                 if (expected <= 2)
                 {

@@ -164,7 +164,7 @@ namespace Rill.Tests
         [Test]
         public void Corners_on_edges_bound_no_area()
         {
-            // The top of a box as three triangles, of which two share a corner on an edge that the side knows as one.
+            // The top of a box as three triangles, of which two have a common corner on an edge that the side knows as one.
             TriangleMesh box = TestMeshes.Box(Vector3.one);
             var vertices = box.Vertices.Concat(new[] { new Vector3(0.1f, 0.5f, 0.5f) }).ToArray();
             int[] triangles = box.Triangles.Take(21).Concat(new[] { 3, 6, 8, 3, 8, 7 }).Concat(box.Triangles.Skip(24)).ToArray();

@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What a bake would not represent, and whether its remedy does.</summary>
+    /// <summary>Losses that a bake would have, and whether its remedy helps.</summary>
     public class MeshLossTests
     {
         static MeshSdfSettings Settings(int resolution = 64)
@@ -77,7 +77,8 @@ namespace Rill.Tests
             TriangleMesh mesh = Together(TestMeshes.Box(Vector3.one), plate);
             MeshLoss loss = Losses(mesh, Settings(48)).Single();
             Assert.That(loss.Text, Is.EqualTo("Part 2 of 2, (0.5, 0.004, 0.3) m large, around (0, 1, 0) m, is thinner than a voxel, 0.004 m for " +
-                "0.0358 m: it may vanish, or leak. Voxels of 0.002 m would be too many: make it thicker, bake it by itself, or set the sign to open shell."));
+                "0.0358 m: it may vanish, or leak. Voxels of 0.002 m would be too many: make it thicker, bake it by itself, or set the sign " +
+                "to open shell."));
             Assert.That(loss.Remedy, Is.Null, "the memory cap");
             MeshSdfSettings large = Settings(48);
             large.memoryCap = 1 << 16;
@@ -157,7 +158,8 @@ namespace Rill.Tests
         {
             TriangleMesh sheet = TestMeshes.Sheet(0.6f).Transformed(Matrix4x4.Translate(Vector3.up));
             MeshLoss loss = Losses(Together(TestMeshes.Box(Vector3.one), sheet), Settings()).Single();
-            Assert.That(loss.Text, Does.StartWith("Part 2 of 2, (0.6, 0, 0.6) m large, around (0, 1, 0) m, has no inside, with 50 % of holes: it vanishes"));
+            Assert.That(loss.Text, Does.StartWith("Part 2 of 2, (0.6, 0, 0.6) m large, around (0, 1, 0) m, has no inside, with 50 % of holes: " +
+                "it vanishes"));
             Assert.That(loss.Remedy?.sign, Is.EqualTo(MeshSdfSign.OpenShell));
         }
 

@@ -43,7 +43,7 @@ namespace Rill.Tests
             return soup;
         }
 
-        /// <summary>Some four hundred voxels long and two wide, through the middles of voxels.</summary>
+        /// <summary>Some four hundred voxels long and two wide, through the centers of voxels.</summary>
         static TriangleMesh Slivers()
         {
             var random = new Unity.Mathematics.Random(3);
@@ -247,9 +247,9 @@ namespace Rill.Tests
             Assert.That(error.WrongSigns, Is.LessThanOrEqualTo(error.Signs / 1000), error.ToString());
         }
 
-        // What a brick as a whole is told by its middle has to hold in its corners. Two surfaces of which that is least true: a stack
+        // The result for a brick's center has to hold in its corners. Two surfaces of which that is least true: a stack
         // of small triangles, seen from its side, where the winding number is 0 however large it is a little further on; and
-        // sheets above one another with a hole through all of them, about whose middle it is the same.
+        // sheets above one another with a hole through all of them, about whose center it is the same.
         [TestCase(200, 0f, 4.8f, 30f)]
         [TestCase(8, 7f, 0f, 0f)]
         public void No_voxel_of_a_brick_beside_open_sheets_is_on_another_side_than_the_winding_number_says(int layers, float hole,
@@ -262,7 +262,7 @@ namespace Rill.Tests
                     float3 diagonal = math.normalize(new float3(corner & 1, corner >> 1 & 1, corner >> 2) - 0.5f),
                         aside = math.normalize(math.cross(diagonal, new float3(0.3f, 1f, 0.1f)));
                     math.sincos(math.radians(aslant), out float sin, out float cos);
-                    float3 middle = 18f, at = middle + away * (cos * diagonal + sin * aside), normal = hole > 0f ? diagonal
+                    float3 center = 18f, at = center + away * (cos * diagonal + sin * aside), normal = hole > 0f ? diagonal
                         : cos * aside - sin * diagonal;
                     TriangleMesh sheet = hole > 0f ? Washer(hole, 15f) : Washer(0f, 0.8f);
                     Quaternion turn = Quaternion.FromToRotation(Vector3.up, facing * normal);
@@ -280,13 +280,13 @@ namespace Rill.Tests
                     int here = 0;
                     for (int i = 0; i < 64; i++)
                     {
-                        int3 voxel = (int3)middle - 2 + new int3(i % 4, i / 4 % 4, i / 16);
+                        int3 voxel = (int3)center - 2 + new int3(i % 4, i / 4 % 4, i / 16);
                         double winding = MeshDistance.Winding(mesh, (float3)voxel + 0.5f) * (isTurned ? -1 : 1);
                         here += winding > 0.5 ? 1 : 0;
                         if (Math.Abs(winding - 0.5) > 0.1)
                             Assert.That(bake.Distances[(voxel.z * bake.Resolution.y + voxel.y) * bake.Resolution.x + voxel.x] < 0,
                                 Is.EqualTo(winding > 0.5),
-                                $"voxel {voxel}, winding number {winding}, in its middle {MeshDistance.Winding(mesh, middle)}");
+                                $"voxel {voxel}, winding number {winding}, in its center {MeshDistance.Winding(mesh, center)}");
                     }
                     inside += here;
                     most = Math.Max(most, here);
@@ -295,13 +295,13 @@ namespace Rill.Tests
             Assert.That(most, Is.InRange(1, 63), "some bricks have both sides");
         }
 
-        // Up to half the way to the surface the middle speaks for a brick, as long as the winding number is nearly whole there.
+        // Up to half the way to the surface the center speaks for a brick, as long as the winding number is nearly whole there.
         [TestCase("half a sphere")]
         [TestCase("tube")]
         [TestCase("sphere without a triangle")]
         public void Bricks_of_an_open_mesh_are_told_as_a_whole_up_to_half_the_way_to_it_and_no_further(string shape)
         {
-            const double corner = 2.598;        // from a brick's middle to its last voxel
+            const double corner = 2.598;        // from a brick's center to its last voxel
             TriangleMesh sphere = TestMeshes.Sphere(1f, 12), mesh = shape == "tube" ? TestMeshes.Tube(1f, 2f, 20, 2)
             : shape == "half a sphere" ? sphere.Without(t => sphere.CenterOf(t).y < 0f) : sphere.Without(t => t == 200);
             MeshSdfSettings settings = Settings(56, MeshSdfSign.WindingNumber);
@@ -323,10 +323,10 @@ namespace Rill.Tests
             int near = 0;
             for (int i = 0; i < sides.Length; i++)
             {
-                double3 middle = 4 * new double3(i % bricks.x, i / bricks.x % bricks.y, i / bricks.x / bricks.y) + 2,
-                    place = (double3)grid.Min + (double)grid.VoxelSize * middle;
-                double distance = MeshDistance.Unsigned(mesh, place) / grid.VoxelSize,
-                    winding = MeshDistance.Winding(mesh, place) * (isTurned ? -1 : 1);
+                double3 center = 4 * new double3(i % bricks.x, i / bricks.x % bricks.y, i / bricks.x / bricks.y) + 2,
+                    position = (double3)grid.Min + (double)grid.VoxelSize * center;
+                double distance = MeshDistance.Unsigned(mesh, position) / grid.VoxelSize,
+                    winding = MeshDistance.Winding(mesh, position) * (isTurned ? -1 : 1);
                 double whole = Math.Abs(winding - Math.Round(winding));
                 told[sides[i]]++;
                 near += distance < 2 * corner ? 1 : 0;
@@ -335,7 +335,7 @@ namespace Rill.Tests
                     Assert.That(distance, Is.GreaterThanOrEqualTo(2 * corner), $"brick {i} is told as a whole");
                     Assert.That(sides[i] == (uint)BrickSide.Inside, Is.EqualTo(winding > 0.5), $"brick {i}, winding number {winding}");
                 }
-                // Its distance is that of a voxel beside the middle, which counts as too large by half a voxel.
+                // Its distance is that of a voxel beside the center, which counts as too large by half a voxel.
                 else if (distance > 2 * (corner + Math.Sqrt(0.75)) + 0.5 && whole < 0.04)
                     Assert.Fail($"brick {i} is not told as a whole: {distance} voxels away, winding number {winding}");
             }
@@ -539,23 +539,23 @@ namespace Rill.Tests
             Assert.That(SdfBake.HalfErrorOf(-65520f), Is.EqualTo(float.PositiveInfinity), "more than a half can be");
         }
 
-        // What makes runs of triangles small: the curve never jumps.
+        // Property that keeps runs of triangles small: the curve never jumps.
         [Test]
         public void The_order_of_triangles_goes_from_cell_to_neighboring_cell()
         {
             const int cells = 16, bits = 3 * 6;      // 4 of the 10 bits per axis
-            var places = new int3[cells * cells * cells];
-            var seen = new bool[places.Length];
-            for (int i = 0; i < places.Length; i++)
+            var positions = new int3[cells * cells * cells];
+            var seen = new bool[positions.Length];
+            for (int i = 0; i < positions.Length; i++)
             {
                 var cell = new int3(i % cells, i / cells % cells, i / cells / cells);
                 int rank = (int)(TriangleOrder.KeyOf(((float3)cell + 0.5f) * (1024 / cells)) >> bits);
                 Assert.That(seen[rank], Is.False, $"two cells at {rank}");
                 seen[rank] = true;
-                places[rank] = cell;
+                positions[rank] = cell;
             }
-            for (int i = 1; i < places.Length; i++)
-                Assert.That(math.csum(math.abs(places[i] - places[i - 1])), Is.EqualTo(1), $"{places[i - 1]} to {places[i]}");
+            for (int i = 1; i < positions.Length; i++)
+                Assert.That(math.csum(math.abs(positions[i] - positions[i - 1])), Is.EqualTo(1), $"{positions[i - 1]} to {positions[i]}");
             Assert.That(TriangleOrder.KeyOf(new float3(-1f)), Is.EqualTo(TriangleOrder.KeyOf(0f)), "outside of the box is its rim");
             Assert.That(TriangleOrder.KeyOf(new float3(1e9f)), Is.EqualTo(TriangleOrder.KeyOf(1023.5f)));
         }
@@ -570,7 +570,7 @@ namespace Rill.Tests
             uint[] order = TriangleOrder.Of(part);
             Assert.That(part.Count, Is.LessThan(mesh.TriangleCount - mesh.TriangleCount / 8));
             Assert.That(order.OrderBy(t => t), Is.EqualTo(Enumerable.Range(0, mesh.TriangleCount).Where(part.TakesPart)));
-            uint[] keys = order.Select(t => TriangleOrder.KeyOf(TriangleOrder.PlaceOf(mesh, (int)t, part.Bounds.min,
+            uint[] keys = order.Select(t => TriangleOrder.KeyOf(TriangleOrder.CenterOf(mesh, (int)t, part.Bounds.min,
                 TriangleOrder.ScaleOf(part)))).ToArray();
             Assert.That(keys, Is.Ordered);
             for (int i = 1; i < keys.Length; i++)
@@ -648,7 +648,7 @@ namespace Rill.Tests
                 Does.Contain("'Nothing' has no triangles"));
         }
 
-        // What the sign is told, a shell does not ask of the mesh.
+        // A shell does not ask the mesh for what the sign is told.
         [Test]
         public void A_shell_that_was_asked_for_is_that_of_an_open_mesh_whichever_way_its_triangles_face()
         {

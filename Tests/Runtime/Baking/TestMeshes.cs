@@ -46,7 +46,7 @@ namespace Rill.Tests
 
         static double3 OnSphere(double u, double v)
         {
-            // The poles are one place.
+            // Each pole is one point.
             double ring = v == 0 || v == 1 ? 0 : Math.Sin(Math.PI * v);
             return new double3(ring * Math.Cos(2 * Math.PI * u), Math.Cos(Math.PI * v), ring * Math.Sin(2 * Math.PI * u));
         }

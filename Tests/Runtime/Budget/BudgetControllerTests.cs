@@ -86,7 +86,7 @@ namespace Rill.Tests
         [Test]
         public void A_mistake_long_after_the_last_one_waits_the_first_time_again()
         {
-            // From 20 to 60 s there is no room: 1.21 x 1.25 is within the target, and 1.40 x 1.25 above nine tenths of it.
+            // From 20 to 60 s no rung fits: 1.21 x 1.25 is within the target, and 1.40 x 1.25 above nine tenths of it.
             BudgetPlant plant = Mistaken();
             plant.Load = time => time > 20f && time < 60f ? 1.25f : 1f;
             plant.Run(200f);
@@ -254,7 +254,7 @@ namespace Rill.Tests
             Assert.That(plant.Last, Is.EqualTo(plant.BestFit(5f)));
         }
 
-        // Steps that suddenly take four times as long are lowered after half a second: until then the error is no reason.
+        // Steps that suddenly take four times as long are lowered after half a second: until then the error does not count.
         [Test]
         public void What_takes_longer_than_the_budget_is_told_from_the_next_reading_on_though_the_error_is_within_its_target()
         {
@@ -353,7 +353,7 @@ namespace Rill.Tests
                 Assert.That(tries[i + 1] - tries[i], Is.EqualTo(waits[i]).Within(2f), $"wait {i}");
         }
 
-        // As the first idea would be: up when there is time left, down when there is not.
+        // The first idea: up when time is left, down when it is not.
         static BudgetPlant Naive()
         {
             var plant = new BudgetPlant { Target = 1.5f, Told = BudgetPlant.Noise(0.2f, 11) };

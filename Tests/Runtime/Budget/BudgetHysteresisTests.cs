@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Rill.Tests
 {
-    /// <summary>What the controller waits for, and what it remembers and forgets at each change. Costs of the six rungs, ms at load 1: 0.84,
+    /// <summary>Waiting times of the controller, and what it remembers and forgets at each change. Costs of the six rungs, ms at load 1: 0.84,
     /// 1.02, 1.21, 1.40, 1.77, 2.14.</summary>
     public class BudgetHysteresisTests
     {

@@ -23,7 +23,7 @@ namespace Rill.Tests
         public Func<int, float> ModelError = _ => 1f;
         /// <summary>C+ by rung and time; NaN for unmeasured.</summary>
         public Func<int, float, float> Error = (rung, time) => float.NaN;
-        /// <summary>What is told of a true time, by frame; 0 is nothing.</summary>
+        /// <summary>Measurement that is reported for a true time, by frame; 0 is nothing.</summary>
         public Func<int, float, float> Told = (frame, milliseconds) => milliseconds;
         public int FramesLate = 4;
         public float StepsPerFrame = 1f;
@@ -34,7 +34,7 @@ namespace Rill.Tests
 
         public readonly BudgetLadder Ladder = new BudgetLadder();
         public readonly BudgetController Controller = new BudgetController();
-        /// <summary>Of each frame.</summary>
+        /// <summary>Rung of each frame.</summary>
         public readonly List<int> Rungs = new List<int>();
         public readonly List<float> Times = new List<float>();
         readonly List<float> stepTimes = new List<float>(), modeled = new List<float>(), changes = new List<float>();

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>What a budget keeps from frame to frame, with frames and steps that the test takes.</summary>
+    /// <summary>State of a budget from frame to frame, with frames and steps that the test takes.</summary>
     public class BudgetedSolverTests
     {
         const float Frame = 1f / 60f;

@@ -77,7 +77,7 @@ namespace Rill.Tests
             Assert.That(last.Milliseconds / last.Modeled, Is.EqualTo(Factor).Within(15).Percent);
         }
 
-        // As a laptop's that is unplugged: after four times the memory nothing is left of the speed before.
+        // Speed of a laptop that is unplugged: after four times the memory nothing is left of the speed before.
         [Test]
         public void A_device_that_becomes_half_as_fast_is_known_after_twelve_seconds()
         {

@@ -57,7 +57,7 @@ namespace Rill.Tests
             Assert.That(fluid.Inputs.Colliders.Count, Is.Zero, "from the next step on");
             Assert.That(stone.TryGetForceOf(fluid, out _), Is.False, "it no more feels that fluid");
             yield return Frames(6);
-            Assert.That(stone.TryGetForceOf(fluid, out _), Is.False, "nor what was on its way");
+            Assert.That(stone.TryGetForceOf(fluid, out _), Is.False, "nor a pending result");
             Assert.That(stone.TryGetForceOf(second, out _), "it still is in the other");
             Assert.That(told.Skip(2), Is.EqualTo(new[] { $"left Pool {Vector3.zero}" }), "once");
 

@@ -20,7 +20,7 @@ namespace Rill.Tests
             return (Make("Left", -x, -1f, waterLeft, deepWater, setUp, capacity), Make("Right", x, 1f, waterRight, deepWater, setUp, capacity));
         }
 
-        /// <summary>A box with its middle at x, and water from its lower (-1) or upper end.</summary>
+        /// <summary>A box with its center at x, and water from its lower (-1) or upper end.</summary>
         protected FluidSimulation Make(string name, float x, float end, Vector3 water, DeepWater deepWater = DeepWater.Off,
             Action<FluidSimulation> setUp = null, int capacity = 4000)
         {

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Rill.Tests
 {
-    /// <summary>What readings of the force on a collider tell of contacts.</summary>
+    /// <summary>Contacts derived from readings of the force on a collider.</summary>
     public class ContactWatchTests
     {
         const float Frame = 0.05f, Threshold = 10f;

@@ -45,7 +45,7 @@ namespace Rill.Tests
             }
         }
 
-        // As in a script's Start.
+        // Works like a script's Start.
         [Test]
         public void A_fill_before_the_first_step_leaves_out_the_solids_in_it([Values] bool afterRestart)
         {

@@ -37,7 +37,7 @@ namespace Rill.Tests
             Assert.That(lists, Is.GreaterThanOrEqualTo(10));
         }
 
-        // Where the physics module is, with the components that need it.
+        // Includes the components that need the physics module if it is there.
         static IEnumerable<Type> Components() => AppDomain.CurrentDomain.GetAssemblies()
             .Where(a => a.GetName().Name == "Rill" || a.GetName().Name.StartsWith("Rill.") && !a.GetName().Name.Contains("Tests"))
             .SelectMany(a => a.GetTypes()).Where(type => typeof(MonoBehaviour).IsAssignableFrom(type) && type.IsPublic

@@ -13,7 +13,7 @@ namespace Rill.Tests
 
         public enum Split { SideBySide, OneOverTheOther }
 
-        // Where the upper half stands on the lower, no water presses that down: the whole buoyancy is the lower one's.
+        // If the upper half stands on the lower, no water presses that down: the whole buoyancy is the lower one's.
         [Test]
         public void A_box_in_halves_heaves_as_the_one_box([Values] Split split, [Values(0f, 0.5f, 1f)] float ofTheFirst)
         {
@@ -135,17 +135,17 @@ namespace Rill.Tests
             return acceleration;
         }
 
-        static void Add(FloatingResponse response, Vector3 place, Vector3 size, Vector3 force, Vector3 placeThen, Quaternion rotation)
+        static void Add(FloatingResponse response, Vector3 position, Vector3 size, Vector3 force, Vector3 positionThen, Quaternion rotation)
         {
-            ColliderMotion shape = Shape(place, size, rotation);
-            var then = new RelativeMotion(placeThen, Quaternion.identity, Vector3.zero, Vector3.zero, Memory);
+            ColliderMotion shape = Shape(position, size, rotation);
+            var then = new RelativeMotion(positionThen, Quaternion.identity, Vector3.zero, Vector3.zero, Memory);
             response.AddPart(shape, Volume(size));
             response.Add(shape, Volume(size), new FluidForce(null, force, Vector3.zero, then));
         }
 
-        static ColliderMotion Shape(Vector3 place, Vector3 size, Quaternion rotation)
+        static ColliderMotion Shape(Vector3 position, Vector3 size, Quaternion rotation)
         {
-            var pose = new RigidPose(place, rotation);
+            var pose = new RigidPose(position, rotation);
             return new ColliderMotion { shape = ColliderShape.Box, size = 0.5f * (float3)size, start = pose, end = pose };
         }
 

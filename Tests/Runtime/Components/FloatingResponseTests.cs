@@ -53,7 +53,7 @@ namespace Rill.Tests
             Assert.That(growth, Is.EqualTo(1f).Within(0.3f), "nor is its heave driven or damped");
         }
 
-        // Of the first two swings without the response's damping. Growth: largest distance from rest in the last half swing over the first.
+        // Period of the first two swings without the response's damping. Growth: largest distance from rest in the last half swing over the first.
         static float HeavePeriod(Bath bath, int delay, float step, out float growth)
         {
             const float Lift = 0.15f * Size;

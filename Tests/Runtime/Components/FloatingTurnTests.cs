@@ -18,7 +18,7 @@ namespace Rill.Tests
 
         static float Buoyancy => Density * Gravity * Volume;
 
-        // Of one part all acts there: what was measured, its change since, the limit of what pushes, and the damping.
+        // For one part all acts there: what was measured, its change since, the limit of what pushes, and the damping.
         [Test]
         public void Forces_turn_the_body_by_their_arm([Values(0f, 0.05f, 2f)] float speed, [Values(0f, 0.05f)] float rise,
             [Values(0.4f, 3f)] float force)
@@ -39,7 +39,7 @@ namespace Rill.Tests
             AssertNear(torque, Vector3.Cross(Arm, push), 1e-3f * push.magnitude);
         }
 
-        // Pressure goes through the middle of a ball; only friction turns it.
+        // Pressure goes through the center of a ball; only friction turns it.
         [TestCase(ColliderShape.Box, 0f, 1f)]
         [TestCase(ColliderShape.Sphere, 0f, 0f)]
         [TestCase(ColliderShape.Sphere, 0.1f, 1f)]
@@ -115,7 +115,7 @@ namespace Rill.Tests
             AssertNear(response.Torque, fraction * moment, 1e-3f);
         }
 
-        // What stops a turn is to the moment of inertia as what stops heave is to the mass, where that moment is the mass times the
+        // The damping of a turn is to the moment of inertia as that of heave is to the mass, where that moment is the mass times the
         // second moment of the waterline over its area. Of the moments the smallest that is one: a light axis is never turned back.
         [Test]
         public void Still_water_stops_a_turn_as_it_stops_heave([Values(0.2f, 1f)] float contact, [Values(0.4f, 1.2f)] float under)
@@ -158,7 +158,7 @@ namespace Rill.Tests
             }
         }
 
-        // What is known of how much water resists a motion tells nothing of turns.
+        // The known resistance of water to a motion tells nothing about turns.
         [Test]
         public void The_resistance_against_turns_is_the_setting_s_whatever_motion_tells()
         {

@@ -66,7 +66,7 @@ namespace Rill.Tests
         }
 
         // How far along x the water is, but for a few drops: one particle in fifty is beyond.
-        static float Front(Vector3[] places) => places.Select(p => p.x).OrderByDescending(x => x).ElementAt(places.Length / 50);
+        static float Front(Vector3[] positions) => positions.Select(p => p.x).OrderByDescending(x => x).ElementAt(positions.Length / 50);
 
         [UnityTest]
         public IEnumerator Beside_a_fluid_that_stands_still_nothing_is_lost([Values] bool disabled)
@@ -117,9 +117,9 @@ namespace Rill.Tests
                 right.Recenter(home + by * Vector3.right, LeavingParticles.Keep, left);
                 AsyncGPUReadback.WaitAllRequests();
                 yield return null;
-                float middle = 0.5f * by;
-                Assert.That(Own(left).Max(p => p.x), Is.LessThan(middle + Spacing), $"left of the middle of the overlap, moved by {by} m");
-                Assert.That(Own(right).Min(p => p.x), Is.GreaterThan(middle - Spacing), $"right of it, moved by {by} m");
+                float center = 0.5f * by;
+                Assert.That(Own(left).Max(p => p.x), Is.LessThan(center + Spacing), $"left of the center of the overlap, moved by {by} m");
+                Assert.That(Own(right).Min(p => p.x), Is.GreaterThan(center - Spacing), $"right of it, moved by {by} m");
                 yield return Frames(5);
                 AsyncGPUReadback.WaitAllRequests();
                 yield return Frames(2);

@@ -133,7 +133,7 @@ namespace Rill.Tests
             Assert.That(Quaternion.Angle(motion.start.rotation, motion.end.rotation), Is.EqualTo(turn * 0.5f * step).Within(0.02f), "degrees");
         }
 
-        // Of 12 steps a frame takes 4.
+        // A frame takes 4 of 12 steps.
         [Test]
         public void Where_time_is_dropped_a_body_that_is_carried_keeps_its_velocity_and_others_their_path([Values] bool isCarried)
         {
@@ -216,7 +216,7 @@ namespace Rill.Tests
             simulation.Advance(simulation.FixedStep);
             Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(1));
             Assert.That(simulation.Input.colliders.Items[0].shape, Is.EqualTo(ColliderShape.Box));
-            Assert.That(simulation.Input.colliders.Items[0].Moves, Is.False, "another number is no motion");
+            Assert.That(simulation.Input.colliders.Items[0].Moves, Is.False, "another number is not a motion");
             first.enabled = true;
             second.Shape = ColliderShape.Capsule;
             simulation.Advance(simulation.FixedStep);
@@ -242,7 +242,7 @@ namespace Rill.Tests
             Assert.That(force.y, Is.GreaterThan(3f * Mathf.Abs(force.z)));
         }
 
-        // A lump that hits a plate beside its middle: the plate, the box of the fluid and the world have each their own axes.
+        // A lump that hits a plate beside its center: the plate, the box of the fluid and the world have each their own axes.
         [Test]
         public void The_torque_on_a_collider_is_its_force_times_the_arm_in_world_space()
         {
@@ -261,9 +261,9 @@ namespace Rill.Tests
             {
                 for (int i = 0; i < 27; i++)
                 {
-                    var place = new Vector3(i % 3 - 1, i / 9 + 2, i / 3 % 3 - 1);
-                    NativeArray<float3> places = positions, speeds = velocities;
-                    places[i] = at.position + at.rotation * (hit + 0.05f * place);
+                    var position = new Vector3(i % 3 - 1, i / 9 + 2, i / 3 % 3 - 1);
+                    NativeArray<float3> points = positions, speeds = velocities;
+                    points[i] = at.position + at.rotation * (hit + 0.05f * position);
                     speeds[i] = at.rotation * new Vector3(0f, -3f, 0f);
                 }
                 simulation.AddParticles(positions, velocities);
@@ -298,10 +298,10 @@ namespace Rill.Tests
             Object.DestroyImmediate(made);
         }
 
-        static FluidCollider Make(ColliderShape shape, Vector3 place)
+        static FluidCollider Make(ColliderShape shape, Vector3 position)
         {
             var obstacle = new GameObject("Collider");
-            obstacle.transform.position = place;
+            obstacle.transform.position = position;
             var collider = obstacle.AddComponent<FluidCollider>();
             collider.Shape = shape;
             collider.Size = new Vector3(1f, 1f, 1f);

@@ -246,8 +246,8 @@ namespace Rill.Tests
             SurfaceParticles surface = left.Solver.Surface;
             int drawn = (int)GpuTest.Read<uint>(surface.Counters, surface.Counters.count)[(int)SurfaceParticles.Counter.Drawn];
             float[] alongX = GpuTest.Read<SurfaceParticles.Element>(surface.Particles, drawn).Select(e => math.asfloat(e.a.x)).ToArray();
-            float middle = (Box.x - 0.5f * Overlap) / Spacing;
-            Assert.That(alongX.Where(x => x > 0f).Max(), Is.InRange(middle - 1.5f, middle + 1.5f));
+            float center = (Box.x - 0.5f * Overlap) / Spacing;
+            Assert.That(alongX.Where(x => x > 0f).Max(), Is.InRange(center - 1.5f, center + 1.5f));
             Assert.That(alongX.Count(x => x < 0f), Is.GreaterThan(20), "out of sight: what stands for the other fluid's water");
         }
 

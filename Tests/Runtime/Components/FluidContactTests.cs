@@ -137,7 +137,7 @@ namespace Rill.Tests
             FluidSnapshotRequest request = fluid.RequestSnapshot();
             var expected = new List<Vector3>();
             yield return Forces(plate, expected);
-            yield return Frames(framesBefore);      // an answer may be on its way, and is not of the snapshot
+            yield return Frames(framesBefore);      // an answer may be pending, and is not in the snapshot
             fluid.Restore(request.Snapshot);
             var found = new List<Vector3>();
             yield return Forces(plate, found);

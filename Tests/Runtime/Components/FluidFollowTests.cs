@@ -40,7 +40,7 @@ namespace Rill.Tests
             if (handsOver)
             {
                 lake = Fluid("Lake", 3f * Vector3.one, Spacing, 2000, Vector3.zero, Quiet);
-                lake.transform.position = new Vector3(-1.5f, 0f, 0f);       // up to the middle of the box
+                lake.transform.position = new Vector3(-1.5f, 0f, 0f);       // up to the center of the box
             }
             (FluidSimulation fluid, FluidFollow follow, Transform target) = Make(f => f.Leaving = leaving);
             follow.HandOverTo = lake;

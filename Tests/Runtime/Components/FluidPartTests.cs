@@ -114,10 +114,10 @@ namespace Rill.Tests
                             part = scene.Add<FluidForceField>(random.NextFloat3(-0.4f, 0.4f), random.NextFloat3Direction(), f => f.Strength = 30f);
                             break;
                         case 3:
-                            using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(float.NaN),
+                            using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(float.NaN),
                                 new float3(0f, 0.2f, 0f) }, Unity.Collections.Allocator.Persistent))
                             using (var velocities = new Unity.Collections.NativeArray<float3>(2, Unity.Collections.Allocator.Persistent))
-                                scene.Fluid.AddParticles(places, velocities);
+                                scene.Fluid.AddParticles(positions, velocities);
                             break;
                     }
                     scene.Step(6);

@@ -142,7 +142,7 @@ namespace Rill.Tests
             return volume;
         }
 
-        // What a bake of a finely meshed ball gives.
+        // Result of a bake of a finely meshed ball.
         static SignedDistanceField BallField(float3 center, float radius)
         {
             MeshSdfSettings settings = MeshSdfSettings.Default;

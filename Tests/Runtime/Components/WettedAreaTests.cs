@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Where and how far a contact wets a collider: in still water, against the geometry.</summary>
+    /// <summary>Position and size of the area that a contact wets: in still water, against the geometry.</summary>
     public class WettedAreaTests : PlayedFluidFixture
     {
         const float Spacing = 0.05f, Surface = 0.05f;       // m; of the water, which stands 0.65 m deep
@@ -22,9 +22,9 @@ namespace Rill.Tests
             const float width = 0.5f, height = 0.6f, thickness = 0.1f;
             yield return Settle(collider => collider.Size = new Vector3(width, height, thickness), new Vector3(0f, Surface, 0f), quaternion.identity);
             float sides = 2f * width * 0.5f * height, bottom = width * thickness, edges = 2f * thickness * 0.5f * height;
-            float middle = (0.25f * -height * (sides + edges) - 0.5f * height * bottom) / (sides + edges + bottom);
+            float center = (0.25f * -height * (sides + edges) - 0.5f * height * bottom) / (sides + edges + bottom);
             IsNear(sides + bottom + edges, 0.06f);
-            Assert.That(Vector3.Distance(newest.Point, new Vector3(0f, Surface + middle, 0f)), Is.LessThan(0.3f * Spacing));
+            Assert.That(Vector3.Distance(newest.Point, new Vector3(0f, Surface + center, 0f)), Is.LessThan(0.3f * Spacing));
             Assert.That(Vector3.Angle(newest.Normal, Vector3.down), Is.LessThan(10f), "the open upper half is dry");
         }
 
@@ -85,12 +85,13 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator In_a_turned_and_moved_fluid_contacts_are_in_world_space()
         {
-            var place = new Vector3(3f, 1f, -2f);
+            var position = new Vector3(3f, 1f, -2f);
             Quaternion turn = Quaternion.Euler(0f, 35f, 0f);
-            yield return Settle(collider => collider.Size = new Vector3(0.4f, 2f, 2f), new Vector3(-0.6f, 0f, 0f), quaternion.identity, place, turn);
+            yield return Settle(collider => collider.Size = new Vector3(0.4f, 2f, 2f), new Vector3(-0.6f, 0f, 0f), quaternion.identity, position,
+                turn);
             IsNear(0.65f * 1.2f, 0.06f);
             Assert.That(Vector3.Angle(newest.Normal, turn * Vector3.right), Is.LessThan(1f));
-            Assert.That(Vector3.Distance(newest.Point, place + turn * new Vector3(-0.4f, Surface - 0.325f, 0f)), Is.LessThan(0.5f * Spacing));
+            Assert.That(Vector3.Distance(newest.Point, position + turn * new Vector3(-0.4f, Surface - 0.325f, 0f)), Is.LessThan(0.5f * Spacing));
         }
 
         // Two blocks one on the other: the seam between them is dry, and each tells its own part.
@@ -148,9 +149,9 @@ namespace Rill.Tests
             Assert.That(newest.Area, Is.EqualTo(area).Within(error * area));
         }
 
-        IEnumerator Settle(Action<FluidCollider> setUp, Vector3 at, Quaternion rotation, Vector3 place = default, Quaternion? turn = null)
+        IEnumerator Settle(Action<FluidCollider> setUp, Vector3 at, Quaternion rotation, Vector3 position = default, Quaternion? turn = null)
         {
-            FluidSimulation fluid = Water(place, turn ?? Quaternion.identity);
+            FluidSimulation fluid = Water(position, turn ?? Quaternion.identity);
             return Settle(fluid, Collider(fluid, setUp, at, rotation));
         }
 
@@ -167,11 +168,11 @@ namespace Rill.Tests
             Assert.That(newest.Collider, Is.SameAs(collider));
         }
 
-        FluidSimulation Water(Vector3 place, Quaternion turn)
+        FluidSimulation Water(Vector3 position, Quaternion turn)
         {
             return Fluid("Fluid", new Vector3(1.2f, 1.2f, 1.2f), Spacing, 12000, Vector3.zero, made =>
             {
-                made.transform.SetPositionAndRotation(place, turn);
+                made.transform.SetPositionAndRotation(position, turn);
                 SolverSettings settings = made.Settings;
                 settings.iterations = 6;
                 made.Settings = settings;

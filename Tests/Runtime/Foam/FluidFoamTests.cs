@@ -109,7 +109,7 @@ namespace Rill.Tests
             Time.captureDeltaTime = 1f / 60f;
             yield return null;
             yield return null;
-            // One of them in the middle of the box, which is to be drawn for the first time in the next frame.
+            // One of them in the center of the box, which is to be drawn for the first time in the next frame.
             simulation.Paused = true;
             FoamStage.Plant(simulation.Solver.Foam,
                 FoamStage.Particle(new Unity.Mathematics.float3(12f, 8f, 4f), 0f, FoamKinds.Foam, 20f, 100f));

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What foam that is drawn as particles covers of a picture.</summary>
+    /// <summary>Coverage of a picture by foam that is drawn as particles.</summary>
     public class FoamDrawTests
     {
         const float Spacing = 0.05f;
@@ -63,10 +63,10 @@ namespace Rill.Tests
             const float speed = 6f;
             yield return Look(new float3(speed / Spacing, 0f, 0f));
             (float inMotion, float length, float thick) = Extent();
-            float way = 0.5f * speed / 60f;
+            float path = 0.5f * speed / 60f;
             TestContext.Out.WriteLine($"at rest {wide:0.0000} x {high:0.0000} m, at {speed} m/s {length:0.0000} x {thick:0.0000} m, and covers " +
                 $"{inMotion / covered:0.000} of what it did");
-            Assert.That(length - wide, Is.EqualTo(way).Within(0.1f * way));
+            Assert.That(length - wide, Is.EqualTo(path).Within(0.1f * path));
             Assert.That(thick, Is.EqualTo(high).Within(0.0005f));
             Assert.That(inMotion, Is.EqualTo(covered).Within(0.03f * covered));
 
@@ -88,11 +88,11 @@ namespace Rill.Tests
             Assert.That(Open(), Is.LessThan(0.02f));
             Plant(FoamKinds.Foam, 1, 0f, float3.zero, 0.8f);
             yield return Picture(256, 256);
-            TestContext.Out.WriteLine($"{Pixels().Sum() / young:0.000} of it at four fifths of its life, {Open():0.000} of its middle open");
+            TestContext.Out.WriteLine($"{Pixels().Sum() / young:0.000} of it at four fifths of its life, {Open():0.000} of its center open");
             Assert.That(Pixels().Sum() / young, Is.EqualTo(0.5f).Within(0.1f), "half of the time in which it goes is over");
             Assert.That(Open(), Is.InRange(0.25f, 0.65f), "and not half as dense everywhere");
 
-            // Of the inner half of the particle, whose radius is 77 pixels.
+            // Open fraction of the inner half of the particle, whose radius is 77 pixels.
             float Open()
             {
                 float[] all = Pixels();
@@ -139,7 +139,7 @@ namespace Rill.Tests
             simulation.Paused = true;
         }
 
-        /// <summary>Puts particles around the middle of the box, at a part of their life.</summary>
+        /// <summary>Puts particles around the center of the box, at a part of their life.</summary>
         void Plant(FoamKinds kind, int count, float around, float3 velocity, float part = MiddleAge)
         {
             var random = new Unity.Mathematics.Random(7);

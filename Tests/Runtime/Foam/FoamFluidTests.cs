@@ -35,7 +35,7 @@ namespace Rill.Tests
             }
         }
 
-        // The same slice of the flow, at the same number of spacings in a substep.
+        // Uses the same slice of the flow, at the same number of spacings in a substep.
         [Test, Category("GpuOnly")]
         public void The_foam_of_a_dam_is_that_of_half_the_spacing()
         {

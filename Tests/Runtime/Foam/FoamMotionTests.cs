@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>What becomes of foam: how it moves, ages and finds room.</summary>
+    /// <summary>Fate of foam: how it moves, ages and finds room.</summary>
     public class FoamMotionTests
     {
         const float Step = 1f / 60f;
@@ -120,8 +120,8 @@ namespace Rill.Tests
         {
             var box = new float3(9f, 8.2f, 8f);
             var random = new Unity.Mathematics.Random(17u);
-            float3[] places = Enumerable.Range(0, 400).Select(_ => random.NextFloat3(0.1f, box - 0.1f)).ToArray();
-            var state = new ParticleState(box, places);
+            float3[] positions = Enumerable.Range(0, 400).Select(_ => random.NextFloat3(0.1f, box - 0.1f)).ToArray();
+            var state = new ParticleState(box, positions);
             for (int i = 0; i < state.Count; i++)
                 state.velocities[i] = new float4(random.NextFloat3(-5f, 5f), 1f);
             using (var stage = new FoamStage(state, FoamStage.Settings(0f), fluidStep: 1e-4f))

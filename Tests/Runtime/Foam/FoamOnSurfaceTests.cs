@@ -132,7 +132,7 @@ namespace Rill.Tests
             IEnumerable<string> Textures() => Stage("FluidSurface").Buffers.Select(texture => texture.name);
         }
 
-        // Particles of the largest size at one position of the world, in the middle of their lives.
+        // Particles of the largest size at one position of the world, halfway through their lives.
         void Plant(FoamKinds kind, float3 world, int count)
         {
             FoamParticle particle = FoamStage.Particle((world + Half) / WaterScene.Spacing, 0f, kind, 20f, 100f);

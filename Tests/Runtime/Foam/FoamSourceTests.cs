@@ -6,11 +6,11 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>Where foam comes from: the potentials and what they spawn, against double precision.</summary>
+    /// <summary>Sources of foam: the potentials and what they spawn, against double precision.</summary>
     public class FoamSourceTests
     {
         const float Step = 1f / 60f;
-        // As Research~/foam-study.md has them.
+        // Values of Research~/foam-study.md.
         const double Low = 0.25 * 20.0, High = 0.5 * 20.0;      // d/s, of FoamStage.Settings
         const double MinStrain = 2.0;       // 1/s, at 1 for speed over depth
         const double SolverStrain = 0.025, MinBend = 0.1, MaxBend = 0.5;
@@ -57,9 +57,9 @@ namespace Rill.Tests
                     sure += !twin.IsUncertain(i) && low == high ? 1 : 0;
                     for (int k = 0; k < number; k++, at++)
                     {
-                        double3 place = Reference.FoamSpawn.Position(stage.Points[i], stage.Velocities[i], Step,
+                        double3 position = Reference.FoamSpawn.Position(stage.Points[i], stage.Velocities[i], Step,
                             stage.Stages.Layout.DomainSize, hash, k, out double3 velocity);
-                        Assert.That(math.distance(FoamStage.Position(foam[at]), place), Is.LessThan(2e-3),
+                        Assert.That(math.distance(FoamStage.Position(foam[at]), position), Is.LessThan(2e-3),
                             $"foam particle {at}, number {k} of particle {i}");
                         Assert.That(math.distance(FoamStage.Velocity(foam[at]), velocity), Is.LessThan(2e-3), $"velocity of foam particle {at}");
                     }
@@ -163,8 +163,8 @@ namespace Rill.Tests
                 {
                     stage.Step();
                     uint2[] potentials = GpuTest.Read<uint2>(stage.Foam.Potentials, state.Count);
-                    double middle = 10.0 * finer;
-                    return Enumerable.Range(0, state.Count).Where(i => math.all(math.abs(stage.Points[i].xz - middle) < 6.0 * finer)
+                    double center = 10.0 * finer;
+                    return Enumerable.Range(0, state.Count).Where(i => math.all(math.abs(stage.Points[i].xz - center) < 6.0 * finer)
                         && math.abs(stage.Points[i].y - 6.0 * finer) < 2.0 * finer).Sum(i
                         => (double)math.asfloat(potentials[i].y & 0x7fffffffu));
                 }

@@ -12,7 +12,7 @@ namespace Rill.Tests
         public readonly Foam Foam;
         public readonly StepInput Input;
 
-        /// <summary>Of the fluid, in the order in which the stage saw it.</summary>
+        /// <summary>State of the fluid, in the order in which the stage saw it.</summary>
         public readonly double3[] Points, Velocities;
         public readonly uint[] Ids;
 

@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What is brought back without waiting, also when its owner has gone meanwhile.</summary>
+    /// <summary>Data that is read back without waiting, also when its owner has gone meanwhile.</summary>
     public class ReadbackTests
     {
         [TearDown]

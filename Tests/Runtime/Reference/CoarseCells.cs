@@ -17,7 +17,7 @@ namespace Rill.Tests.Reference
         /// <summary>Particles per volume relative to rest; a cell that has less than two layers of them across it is not active.</summary>
         public readonly double[] fill;
         public readonly bool[] active;
-        /// <summary>The same where the free surface is: of particles weighted by how near the cell's center is, once it was known there.</summary>
+        /// <summary>Fill at the free surface: of particles weighted by how near the cell's center is, once it was known there.</summary>
         public readonly double[] water;
 
         public CoarseCells(double3 box, int3 counts)
@@ -50,22 +50,22 @@ namespace Rill.Tests.Reference
 
         public int3 Coordinates(int cell) => new int3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
 
-        public int Index(int3 place) => (place.z * counts.y + place.y) * counts.x + place.x;
+        public int Index(int3 coordinates) => (coordinates.z * counts.y + coordinates.y) * counts.x + coordinates.x;
 
         public int CellOf(double3 p)
         {
-            int3 place = default;
+            int3 coordinates = default;
             for (int axis = 0; axis < 3; axis++)
-                place[axis] = Math.Min(Math.Max((int)Math.Floor(p[axis] / size[axis]), 0), counts[axis] - 1);
-            return Index(place);
+                coordinates[axis] = Math.Min(Math.Max((int)Math.Floor(p[axis] / size[axis]), 0), counts[axis] - 1);
+            return Index(coordinates);
         }
 
         /// <summary>The next cell along an axis, up or down; -1 at a wall.</summary>
         public int Beside(int cell, int axis, bool up)
         {
-            int3 place = Coordinates(cell);
-            place[axis] += up ? 1 : -1;
-            return place[axis] < 0 || place[axis] >= counts[axis] ? -1 : Index(place);
+            int3 coordinates = Coordinates(cell);
+            coordinates[axis] += up ? 1 : -1;
+            return coordinates[axis] < 0 || coordinates[axis] >= counts[axis] ? -1 : Index(coordinates);
         }
 
         /// <summary>Fill and activity from where the particles are.</summary>
@@ -100,13 +100,13 @@ namespace Rill.Tests.Reference
             return this;
         }
 
-        double WeightOf(double3 p, int3 place)
+        double WeightOf(double3 p, int3 coordinates)
         {
             double weight = 1.0;
             for (int axis = 0; axis < 3; axis++)
             {
-                double from = p[axis] / size[axis] - 0.5 - place[axis];
-                bool towardsWall = from < 0.0 ? place[axis] == 0 : place[axis] == counts[axis] - 1;
+                double from = p[axis] / size[axis] - 0.5 - coordinates[axis];
+                bool towardsWall = from < 0.0 ? coordinates[axis] == 0 : coordinates[axis] == counts[axis] - 1;
                 weight *= towardsWall ? 1.0 : Math.Max(1.0 - Math.Abs(from), 0.0);
             }
             return weight;
@@ -127,8 +127,8 @@ namespace Rill.Tests.Reference
         }
 
         /// <summary>
-        /// Of a face between an active cell and its neighbor: 1, or what the free surface's distance of θ cells makes of it. With water on
-        /// the other side the distance is from the cell's center, else from the middle of the water.
+        /// Weight of a face between an active cell and its neighbor: 1, or what the free surface's distance of θ cells makes of it. With water on
+        /// the other side the distance is from the cell's center, else from the center of the water.
         /// </summary>
         public double FaceWeight(int cell, int axis, bool up)
         {
@@ -154,7 +154,8 @@ namespace Rill.Tests.Reference
             return sum;
         }
 
-        /// <summary>Of the flow in an active cell: two active cells share a face, an inactive one leaves it to the other, a wall is 0.</summary>
+        /// <summary>Divergence of the flow in an active cell: two active cells have a common face, an inactive one leaves it to the other, a wall is
+        /// 0.</summary>
         public double Divergence(int cell, double3[] flow)
         {
             double sum = 0.0;
@@ -241,7 +242,7 @@ namespace Rill.Tests.Reference
         /// <summary>Trilinear between the centers, the outermost ones' values beyond them, at most so long.</summary>
         public double3 LookUp(double3[] displacements, double3 p, double longest)
         {
-            double3 place = p / size - 0.5;
+            double3 position = p / size - 0.5;
             double3 sum = default;
             for (int corner = 0; corner < 8; corner++)
             {
@@ -250,8 +251,8 @@ namespace Rill.Tests.Reference
                 for (int axis = 0; axis < 3; axis++)
                 {
                     bool upper = (corner >> axis & 1) != 0;
-                    double lower = Math.Floor(place[axis]);
-                    weight *= upper ? place[axis] - lower : 1.0 - (place[axis] - lower);
+                    double lower = Math.Floor(position[axis]);
+                    weight *= upper ? position[axis] - lower : 1.0 - (position[axis] - lower);
                     at[axis] = (int)Math.Min(Math.Max(lower + (upper ? 1.0 : 0.0), 0.0), counts[axis] - 1.0);
                 }
                 sum += weight * displacements[Index(at)];

@@ -58,7 +58,7 @@ namespace Rill.Tests.Reference
             return Math.Sqrt(sum / Math.Max(number, 1));
         }
 
-        // What the cells beside one contribute.
+        // Sums what the cells beside one contribute.
         double Sum(int cell, double[] potential)
         {
             int3 counts = cells.counts;

@@ -49,7 +49,7 @@ namespace Rill.Tests.Reference
         /// <summary>Eq. 11.</summary>
         public double Multiplier(int i) => -Math.Max(Density(i) - 1.0, -allowedTension) / Denominator(i);
 
-        /// <summary>What single precision may make of the multiplier: an error of the density, and of the rest.</summary>
+        /// <summary>Error of the multiplier in single precision: an error of the density, and of the rest.</summary>
         public double MultiplierTolerance(int i, double fraction)
         {
             double density = Density(i);

@@ -9,7 +9,7 @@ namespace Rill.Tests
     /// </summary>
     static class Flip
     {
-        /// <summary>Of a screen 0.7 m away with 3840 pixels on 0.7 m, as the paper assumes.</summary>
+        /// <summary>Resolution of a screen 0.7 m away with 3840 pixels on 0.7 m, as the paper assumes.</summary>
         public const double PixelsPerDegree = 67.0;
 
         const double ColorPower = 0.7, ColorKnee = 0.4, ColorAtKnee = 0.95;      // q_c, p_c, p_t
@@ -112,7 +112,7 @@ namespace Rill.Tests
             return difference;
         }
 
-        /// <summary>What an eye resolves of a picture, in Hunt-adjusted L*a*b*.</summary>
+        /// <summary>Returns what an eye resolves of a picture, in Hunt-adjusted L*a*b*.</summary>
         static double3[] Filtered(double3[] opponent, int width, int height, double pixelsPerDegree)
         {
             double widest = 0.0;

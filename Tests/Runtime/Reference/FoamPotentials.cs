@@ -8,7 +8,7 @@ namespace Rill.Tests.Reference
     {
         public const double SurfaceNormal = 0.1, Outwards = 0.6;
 
-        // Of a cubic lattice with spacing 1.
+        // Sums over a cubic lattice with spacing 1.
         static readonly double LatticeWeights = LatticeSum(r => 1.0), LatticeStrain = LatticeSum(r => r);
 
         readonly double3 box;
@@ -62,12 +62,12 @@ namespace Rill.Tests.Reference
             return Asymmetry > SurfaceNormal ? math.normalize(sum) : new double3(0.0);
         }
 
-        /// <summary>Of the last <see cref="Normal"/>: by how much it lies at the surface.</summary>
+        /// <summary>Degree to which the particle of the last <see cref="Normal"/> lies at the surface.</summary>
         public double Asymmetry { get; private set; }
 
         public bool FliesOut(int i, double3 normal) => math.dot(normal, velocities[i]) > Outwards * math.length(velocities[i]);
 
-        /// <summary>Mean of 1 - cosine between the normals of a particle and of those at the surface behind it.</summary>
+        /// <summary>Mean of 1 - cosine between the normals of a particle and of those at the surface beyond it.</summary>
         public double Bend(int i, double3[] normals)
         {
             double sum = 0.0, weights = 0.0;

@@ -3,10 +3,10 @@ using Unity.Mathematics;
 
 namespace Rill.Tests.Reference
 {
-    /// <summary>What a particle of the fluid spawns, from the seed, its id and the step.</summary>
+    /// <summary>Particles that a particle of the fluid spawns, from the seed, its id and the step.</summary>
     static class FoamSpawn
     {
-        /// <summary>Of the fluid's speed, by which foam leaves it to all sides, for each d away from its particle.</summary>
+        /// <summary>Fraction of the fluid's speed by which foam leaves it to all sides, for each d away from its particle.</summary>
         const double Spread = 0.075;
 
         public static uint Hash(uint seed, uint id, uint step) => Mix(seed ^ Mix(id ^ Mix(step + 0x9E3779B9u)));

@@ -39,7 +39,7 @@ namespace Rill.Tests.Reference
                     }
         }
 
-        /// <summary>What steps leave of the flow along itself.</summary>
+        /// <summary>Returns the fraction of the flow along itself that steps leave.</summary>
         /// <param name="strength">s = ν Δt / d².</param>
         public double Left(double strength, int steps)
         {

@@ -6,8 +6,8 @@ using Unity.Mathematics;
 namespace Rill.Tests.Reference
 {
     /// <summary>
-    /// Where the water of raw particles ends, in double precision: the color field of Müller et al. (2003), with their poly6, at half of
-    /// what it is in water at rest. The walls of the box mirror the particles. Shares nothing with the smoothing of the surface. Lengths in d.
+    /// Surface of the water of raw particles, in double precision: the color field of Müller et al. (2003), with their poly6, at half of
+    /// what it is in water at rest. The walls of the box mirror the particles. Has nothing in common with the smoothing of the surface. Lengths in d.
     /// </summary>
     sealed class Isosurface
     {
@@ -81,8 +81,8 @@ namespace Rill.Tests.Reference
                 double outside = distance - step;
                 for (int i = 0; i < 20; i++)
                 {
-                    double middle = 0.5 * (outside + distance);
-                    (outside, distance) = IsWater(origin + middle * direction) ? (outside, middle) : (middle, distance);
+                    double mid = 0.5 * (outside + distance);
+                    (outside, distance) = IsWater(origin + mid * direction) ? (outside, mid) : (mid, distance);
                 }
                 return true;
             }

@@ -22,7 +22,7 @@ namespace Rill.Tests.Reference
             return neighbors;
         }
 
-        /// <summary>The same sets through cells as wide as the radius, for many points.</summary>
+        /// <summary>Finds these sets through cells as wide as the radius, for many points.</summary>
         public static int[][] ByCells(double3[] points, double radius)
         {
             var cells = new Dictionary<int3, List<int>>();

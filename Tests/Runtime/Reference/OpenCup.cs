@@ -82,13 +82,13 @@ namespace Rill.Tests.Reference
         public static float3[] Water(RigidPose cup)
         {
             var random = new Unity.Mathematics.Random(7u);
-            var places = new List<float3>();
+            var positions = new List<float3>();
             for (float y = 0.5f; y < Filled; y++)
                 for (float x = 0.5f - Radius; x < Radius; x++)
                     for (float z = 0.5f - Radius; z < Radius; z++)
                         if (math.sqrt(x * x + z * z) <= Radius - 0.6f)
-                            places.Add(cup.position + math.mul(cup.rotation, new float3(x, y, z) + random.NextFloat3(-0.02f, 0.02f)));
-            return places.ToArray();
+                            positions.Add(cup.position + math.mul(cup.rotation, new float3(x, y, z) + random.NextFloat3(-0.02f, 0.02f)));
+            return positions.ToArray();
         }
 
         /// <summary>How each particle came from one side of the wall and floor to the other, step by step.</summary>

@@ -15,7 +15,7 @@ namespace Rill.Tests.Reference
             return shape.insideOut ? -distance : distance;
         }
 
-        /// <summary>Fraction of the rest density that a shape adds at p: of the half space behind its surface, for a box the product of its
+        /// <summary>Fraction of the rest density that a shape adds at p: of the half space beyond its surface, for a box the product of its
         /// three slabs; at most that at a surface.</summary>
         public static double Density(in ColliderMotion shape, double3 p)
         {
@@ -30,7 +30,7 @@ namespace Rill.Tests.Reference
             return Math.Min(full * (shape.insideOut ? 1.0 - inside : inside), surface);
         }
 
-        // Of what lies beyond a plane at distance s, also from behind it.
+        // Density of what lies beyond a plane at distance s, also from its back.
         static double Beyond(double s) => s >= 0.0 ? Walls.PlaneDensity(s) : 2.0 * Walls.PlaneDensity(0.0) - Walls.PlaneDensity(-s);
 
         static double Distance(ColliderShape kind, double3 size, double3 p)

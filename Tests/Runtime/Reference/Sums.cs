@@ -15,7 +15,7 @@ namespace Rill.Tests.Reference
         }
     }
 
-    /// <summary>The same of vectors.</summary>
+    /// <summary>Sum of vectors.</summary>
     struct VectorSum
     {
         public double3 value;

@@ -6,7 +6,7 @@ using Unity.Mathematics;
 namespace Rill.Tests.Reference
 {
     /// <summary>
-    /// What SurfaceParticles.compute finds, in double precision and without its lists: the water's images in the walls are
+    /// Results of SurfaceParticles.compute, in double precision and without its lists: the water's images in the walls are
     /// particles like the others here. Lengths in d.
     /// </summary>
     sealed class Surface

@@ -53,7 +53,7 @@ namespace Rill.Tests.Reference
             return difference;
         }
 
-        // Of the spiky kernel by particle i's position, over the rest density.
+        // Gradient of the spiky kernel by particle i's position, over the rest density.
         double3 Gradient(int i, int j) => Kernels.SpikyGradient(points[i] - points[j]) / Kernels.RestDensity;
     }
 }

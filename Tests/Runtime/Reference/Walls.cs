@@ -74,7 +74,7 @@ namespace Rill.Tests.Reference
             return sum * width;
         }
 
-        // What a lattice particle d/2 above a wall lacks of the rest density.
+        // Density that a lattice particle d/2 above a wall lacks.
         static double MissingBehindLattice()
         {
             double missing = 0.0;

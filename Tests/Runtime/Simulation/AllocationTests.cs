@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What the garbage collector gets of a playing fluid: nothing.</summary>
+    /// <summary>A playing fluid allocates no garbage.</summary>
     [Category("LongRun")]
     public class AllocationTests
     {
@@ -224,7 +224,7 @@ namespace Rill.Tests
             Assert.That(kept, NUnit.Framework.Is.Not.Null);
         }
 
-        // What is made once is made in these.
+        // Frames in which everything is made that is made once.
         static IEnumerator WarmedUp(TestDelegate frame)
         {
             yield return null;

@@ -12,7 +12,7 @@ using Is = NUnit.Framework.Is;
 
 namespace Rill.Tests
 {
-    /// <summary>What scripts add, fill and remove while the fluid runs.</summary>
+    /// <summary>Scripts that add, fill and remove while the fluid runs.</summary>
     public class ControlTests
     {
         const float Spacing = 0.1f;
@@ -377,9 +377,9 @@ namespace Rill.Tests
 
         static void Add(FluidSimulation fluid, int count, int phase = 0, float lifetime = 0f)
         {
-            float3[] places = Enumerable.Range(0, count)
+            float3[] points = Enumerable.Range(0, count)
                 .Select(i => new float3(-0.4f + 0.1f * (i % 8), 0.05f + 0.1f * (i / 8 % 4), -0.15f + 0.1f * (i / 32))).ToArray();
-            using (var positions = new NativeArray<float3>(places, Allocator.Persistent))
+            using (var positions = new NativeArray<float3>(points, Allocator.Persistent))
             using (var velocities = new NativeArray<float3>(count, Allocator.Persistent))
                 fluid.AddParticles(positions, velocities, phase, lifetime);
         }

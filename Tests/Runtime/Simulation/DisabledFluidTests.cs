@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What a fluid keeps while it or its object is disabled.</summary>
+    /// <summary>State of a fluid while it or its object is disabled.</summary>
     public class DisabledFluidTests : PlayedFluidFixture
     {
         static readonly Vector3 Box = new Vector3(1f, 0.6f, 0.5f);
@@ -112,7 +112,7 @@ namespace Rill.Tests
                 fluid.enabled = on;
         }
 
-        // In the water's way; its force is measured.
+        // Adds a post that blocks the water; its force is measured.
         static void AddPost(FluidSimulation fluid)
         {
             var post = new GameObject("Post");

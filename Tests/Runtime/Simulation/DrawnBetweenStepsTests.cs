@@ -9,7 +9,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What a camera sees of a single particle while frames and steps differ.</summary>
+    /// <summary>View of a single particle by a camera while frames and steps differ.</summary>
     public class DrawnBetweenStepsTests
     {
         const int Width = 512, Height = 256;

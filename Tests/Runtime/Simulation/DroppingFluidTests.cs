@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What a fluid says and keeps of time that it drops, by long frames or by a game that runs fast. Frames of 6 steps, of which 4
+    /// <summary>Messages and state of a fluid that drops time, by long frames or by a game that runs fast. Frames of 6 steps, of which 4
     /// are taken.</summary>
     public class DroppingFluidTests : PlayedFluidFixture
     {

@@ -77,7 +77,8 @@ namespace Rill.Tests
             yield return Frames(2);
             string message = Failure(() => FluidAssert.VolumeIn(detector, 1f));
             Assert.That(message, Does.Contain("Nearest to its boundary: Particle 2 is at 0.210, 0.300, 0.300 m in the box's frame, 0.010 m inside; " +
-                "Particle 1 is at 0.300, 0.300, 0.430 m in the box's frame, 0.030 m outside; Particle 0 is at 0.500, 0.300, 0.300 m in the box's frame, "));
+                "Particle 1 is at 0.300, 0.300, 0.430 m in the box's frame, 0.030 m outside; Particle 0 is at 0.500, 0.300, 0.300 m in the " +
+                "box's frame, "));
             Assert.That(message, Does.EndWith(shape == DetectorShape.Mesh ? "0.093 m outside." : "0.100 m outside."), "a field ends before that");
             if (shape != DetectorShape.Mesh)
                 yield break;

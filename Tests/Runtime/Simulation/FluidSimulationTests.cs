@@ -447,18 +447,18 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Stretched(out GameObject stretched), healthy = Dam(f => f.transform.position = Aside);
             yield return Frames(2);
-            Matrix4x4 place = fluid.DomainToWorld;
+            Matrix4x4 pose = fluid.DomainToWorld;
             LogAssert.Expect(LogType.Error, new Regex("'Dam': its transform is not finite.*goes on where it last was.*and its parents"));
             stretched.transform.localScale = Vector3.one * 3e38f;
             yield return Frames(10);
             Assert.That(fluid.IsRunning);
-            Assert.That(fluid.DomainToWorld, Is.EqualTo(place));
+            Assert.That(fluid.DomainToWorld, Is.EqualTo(pose));
             TestFluid.AssertSame(State(fluid), State(healthy));
 
             stretched.transform.localScale = Vector3.one;
             fluid.transform.localPosition = Aside + Vector3.up;
             yield return Frames(5);
-            Assert.That(fluid.DomainToWorld, Is.Not.EqualTo(place));
+            Assert.That(fluid.DomainToWorld, Is.Not.EqualTo(pose));
             TestFluid.AssertSame(State(fluid), State(healthy));
 
             LogAssert.Expect(LogType.Error, new Regex("'Dam': its transform is not finite"));
@@ -846,7 +846,7 @@ namespace Rill.Tests
 
         FluidSimulation Tank() => Fluid("Tank", new Vector3(1f, 1.2f, 0.5f), Spacing, 2000, new Vector3(0.5f, 1f, 0.4f));
 
-        // As a scene file or the inspector would.
+        // Sets a field like a scene file or the inspector.
         static void SetSerialized(FluidSimulation fluid, string field, object value)
         {
             typeof(FluidSimulation).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).SetValue(fluid, value);

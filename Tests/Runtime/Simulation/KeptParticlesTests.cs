@@ -47,8 +47,8 @@ namespace Rill.Tests
                 }
                 Assert.That(Kept(fluid), Is.Zero);
                 Vector3[] after = Positions(fluid);
-                foreach (Vector3 place in before)
-                    Assert.That(after.Min(other => Vector3.Distance(place, other)), Is.LessThan(0.26f * Spacing), $"something at {place}");
+                foreach (Vector3 position in before)
+                    Assert.That(after.Min(other => Vector3.Distance(position, other)), Is.LessThan(0.26f * Spacing), $"something at {position}");
                 Assert.That(Ids(fluid), Is.EquivalentTo(ids));
                 fluid.Paused = false;
                 FluidStatistics statistics = scene.Step().AssertConserved();

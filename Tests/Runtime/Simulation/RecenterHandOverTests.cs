@@ -44,8 +44,8 @@ namespace Rill.Tests
             Assert.That(left.Length, Is.InRange(1, before.Length - 1));
             Assert.That(left.Length + over.Length, Is.EqualTo(before.Length + others));
             Assert.That(left.Min(p => p.x), Is.GreaterThan(end));
-            foreach (Vector3 place in before.Where(p => p.x < end - 0.5f * Spacing))
-                Assert.That(over.Min(p => Vector3.Distance(place, p)), Is.LessThan(1e-3f * Spacing), $"something at {place}");
+            foreach (Vector3 position in before.Where(p => p.x < end - 0.5f * Spacing))
+                Assert.That(over.Min(p => Vector3.Distance(position, p)), Is.LessThan(1e-3f * Spacing), $"something at {position}");
             ParticleState state = lake.Read();
             Assert.That(state.ids.Distinct().Count(), Is.EqualTo(over.Length), "different ids");
             float3 velocity = (float3)(other.transform.rotation * (Vector3)state.velocities.Last().xyz) * Spacing;
@@ -60,7 +60,7 @@ namespace Rill.Tests
         public void What_lies_in_neither_box_is_removed_or_kept_as_asked([Values] LeavingParticles leaving)
         {
             MakeBoth(2000);
-            lake.Fluid.transform.position += 1.5f * Vector3.right;      // it begins at the middle of the basin
+            lake.Fluid.transform.position += 1.5f * Vector3.right;      // it begins at the center of the basin
             Vector3[] before = Positions(basin.Fluid);
             basin.Fluid.Recenter(Home + 3f * Vector3.right, leaving, lake.Fluid);
             int over = Positions(lake.Fluid).Length;

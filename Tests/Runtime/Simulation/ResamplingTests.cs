@@ -67,7 +67,8 @@ namespace Rill.Tests
                 fastest = Mathf.Max(fastest, now.speedMax);
                 rms = Mathf.Max(rms, now.speed);
             }
-            TestContext.Out.WriteLine($"rms speed {old.speed:0.000} before, at most {rms:0.000} after; fastest {old.speedMax:0.000} and {fastest:0.000} m/s");
+            TestContext.Out.WriteLine($"rms speed {old.speed:0.000} before, at most {rms:0.000} after; fastest {old.speedMax:0.000} and " +
+                $"{fastest:0.000} m/s");
             // Around a ball of 1.2 to 4.8 new spacings the lattice leaves gaps, into which water falls by up to one.
             bool isOpen = pool != Pool.WithCollider;
             Assert.That(rms, Is.LessThan(old.speed + (isOpen ? 0.1f : 0.25f)));
@@ -124,7 +125,8 @@ namespace Rill.Tests
             fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000, new Vector3(0.6f, 0.3f, 0.6f));
             yield return Frames(4);
             int step = fluid.StepCount;
-            LogAssert.Expect(LogType.Error, new Regex("keeps its particle spacing of 0.05 m and its capacity of 1,000: its water is 6,912 particles at " +
+            LogAssert.Expect(LogType.Error, new Regex("keeps its particle spacing of 0.05 m and its capacity of 1,000: its water is 6,912 " +
+                "particles at " +
                 "a spacing of 0.025 m, more than the capacity of 1,000"));
             fluid.ParticleSpacing = 0.025f;
             yield return Frames(10);

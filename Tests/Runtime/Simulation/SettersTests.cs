@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What the inspector can set, a script can.</summary>
+    /// <summary>A script can set all that the inspector can.</summary>
     public class SettersTests
     {
         // Fields whose property has another name.

@@ -9,14 +9,14 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What a built player finds: the stages that its components refer to, and nothing of the Editor's.</summary>
+    /// <summary>Content of a built player: the stages that its components refer to, and nothing of the Editor's.</summary>
     public class ShadersInBuildTests
     {
         readonly List<Object> made = new List<Object>();
         Func<string, StageShader> editorFind;
 
         [SetUp]
-        public void TakeTheEditorAway()
+        public void RemoveEditor()
         {
             Time.captureDeltaTime = 1f / 60f;
             editorFind = StageShader.EditorFind;
@@ -231,7 +231,7 @@ namespace Rill.Tests
             added.gameObject.SetActive(true);
         }
 
-        // As the Editor stores an object: it refers to the stages that it uses.
+        // Builds like the Editor, which stores an object so that it refers to the stages that it uses.
         void Build(GameObject gameObject)
         {
             StageShader.EditorFind = editorFind;

@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What moves or turns while a fluid's time stands, whatever stops it, has not moved through the water; and who asks is
+    /// <summary>Objects that move or turn while a fluid's time stands, whatever stops it, have not moved through the water; and queries are
     /// answered.</summary>
     public class StoppedTimeTests : PlayedFluidFixture
     {
@@ -183,7 +183,7 @@ namespace Rill.Tests
                 Assert.That(batch.TryGetHit(0, out FluidRayHit hit) && hit.hit);
                 Assert.That(hit.point.y, Is.EqualTo(0f).Within(0.06f));
 
-                // What scripts change while time stands is seen, too.
+                // Changes by scripts while time stands are visible, too.
                 fluid.RemoveInside(FluidShape.Box(new Vector3(0f, -0.2f, 0f), Box));
                 yield return Frames(4);
                 Assert.That(probe.Latest.density, Is.Zero);

@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What the simulation calls within its frame and throws does not stop the water.</summary>
+    /// <summary>Exceptions in calls by the simulation within its frame do not stop the water.</summary>
     public class ThrownSourceTests
     {
         [Test]
@@ -18,7 +18,7 @@ namespace Rill.Tests
             {
                 var source = new Source { throws = true };
                 scene.Fluid.Inputs.Colliders.Source = source;
-                ExpectOnce("planted in Gather", "without Source in each frame");
+                LogsOnce("planted in Gather", "without Source in each frame");
                 scene.Step(5);
                 Assert.That(scene.Fluid.StepCount, Is.EqualTo(5));
                 Assert.That(source.asked, Is.EqualTo(5), "asked in each frame");
@@ -34,7 +34,7 @@ namespace Rill.Tests
                 var source = new Source { throws = true };
                 source.colliders.Add(new Sphere("Ball"));
                 scene.Fluid.Inputs.Colliders.Source = source;
-                ExpectOnce("planted in Gather", "without Source");
+                LogsOnce("planted in Gather", "without Source");
                 scene.Step();
                 Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
                 source.throws = false;
@@ -56,8 +56,8 @@ namespace Rill.Tests
                 scene.Fluid.Inputs.Colliders.Source = source;
                 if (where == "Name")
                     ((Sphere)source.colliders[1]).throwsIn += " Describe";
-                ExpectOnce("planted in " + (where == "Name" ? "Describe" : where), where == "Name" ? "without Sphere in" : "without Sphere 'Faulty'");
-                ExpectOnce("NullReferenceException", "without a collider that is null");
+                LogsOnce("planted in " + (where == "Name" ? "Describe" : where), where == "Name" ? "without Sphere in" : "without Sphere 'Faulty'");
+                LogsOnce("NullReferenceException", "without a collider that is null");
                 scene.Step(3);
                 Assert.That(scene.Fluid.StepCount, Is.EqualTo(3));
                 Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.EqualTo(2));
@@ -75,7 +75,7 @@ namespace Rill.Tests
                 source.colliders.Add(faulty);
                 source.colliders.Add(whole);
                 scene.Fluid.Inputs.Colliders.Source = source;
-                ExpectOnce("planted in SetForce", "without Sphere 'Faulty'");
+                LogsOnce("planted in SetForce", "without Sphere 'Faulty'");
                 for (int i = 0; i < 4; i++)
                 {
                     scene.Step();
@@ -92,7 +92,7 @@ namespace Rill.Tests
             using (SourceScene scene = Scene())
             {
                 scene.Fluid.BeforeStep += Faulty;
-                ExpectOnce("planted in a pass", "the pass ThrownSourceTests.Faulty of BeforeStep");
+                LogsOnce("planted in a pass", "the pass ThrownSourceTests.Faulty of BeforeStep");
                 scene.Step(5);
                 Assert.That(scene.Fluid.StepCount, Is.EqualTo(5));
                 LogAssert.NoUnexpectedReceived();
@@ -107,7 +107,7 @@ namespace Rill.Tests
                 scene.Fluid.Inputs.Colliders.Source = new Source { throws = true };
                 for (int i = 0; i < 2; i++)
                 {
-                    ExpectOnce("planted in Gather", "without Source");
+                    LogsOnce("planted in Gather", "without Source");
                     scene.Step(2);
                     scene.Fluid.enabled = false;
                     scene.Fluid.enabled = true;
@@ -120,7 +120,7 @@ namespace Rill.Tests
 
         static void Faulty(CommandBuffer commands, FluidParticles particles) => throw new InvalidOperationException("planted in a pass");
 
-        static void ExpectOnce(string exception, string name)
+        static void LogsOnce(string exception, string name)
         {
             LogAssert.Expect(LogType.Exception, new Regex(exception));
             LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid' goes on.*" + name + ".*correct what throws it"));

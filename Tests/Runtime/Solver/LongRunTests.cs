@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>What a thousand steps add up to. The report's page has a hundred thousand.</summary>
+    /// <summary>Drift over a thousand steps. The report's page has a hundred thousand.</summary>
     [Category("LongRun")]
     public class LongRunTests
     {

@@ -67,7 +67,7 @@ namespace Rill.Tests
             {
                 double velocity = fluid.Step(30).Measure().momentum.y / (1000.0 * spacing * spacing * spacing);
                 // Velocities are differences of positions: what a substep adds is rounded to the floats near 78 d, the
-                // same way every time.
+                // same result every time.
                 double dt = 1.0 / 60.0 / substeps, fall = 9.81 / spacing * dt * dt, rounding = Math.Pow(2.0, -18);
                 Assert.That(velocity, Is.EqualTo(-9.81 * 0.5).Within(9.81 * 0.5 * rounding / fall));
             }
@@ -105,9 +105,9 @@ namespace Rill.Tests
 
             TestFluid Crowd()
             {
-                float3[] places = Enumerable.Range(0, 800)
+                float3[] positions = Enumerable.Range(0, 800)
                     .Select(i => new float3(0.51f) + 0.03f * new float3(i % 10, i / 10 % 10, i / 100) / 10f).ToArray();
-                return new TestFluid(1f, 0.05f, 800).Add(places);
+                return new TestFluid(1f, 0.05f, 800).Add(positions);
             }
         }
 
@@ -202,9 +202,9 @@ namespace Rill.Tests
         [TestCase(100)]
         public void One_particle_too_many_is_refused_and_the_others_go_on(int capacity)
         {
-            float3[] places = Enumerable.Range(0, capacity + 1)
+            float3[] positions = Enumerable.Range(0, capacity + 1)
                 .Select(i => new float3(0.05f + 0.08f * (i % 11), 0.1f + 0.08f * (i / 11), 0.5f)).ToArray();
-            using (var fluid = new TestFluid(1f, 0.05f, capacity).Add(places).Step(2))
+            using (var fluid = new TestFluid(1f, 0.05f, capacity).Add(positions).Step(2))
             {
                 Assert.That(fluid.Alive, Is.EqualTo(capacity));
                 Assert.That(fluid.Counter(ParticleCounter.Refused), Is.EqualTo(1));

@@ -61,7 +61,7 @@ namespace Rill.Tests
         {
             readonly float spacing;
 
-            /// <summary>Where the fluid ends in x after each step, m.</summary>
+            /// <summary>Position at which the fluid ends in x after each step, m.</summary>
             public readonly List<float> Fronts = new List<float>();
 
             /// <summary>Times at which the mean velocity along x changes its sign, s.</summary>

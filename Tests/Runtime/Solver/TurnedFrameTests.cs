@@ -20,16 +20,16 @@ namespace Rill.Tests
         [Test]
         public void A_lump_on_a_plate_moves_the_same_where_all_of_it_is_turned([Values] Law law)
         {
-            (float3 place, float3 velocity)[] along = Run(law, quaternion.identity), turned = Run(law,
+            (float3 position, float3 velocity)[] along = Run(law, quaternion.identity), turned = Run(law,
                 quaternion.AxisAngle(math.normalize(new float3(1f, 2f, 3f)), 0.7f));
             double apart = 0.0, difference = 0.0, moved = 0.0, fastest = 0.0;
             for (int i = 0; i < along.Length; i++)
             {
-                apart = Math.Max(apart, math.distance(along[i].place, turned[i].place));
+                apart = Math.Max(apart, math.distance(along[i].position, turned[i].position));
                 difference = Math.Max(difference, math.distance(along[i].velocity, turned[i].velocity));
                 fastest = Math.Max(fastest, math.length(along[i].velocity));
             }
-            (float3 place, float3 velocity)[] plain = Run(law == Law.Friction ? Law.Water : Law.Friction, quaternion.identity);
+            (float3 position, float3 velocity)[] plain = Run(law == Law.Friction ? Law.Water : Law.Friction, quaternion.identity);
             for (int i = 0; i < along.Length; i++)
                 moved = Math.Max(moved, math.distance(along[i].velocity, plain[i].velocity));
             TestContext.Out.WriteLine($"{apart:g2} d and {difference / fastest:g2} of the fastest apart; the law itself {moved / fastest:g2}");
@@ -46,11 +46,11 @@ namespace Rill.Tests
         public void Deep_water_among_colliders_moves_the_same_where_all_of_it_is_turned_by_quarters([Values(1, 2, 3, 4, 5, 6)] int turn)
         {
             bool isPlane = turn < FirstThird;
-            (float3 place, float3 velocity)[] along = RunDeep(Quarters[0], isPlane), turned = RunDeep(Quarters[turn], isPlane);
+            (float3 position, float3 velocity)[] along = RunDeep(Quarters[0], isPlane), turned = RunDeep(Quarters[turn], isPlane);
             double apart = 0.0, difference = 0.0, fastest = 0.0;
             for (int i = 0; i < along.Length; i++)
             {
-                apart = Math.Max(apart, math.distance(along[i].place, turned[i].place));
+                apart = Math.Max(apart, math.distance(along[i].position, turned[i].position));
                 difference = Math.Max(difference, math.distance(along[i].velocity, turned[i].velocity));
                 fastest = Math.Max(fastest, math.length(along[i].velocity));
             }
@@ -73,7 +73,7 @@ namespace Rill.Tests
             new float3x3(0, 1, 0, 0, 0, 1, 1, 0, 0),
         };
 
-        static (float3 place, float3 velocity)[] RunDeep(float3x3 turn, bool isPlane)
+        static (float3 position, float3 velocity)[] RunDeep(float3x3 turn, bool isPlane)
         {
             const float side = 24f;
             quaternion rotation = new quaternion(turn);
@@ -84,7 +84,7 @@ namespace Rill.Tests
                 math.mul(rotation, quaternion.Euler(0.2f, 0.5f, -0.3f)));
             ColliderMotion ball = ColliderTests.Still(ColliderShape.Sphere, 3.3f, Put(new float3(-5.3f, -0.7f, -6.1f)), rotation);
             var random = new Unity.Mathematics.Random(29u);
-            var places = new List<float3>();
+            var positions = new List<float3>();
             var velocities = new List<float3>();
             for (int i = 0; i < 24 * 18 * 24; i++)
             {
@@ -92,22 +92,22 @@ namespace Rill.Tests
                 float3 v = random.NextFloat3(-1f, 1f) + 8f * math.sin(0.3f * p.zxy);
                 if (p.y > 0.3f * p.x + 0.1f * p.z + 1f || math.min(math.min(Away(slope, p), Away(post, p)), Away(ball, p)) < 0.6f)
                     continue;
-                places.Add(Put(p) * Spacing);
+                positions.Add(Put(p) * Spacing);
                 velocities.Add(math.mul(turn, v) * Spacing);
             }
-            using (var fluid = new TestFluid(side * Spacing, Spacing, places.Count, ColliderDeepWaterTests.Deep))
+            using (var fluid = new TestFluid(side * Spacing, Spacing, positions.Count, ColliderDeepWaterTests.Deep))
             {
                 fluid.Input.gravity = math.mul(turn, new float3(1f, -9f, 0.5f));
                 fluid.Step();
                 fluid.Solver.Coarse.Solver.Cycles = 40;
-                fluid.Add(places.ToArray(), velocities.ToArray());
+                fluid.Add(positions.ToArray(), velocities.ToArray());
                 for (int step = 0; step < 3; step++)
                 {
                     ColliderTests.Use(fluid, isPlane ? new[] { Moved(slope, step, 0.05f) } : new[] { slope, post, Moved(ball, step, 0.1f) });
                     fluid.Step();
                 }
                 ParticleState state = fluid.Read();
-                Assert.That(state.Count, Is.EqualTo(places.Count).And.GreaterThan(2000));
+                Assert.That(state.Count, Is.EqualTo(positions.Count).And.GreaterThan(2000));
                 float3x3 back = math.transpose(turn);
                 return Enumerable.Range(0, state.Count).OrderBy(i => state.ids[i]).Select(i => (math.mul(back, state.positions[i].xyz - center),
                     math.mul(back, state.velocities[i].xyz))).ToArray();
@@ -127,22 +127,22 @@ namespace Rill.Tests
         }
 
         // By number, turned back; d and d/s.
-        static (float3 place, float3 velocity)[] Run(Law law, quaternion rotation)
+        static (float3 position, float3 velocity)[] Run(Law law, quaternion rotation)
         {
             var random = new Unity.Mathematics.Random(71u);
-            float3[] places = new float3[100], velocities = new float3[places.Length];
-            for (int i = 0; i < places.Length; i++)
+            float3[] positions = new float3[100], velocities = new float3[positions.Length];
+            for (int i = 0; i < positions.Length; i++)
             {
-                places[i] = new float3(i % 5 - 2f, i / 25 + 0.6f, i / 5 % 5 - 2f) + random.NextFloat3(-0.2f, 0.2f);
+                positions[i] = new float3(i % 5 - 2f, i / 25 + 0.6f, i / 5 % 5 - 2f) + random.NextFloat3(-0.2f, 0.2f);
                 // turning, shearing and stretching alike
-                velocities[i] = math.mul(new float3x3(0.2f, 0.5f, -0.3f, -0.2f, -0.1f, 0.4f, 0.6f, 0.1f, -0.1f), places[i])
+                velocities[i] = math.mul(new float3x3(0.2f, 0.5f, -0.3f, -0.2f, -0.1f, 0.4f, 0.6f, 0.1f, -0.1f), positions[i])
                     + random.NextFloat3(-0.2f, 0.2f);
                 velocities[i] *= 5f;
             }
             SolverSettings settings = SolverSettings.Default;
             settings.deepWater = DeepWater.Off;
             settings.numericalDamping = law == Law.Extrapolated ? 0f : 1f;
-            using (var fluid = new TestFluid(32f * Spacing, Spacing, places.Length, settings))
+            using (var fluid = new TestFluid(32f * Spacing, Spacing, positions.Length, settings))
             {
                 FluidMaterial material = fluid.Input.material;
                 material.velocitySmoothing = law == Law.Water ? 0.05f : 0f;
@@ -157,7 +157,7 @@ namespace Rill.Tests
                 fluid.Input.material = material;
                 fluid.Input.timeStep = TimeStep;
                 fluid.Input.gravity = math.mul(rotation, new float3(2f, -9f, 1f));
-                fluid.Add(places.Select(p => (Center + math.mul(rotation, p)) * Spacing).ToArray(), velocities.Select(v => math.mul(rotation, v)
+                fluid.Add(positions.Select(p => (Center + math.mul(rotation, p)) * Spacing).ToArray(), velocities.Select(v => math.mul(rotation, v)
                     * Spacing).ToArray());
                 for (int step = 0; step < Steps; step++)
                 {
@@ -177,7 +177,7 @@ namespace Rill.Tests
                     fluid.Step();
                 }
                 ParticleState state = fluid.Read();
-                Assert.That(state.Count, Is.EqualTo(places.Length));
+                Assert.That(state.Count, Is.EqualTo(positions.Length));
                 quaternion back = math.inverse(rotation);
                 return Enumerable.Range(0, state.Count).OrderBy(i => state.ids[i]).Select(i => (math.mul(back, state.positions[i].xyz - Center),
                     math.mul(back, state.velocities[i].xyz))).ToArray();
@@ -187,7 +187,7 @@ namespace Rill.Tests
         static ColliderMotion Plate(float3 size, float3 position, quaternion rotation)
             => ColliderTests.Still(ColliderShape.Box, size, Center + math.mul(rotation, position), rotation);
 
-        // About an axis that lies across the plate's middle and through it, all of it turned.
+        // About an axis that lies across the plate's center and through it, all of it turned.
         static RigidPose Turned(RigidPose pose, quaternion rotation, float angle)
         {
             quaternion turn = quaternion.AxisAngle(math.mul(rotation, math.normalize(new float3(0.5f, 1f, 0.2f))), angle);

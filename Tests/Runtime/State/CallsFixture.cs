@@ -97,7 +97,7 @@ namespace Rill.Tests
                     break;
                 case Call.Recenter:
                     shift += new Vector3(0.1f, 0f, 0f);
-                    fluid.Recenter(PlaceOfFluid);
+                    fluid.Recenter(FluidPosition);
                     Move();
                     break;
                 case Call.DisableAndEnable:
@@ -196,7 +196,7 @@ namespace Rill.Tests
             return thing;
         }
 
-        Vector3 PlaceOfFluid => shift + (stands ? Vector3.zero : new Vector3(0.05f * math.sin(7f * frame / 60f), 0f, 0f));
+        Vector3 FluidPosition => shift + (stands ? Vector3.zero : new Vector3(0.05f * math.sin(7f * frame / 60f), 0f, 0f));
 
         protected void GoTo(int toFrame)
         {
@@ -233,7 +233,7 @@ namespace Rill.Tests
         void Move()
         {
             float time = stands ? 0f : frame / 60f;
-            scene.Fluid.transform.position = PlaceOfFluid;
+            scene.Fluid.transform.position = FluidPosition;
             collider.transform.rotation = turn * Quaternion.Euler(0f, 90f * time, 20f);
             collider.transform.position = colliderShift + new Vector3(0.25f * math.cos(4f * time), -0.3f, 0.2f * math.sin(3f * time));
             if (emitter != null)

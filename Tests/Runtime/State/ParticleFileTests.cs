@@ -33,7 +33,7 @@ namespace Rill.Tests
         {
             using (SourceScene scene = new SourceScene(new Vector3(1f, 1f, 0.8f), 0.05f, 4000).Fill(0.2f).Step(2))
             {
-                scene.Fluid.Inertial = false;       // the move is no jerk
+                scene.Fluid.Inertial = false;       // the move causes no jerk
                 scene.Fluid.transform.SetPositionAndRotation(new Vector3(3f, 1f, -2f), Quaternion.Euler(0f, 90f, 0f));
                 using (var sequence = new ParticleSequence(scene.Fluid, folder, "water", ParticleFileFormat.Ply))
                 {

@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What a script calls between two steps is neither lost nor kept by what else happens there: a fluid that is disabled,
+    /// <summary>Calls by a script between two steps are neither lost nor repeated whatever else happens there: a fluid that is disabled,
     /// teleported, restarted, restored or destroyed.</summary>
     public class PendingCallsTests : CallsFixture
     {
@@ -23,7 +23,7 @@ namespace Rill.Tests
             SnapshotSection.Drains, SnapshotSection.Colliders
         };
 
-        // Of a scene that stands still, part of it asleep: a wake is pending too.
+        // Runs a scene that stands still, part of it asleep: a wake is pending too.
         [Test]
         public void A_call_acts_in_the_next_step_whatever_happens_before_it([Values(Call.Nothing, Call.AddParticles, Call.RemoveInside,
             Call.Clear, Call.TeleportCollider, Call.RemoveCollider, Call.RemoveField, Call.Gravity, Call.Settings, Call.ResizeCollider)]
@@ -111,7 +111,7 @@ namespace Rill.Tests
             LogAssert.NoUnexpectedReceived();
         }
 
-        // What is asked for is the state of then, whatever is called before it comes.
+        // A request gets the state of its time, whatever is called before it arrives.
         [Test]
         public void A_snapshot_is_of_the_time_when_it_was_asked_for([Values(Call.AddParticles, Call.FillShape, Call.RemoveInside, Call.Clear,
             Call.TeleportFluid, Call.Recenter, Call.DisableAndEnable)] Call call, [Values] bool steps)

@@ -86,7 +86,7 @@ namespace Rill.Tests
             { "Rill.Foam.Counters", (Why.Output, "foam does not act on the water, and begins again") },
         };
 
-        // What belongs to a helper of several stages, or to what is drawn and measured.
+        // Parts that belong to a helper of several stages, or to what is drawn and measured.
         static readonly Dictionary<string, string> NotStoredBelow = new Dictionary<string, string>
         {
             { "neighborSearch.prefixSum.", "a prefix sum begins from nothing" },
@@ -128,12 +128,12 @@ namespace Rill.Tests
                             $"{buffer.Key} is in snapshots and on the list of what is not");
                     }
                 }
-            Assert.That(NotStored.Keys.Where(path => !seen.Contains(path)), Is.Empty, "on the list, but there is no such buffer");
+            Assert.That(NotStored.Keys.Where(path => !seen.Contains(path)), Is.Empty, "on the list, but not a buffer");
             TestContext.Out.WriteLine($"{seen.Count} buffers, " +
                 $"{seen.Count(path => !NotStored.ContainsKey(path) && !NotStoredBelow.Keys.Any(path.StartsWith))} of them stored");
         }
 
-        // What would be read before it is written shows: the fluid goes on as it did all the same.
+        // Reads before a write would show: the fluid goes on as it did all the same.
         [Test, Category("LongRun")]
         public void A_restored_fluid_reads_nothing_that_is_not_stored([Values] bool elastic)
         {

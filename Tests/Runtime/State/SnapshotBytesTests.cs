@@ -12,7 +12,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>Snapshots as bytes: what is no snapshot is refused in words, and nothing else comes of it.</summary>
+    /// <summary>Snapshots as bytes: what is not a snapshot is refused in words, and nothing else comes of it.</summary>
     public class SnapshotBytesTests
     {
         static readonly SnapshotCase Small = new SnapshotCase
@@ -25,7 +25,7 @@ namespace Rill.Tests
         FluidSnapshot snapshot;
 
         [OneTimeSetUp]
-        public void TakeOne()
+        public void Capture()
         {
             using (SnapshotScene scene = new SnapshotScene(Small).Run(3))
                 snapshot = scene.Take();

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What a script calls between the last step and a snapshot is in the snapshot: a fluid that is restored goes on as one that
+    /// <summary>Calls by a script between the last step and a snapshot are in the snapshot: a fluid that is restored goes on as one that
     /// never stopped.</summary>
     public class SnapshotCallsTests : CallsFixture
     {

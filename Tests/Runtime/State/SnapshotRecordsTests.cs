@@ -10,7 +10,7 @@ namespace Rill.Tests
     /// <summary>Each number of each record of a snapshot's bytes is damaged, under a right checksum, and refused.</summary>
     public class SnapshotRecordsTests : CallsFixture
     {
-        // What no whole number of a record can be; all others may have any bits.
+        // Values that no whole number of a record can have; all others may have any bits.
         static readonly HashSet<string> AnyBits = new HashSet<string> { ".goneEmitters", ".goneDrains", ".settings", ".material", ".nextId" };
 
         [Test]

@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>A fluid with all that acts on it, whose objects are where a step of the script has them: another made the same way does the
+    /// <summary>A fluid with all that acts on it, whose objects are where a step of the script has them: another made likewise does the
     /// same.</summary>
     sealed class SnapshotScene : IDisposable
     {
@@ -151,7 +151,7 @@ namespace Rill.Tests
         }
     }
 
-    /// <summary>What a scene of a snapshot test has.</summary>
+    /// <summary>Content of a scene of a snapshot test.</summary>
     public sealed class SnapshotCase
     {
         public string name;
@@ -161,7 +161,7 @@ namespace Rill.Tests
         public bool colliders, emitter, drain, field, moves, stands, draws;
         public int steps = 12;
 
-        /// <summary>s; frames that are no whole steps differ from each other, too.</summary>
+        /// <summary>s; frames that are not whole steps differ from each other, too.</summary>
         public float FrameTime(int frame) => frameSteps == 1f ? 1f / 60f : frameSteps / 60f * (1f + 0.3f * (frame % 3));
 
         public override string ToString() => name;

@@ -72,7 +72,7 @@ namespace Rill.Tests
             }
         }
 
-        // Where one buffer would be larger than the device binds; a snapshot does not know of it.
+        // Tests a buffer larger than the device binds; a snapshot does not know of it.
         [Test]
         public void Neighbor_lists_in_two_buffers_go_on_in_one_and_in_two()
         {

@@ -175,12 +175,12 @@ namespace Rill.Tests
             Make(0f, Calm, Few, 0.1f);
             Light sun = scene.Surface.Sun;
             yield return Frames();
-            float3 with = Middle();
+            float3 with = Center();
             scene.Surface.Caustics = false;
             yield return Frames();
-            float3 without = Middle();
+            float3 without = Center();
             Assert.That(with.y, Is.LessThan(0.6f * without.y));
-            var ways = new (string name, Action off, Action on)[]
+            var switches = new (string name, Action off, Action on)[]
             {
                 ("Caustics off", () => scene.Surface.Caustics = false, () => scene.Surface.Caustics = true),
                 ("the sun off", () => sun.enabled = false, () => sun.enabled = true),
@@ -188,7 +188,7 @@ namespace Rill.Tests
                 ("a point light", () => sun.type = LightType.Point, () => sun.type = LightType.Directional),
                 ("no sun", () => scene.Surface.Sun = null, () => scene.Surface.Sun = sun),
             };
-            foreach ((string name, Action off, Action on) in ways)
+            foreach ((string name, Action off, Action on) in switches)
             {
                 scene.Surface.Caustics = true;
                 yield return Frames();
@@ -198,7 +198,7 @@ namespace Rill.Tests
                 yield return Frames();
                 Assert.That(scene.Surface.CausticMap, Is.Null, name);
                 Assert.That(map == null, name);
-                Assert.That(math.distance(Middle(), without), Is.LessThan(1e-3f), name);
+                Assert.That(math.distance(Center(), without), Is.LessThan(1e-3f), name);
                 on();
             }
             scene.Surface.Refraction = false;
@@ -206,9 +206,9 @@ namespace Rill.Tests
             Assert.That(scene.Surface.CausticMap, Is.Null, "without refraction");
         }
 
-        float3 Middle() => scene.Pixels(Square)[Few / 2 * Few + Few / 2];
+        float3 Center() => scene.Pixels(Square)[Few / 2 * Few + Few / 2];
 
-        // Of the floor left and right of the middle.
+        // Light of the floor left and right of the center.
         (float lit, float dark) Sides()
         {
             float3[] pixels = scene.Pixels(Square);
@@ -222,12 +222,12 @@ namespace Rill.Tests
             const double span = 1.3;
             var sums = new double3[Across * Across];
             double3 calm = Bend(toLight, math.up());
-            double2 middle = calm.xz / calm.y * (0.1 - Floor);
+            double2 center = calm.xz / calm.y * (0.1 - Floor);
             double3 absorption = -math.log(Left) / 0.5;
             for (int i = 0; i < rays * rays; i++)
             {
                 // At a height of 0.1 m, then along the light to the surface.
-                double2 start = (new double2(i % rays + 0.5, i / rays + 0.5) / rays - 0.5) * span + middle;
+                double2 start = (new double2(i % rays + 0.5, i / rays + 0.5) / rays - 0.5) * span + center;
                 double3 p = new double3(start.x, 0.1, start.y);
                 for (int k = 0; k < 12; k++)
                     p += toLight / toLight.y * (height(p.xz) - p.y);

@@ -59,8 +59,8 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(box * spacing, spacing, 12480 * scale * scale * scale))
             {
                 fluid.AddBlock(0f, new float3(20f, 26f, 24f) * scale * spacing);
-                Vector3 middle = new float3(0.5f, 0.25f, 0.5f) * box * spacing;
-                picture.Look(middle + new Vector3(0.5f, 1.2f, -1.6f), middle, 35f, width, height);
+                Vector3 center = new float3(0.5f, 0.25f, 0.5f) * box * spacing;
+                picture.Look(center + new Vector3(0.5f, 1.2f, -1.6f), center, 35f, width, height);
                 double squares = 0.0;
                 long compared = 0;
                 int done = 0;
@@ -79,7 +79,7 @@ namespace Rill.Tests
             }
         }
 
-        // Of the free surface: pixels that show water in a wall of the box are right by construction.
+        // Errors of the free surface: pixels that show water in a wall of the box are right by construction.
         static double[] Errors(SurfacePicture picture, double3[] particles, double3 box, double spacing, out string told)
         {
             var water = new Isosurface(particles, box);

@@ -63,7 +63,7 @@ namespace Rill.Tests
             dark.transform.localScale = new Vector3(3f, 10f, 1f);
             fluid.gameObject.SetActive(true);
             yield return Frames(4);
-            // The water is a meter wide in a picture of 5.2 m and reaches from half a meter below its middle to 0.1 m above.
+            // The water is a meter wide in a picture of 5.2 m and reaches from half a meter below its center to 0.1 m above.
             float left = scene.Mean(28, 30, 27, 31).g, right = scene.Mean(34, 36, 27, 31).g;
             Assert.That(left, Is.LessThan(0.1f));
             Assert.That(right, Is.GreaterThan(0.9f));
@@ -88,9 +88,9 @@ namespace Rill.Tests
             fluid.gameObject.SetActive(true);
             yield return Frames(20);
             const int rows = 7;
-            int middle = Pixels / 2;
-            float white = scene.Mean(24, 40, middle - rows - 2, middle - rows).g, black = scene.Mean(24, 40, middle + rows, middle + rows + 2).g;
-            float found = (scene.Mean(24, 40, middle - rows, middle + rows).g - black) / (white - black);
+            int center = Pixels / 2;
+            float white = scene.Mean(24, 40, center - rows - 2, center - rows).g, black = scene.Mean(24, 40, center + rows, center + rows + 2).g;
+            float found = (scene.Mean(24, 40, center - rows, center + rows).g - black) / (white - black);
             float pixel = 2f * camera.orthographicSize / Pixels, along = (found - 0.5f) * 2f * rows * pixel * Mathf.Sqrt(2f);       // on the water, m
             TestContext.Out.WriteLine($"{along / (Depth * (1f - slope)):0.000} of the offset too far");
             Assert.That(white - black, Is.GreaterThan(0.8f));
@@ -190,7 +190,7 @@ namespace Rill.Tests
             (float rms, float high) = RmsAndHigh(differences);
             TestContext.Out.WriteLine($"{rms:0.000} of 255 rms, {high:0.00} at the 99.9th percentile");
             Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version + 8), "awake");
-            Assert.That(last[Pixels * Pixels / 2 + Pixels / 2].y, Is.LessThan(0.3f), "the floor is seen in the middle");
+            Assert.That(last[Pixels * Pixels / 2 + Pixels / 2].y, Is.LessThan(0.3f), "the floor is seen in the center");
             Assert.That(last[Pixels * 3 + 3].y, Is.GreaterThan(0.4f), "and the white beside it in the corner");
             Assert.That(rms, Is.LessThanOrEqualTo(3f), "single pixels at an edge change between black and white");
             Assert.That(high, Is.LessThanOrEqualTo(6.5f));
@@ -249,7 +249,7 @@ namespace Rill.Tests
             pane.transform.position = new Vector3(0f, -0.7f, 0f);
             yield return Frames(2);
             float behind = scene.Mean().g;
-            // Steep, through the surface at the picture's middle: its upper half is on the right.
+            // Steep, through the surface at the picture's center: its upper half is on the right.
             pane.transform.position = new Vector3(0f, Depth - 0.5f, 0f);
             pane.transform.rotation = Quaternion.Euler(0f, 0f, 30f) * Quaternion.LookRotation(Vector3.down);
             yield return Frames(2);
@@ -260,7 +260,7 @@ namespace Rill.Tests
                 $"{without:0.000} without, {before:0.000} before, {behind:0.000} behind, {left:0.000} and {right:0.000} through");
             float tinted = 0.5f * without;
             bool isDrawnAfter = queue > 2950;
-            // What is drawn before the water is what the water blends over, or refracts away; wherever it stands.
+            // The water blends over objects that are drawn before it, or refracts them away; wherever they stand.
             Assert.That(before, isDrawnAfter ? Is.EqualTo(tinted).Within(0.02f) : refracts ? Is.EqualTo(without).Within(0.02f)
                 : Is.LessThan(0.8f * without));
             Assert.That(behind, isDrawnAfter || refracts ? Is.EqualTo(without).Within(0.02f) : Is.LessThan(0.8f * without));
@@ -357,7 +357,7 @@ namespace Rill.Tests
             fluid.gameObject.SetActive(true);
             yield return Frames(3);
             float shaded = scene.Mean(8, 24, 8, 56).g, lit = scene.Mean(40, 56, 8, 56).g;
-            // Where nothing casts, the pipeline draws no map: the last one must not be taken for it.
+            // If nothing casts, the pipeline draws no map: the last one must not be taken for it.
             roof.SetActive(false);
             floor.GetComponent<MeshRenderer>().shadowCastingMode = surface.CastShadows = ShadowCastingMode.Off;
             yield return Frames(2);
@@ -433,7 +433,7 @@ namespace Rill.Tests
             Assert.That(look.Reflectance, Is.InRange(0.02f, 0.05f));
         }
 
-        // Of which nothing is seen but what its surface mirrors.
+        // Look of which nothing is seen but what its surface mirrors.
         static SurfaceLook Opaque(float roughness)
         {
             SurfaceLook look = Absorbing(1e-4f, 0.02f);
@@ -441,7 +441,7 @@ namespace Rill.Tests
             return look;
         }
 
-        // Of water, without polarization.
+        // Reflectance of water, without polarization.
         static float Fresnel(float degrees)
         {
             float cosine = Mathf.Cos(degrees * Mathf.Deg2Rad), within = Mathf.Sqrt(1f - (1f - cosine * cosine) / (1.333f * 1.333f));

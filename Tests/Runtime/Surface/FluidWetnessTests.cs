@@ -10,8 +10,8 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>What a fluid has wetted is darker until it has dried, seen from above: a block of weightless water that lies on the floor at the
-    /// left of its box until it is taken away.</summary>
+    /// <summary>Surfaces that a fluid has wetted are darker until they have dried, seen from above: a block of weightless water that lies on the
+    /// floor at the left of its box until it is taken away.</summary>
     public class FluidWetnessTests
     {
         const int Size = 64;
@@ -70,7 +70,7 @@ namespace Rill.Tests
             yield return WaterScene.Frames(3);
         }
 
-        // The same picture without any wetness.
+        // Renders the picture without any wetness.
         IEnumerator Dry(Action<float4[]> got)
         {
             wetness.enabled = false;
@@ -81,7 +81,7 @@ namespace Rill.Tests
         static int Pixel(float right, float up = 0f)
             => (int)((up / Half * 0.5f + 0.5f) * Size) * Size + (int)((right / Half * 0.5f + 0.5f) * Size);
 
-        static float Share(float4[] wet, float4[] dry, int pixel) => math.csum(wet[pixel].xyz) / math.csum(dry[pixel].xyz);
+        static float FractionOf(float4[] wet, float4[] dry, int pixel) => math.csum(wet[pixel].xyz) / math.csum(dry[pixel].xyz);
 
         static int Changed(float4[] a, float4[] b)
         {
@@ -108,11 +108,11 @@ namespace Rill.Tests
                 float inside = math.cmin(within);
                 bool isInBox = math.cmax(math.abs(at)) < 0.5f;
                 if (inside > WaterScene.Spacing && isInBox)
-                    worst = math.max(worst, math.abs(Share(wet, dry, i) - (1f - Darkening)));
+                    worst = math.max(worst, math.abs(FractionOf(wet, dry, i) - (1f - Darkening)));
                 if (inside < -2f * WaterScene.Spacing)
                     changed += math.any(wet[i].xyz != dry[i].xyz) ? 1 : 0;
             }
-            TestContext.Out.WriteLine($"share off by {worst:0.00000}, {changed} others changed");
+            TestContext.Out.WriteLine($"fraction off by {worst:0.00000}, {changed} others changed");
             Assert.That(worst, Is.LessThan(0.001f));
             Assert.That(changed, Is.Zero);
         }
@@ -136,7 +136,7 @@ namespace Rill.Tests
             float4[] late = scene.Pixels();
             yield return Dry(pixels => dry = pixels);
             int at = Pixel(-0.3f);
-            float before = 1f - Share(first, dry, at), after = 1f - Share(second, dry, at);
+            float before = 1f - FractionOf(first, dry, at), after = 1f - FractionOf(second, dry, at);
             TestContext.Out.WriteLine($"{before:0.0000} and {passed:0.000} s later {after:0.0000}");
             Assert.That(passed, Is.GreaterThan(0.25));
             Assert.That(after / before, Is.EqualTo(math.exp(-passed / time)).Within(0.005f));
@@ -200,7 +200,7 @@ namespace Rill.Tests
             {
                 Vector3 at = aslant.WorldToViewportPoint(new Vector3(right, -0.5f, 0.1f));
                 int pixel = (int)(at.y * Size) * Size + (int)(at.x * Size);
-                Assert.That(Share(wet, dryAslant, pixel), Is.EqualTo(right < 0f ? 1f - Darkening : 1f).Within(0.002f), $"{right}");
+                Assert.That(FractionOf(wet, dryAslant, pixel), Is.EqualTo(right < 0f ? 1f - Darkening : 1f).Within(0.002f), $"{right}");
             }
         }
 
@@ -217,7 +217,7 @@ namespace Rill.Tests
             {
                 Vector3 world = scene.Root.transform.TransformPoint(inBox);
                 bool isWet = inBox.x < 0f && math.abs(inBox.z) < 0.3f;
-                Assert.That(Share(wet, dry, Pixel(world.x, world.z)), Is.EqualTo(isWet ? 1f - Darkening : 1f).Within(0.001f), $"{inBox}");
+                Assert.That(FractionOf(wet, dry, Pixel(world.x, world.z)), Is.EqualTo(isWet ? 1f - Darkening : 1f).Within(0.001f), $"{inBox}");
             }
         }
 
@@ -240,8 +240,8 @@ namespace Rill.Tests
                 float2 at = (new float2(i % Size, i / Size) + 0.5f) / Size * 2f * Half - Half;
                 if (math.any(at < new float2(-0.5f + by.x + 0.03f, -0.47f)) || math.any(at > new float2(0.47f, 0.5f + by.z - 0.03f)))
                     continue;       // in one of the boxes alone, or at its side
-                worst = math.max(worst, math.abs(Share(after, dry, i) - Share(before, dry, i)));
-                wet += Share(before, dry, i) < 0.6f ? 1 : 0;
+                worst = math.max(worst, math.abs(FractionOf(after, dry, i) - FractionOf(before, dry, i)));
+                wet += FractionOf(before, dry, i) < 0.6f ? 1 : 0;
             }
             TestContext.Out.WriteLine($"{wet} pixels wet, worst {worst:0.00000}");
             Assert.That(wet, Is.GreaterThan(200));
@@ -290,9 +290,9 @@ namespace Rill.Tests
             float4[] wet = scene.Pixels(), dry = null;
             secondWetness.enabled = false;
             yield return Dry(pixels => dry = pixels);
-            Assert.That(Share(wet, dry, Pixel(-0.3f - 0.2f)), Is.EqualTo(0.5f).Within(0.001f), "the first's");
-            Assert.That(Share(wet, dry, Pixel(0.7f - 0.2f)), Is.EqualTo(0.8f).Within(0.001f), "the second's");
-            Assert.That(Share(wet, dry, Pixel(0.2f - 0.2f)), Is.EqualTo(1f), "between");
+            Assert.That(FractionOf(wet, dry, Pixel(-0.3f - 0.2f)), Is.EqualTo(0.5f).Within(0.001f), "the first's");
+            Assert.That(FractionOf(wet, dry, Pixel(0.7f - 0.2f)), Is.EqualTo(0.8f).Within(0.001f), "the second's");
+            Assert.That(FractionOf(wet, dry, Pixel(0.2f - 0.2f)), Is.EqualTo(1f), "between");
         }
 
         [UnityTest]

@@ -62,20 +62,20 @@ namespace Rill.Tests
                 fluid.Input.gravity = -9.81f * up;
                 fluid.Input.material.velocitySmoothing = viscosity;
                 fluid.AddBlock(0f, new float3(side, depth, side) * Spacing, jitter: 0.3f).Step(steps);
-                float3 middle = new float3(0.5f * side, depth, 0.5f * side) * Spacing;
+                float3 center = new float3(0.5f * side, depth, 0.5f * side) * Spacing;
                 var water = new Isosurface(Compare.Points(fluid.Read().positions), fluid.Solver.Layout.DomainSize);
-                picture.Look((Vector3)middle + 3f * Vector3.up, middle, -side * Spacing, 200, 200).Draw(fluid);
+                picture.Look((Vector3)center + 3f * Vector3.up, center, -side * Spacing, 200, 200).Draw(fluid);
                 double sum = 0.0, squares = 0.0, slopes = 0.0, raw = 0.0, rawSquares = 0.0;
                 int all = 0, inside = 0, rays = 0, raysInside = 0;
                 for (int y = 0; y < picture.Height; y++)
                     for (int x = 0; x < picture.Width; x++)
                     {
                         float3 point = picture.Point(x, y);
-                        double error = math.dot(point - middle, up) / Spacing;
-                        bool isInside = math.cmax(math.abs(point - middle).xz) < (0.5f * side - rim) * Spacing;
+                        double error = math.dot(point - center, up) / Spacing;
+                        bool isInside = math.cmax(math.abs(point - center).xz) < (0.5f * side - rim) * Spacing;
                         if (picture.Depth[y * picture.Width + x] == 0.0)
                         {
-                            Assert.That(math.cmin(0.5f * side * Spacing - math.abs(point - middle).xz), Is.LessThan(0.5f * Spacing),
+                            Assert.That(math.cmin(0.5f * side * Spacing - math.abs(point - center).xz), Is.LessThan(0.5f * Spacing),
                                 "a hole that is not in a corner");
                             continue;
                         }
@@ -91,7 +91,7 @@ namespace Rill.Tests
                         }
                         if (x % Coarse != 0 || y % Coarse != 0)
                             continue;
-                        double of = math.dot(RawPoint(water, picture, x, y) - (double3)middle / Spacing, up);
+                        double of = math.dot(RawPoint(water, picture, x, y) - (double3)center / Spacing, up);
                         raw += of;
                         rays++;
                         if (!isInside)
@@ -132,9 +132,9 @@ namespace Rill.Tests
                 }
                 double3[] points = Compare.Points(fluid.Read().positions);
                 double radius = Math.Pow(0.75 / Math.PI * count, 1.0 / 3.0);
-                double3 middle = points.Aggregate((a, b) => a + b) / count;
+                double3 center = points.Aggregate((a, b) => a + b) / count;
                 var water = new Isosurface(points, 30.0);
-                float3 at = (float3)middle * Spacing;
+                float3 at = (float3)center * Spacing;
                 picture.Look((Vector3)at + 3f * Vector3.back, at, -24f * Spacing, 240, 240).Draw(fluid);
                 double squares = 0.0, sum = 0.0, raw = 0.0, between = 0.0;
                 int both = 0, either = 0, rays = 0;
@@ -143,12 +143,12 @@ namespace Rill.Tests
                     {
                         picture.Ray(x, y, out float3 origin, out _);
                         double drawn = picture.Depth[y * picture.Width + x] / Spacing,
-                            left = radius * radius - math.lengthsq(origin.xy / Spacing - middle.xy);
+                            left = radius * radius - math.lengthsq(origin.xy / Spacing - center.xy);
                         either += left > 0.0 || drawn > 0.0 ? 1 : 0;
                         if (left <= 0.0 || drawn == 0.0)
                             continue;
                         both++;
-                        double error = drawn - (middle.z - origin.z / Spacing - Math.Sqrt(left));
+                        double error = drawn - (center.z - origin.z / Spacing - Math.Sqrt(left));
                         sum += error;
                         squares += error * error;
                         if (x % Coarse != 0 || y % Coarse != 0)
@@ -156,7 +156,7 @@ namespace Rill.Tests
                         double z = RawPoint(water, picture, x, y).z;
                         if (double.IsNaN(z))
                             continue;
-                        raw += Math.Pow(z - middle.z + Math.Sqrt(left), 2.0);
+                        raw += Math.Pow(z - center.z + Math.Sqrt(left), 2.0);
                         between += Math.Pow(z - origin.z / Spacing - drawn, 2.0);
                         rays++;
                     }

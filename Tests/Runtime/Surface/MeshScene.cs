@@ -69,7 +69,7 @@ namespace Rill.Tests
             }
         }
 
-        /// <summary>Puts water there in place of what was there, from the next frame on.</summary>
+        /// <summary>Puts water there instead of the old, from the next frame on.</summary>
         /// <param name="shape">Of a point of the world, m: the distance to the surface, m, above 0 in water.</param>
         /// <param name="displacement">Of all of it in the last substep, d.</param>
         /// <param name="lag">Substeps.</param>
@@ -133,7 +133,7 @@ namespace Rill.Tests
             return means;
         }
 
-        /// <summary>As a screen shows it (IEC 61966-2-1).</summary>
+        /// <summary>Converts to what a screen shows (IEC 61966-2-1).</summary>
         public static double Srgb(double linear)
         {
             double value = Math.Min(Math.Max(linear, 0.0), 1.0);
@@ -183,7 +183,7 @@ namespace Rill.Tests
             return material;
         }
 
-        // The same on all sides.
+        // Cube map with one value on all sides.
         Cubemap Around(float linear)
         {
             var cube = Keep(new Cubemap(4, TextureFormat.RGBAHalf, false));

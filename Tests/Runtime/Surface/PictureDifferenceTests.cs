@@ -74,7 +74,7 @@ namespace Rill.Tests
             Assert.Throws<ArgumentException>(() => Ssim.Mean(new double[49], new double[49], 7, 7));
         }
 
-        // Of one window, by hand: means 0.5 and 0.5, variance 0.25 each, covariance -0.25.
+        // Tests one window, by hand: means 0.5 and 0.5, variance 0.25 each, covariance -0.25.
         [Test]
         public void SSIM_is_1_for_equal_pictures_and_negative_for_the_opposite()
         {

@@ -94,8 +94,8 @@ namespace Rill.Tests
             scene.Fluid.Gravity = Vector3.zero;
             scene.Root.SetActive(true);
             yield return Frames(1);
-            var places = new[] { new float3(-0.15f, 0f, -0.15f), new float3(0.15f, 0.1f, -0.15f), new float3(0.15f, -0.1f, 0.15f) };
-            Add(places);
+            var positions = new[] { new float3(-0.15f, 0f, -0.15f), new float3(0.15f, 0.1f, -0.15f), new float3(0.15f, -0.1f, 0.15f) };
+            Add(positions);
             yield return Frames(4);
             uint[] counters = Counters();
             Assert.That(counters[(int)SurfaceMesh.Counter.Drops], Is.EqualTo(3));
@@ -107,7 +107,7 @@ namespace Rill.Tests
                 if (math.abs(pixels[i].y - 1f) < 0.01f)
                     continue;
                 float2 at = (new float2(i % Pixels, i / Pixels) + 0.5f) / Pixels * 0.6f - 0.3f;
-                if (places.Any(place => math.distance(place.xz, at) < 2f * Spacing))
+                if (positions.Any(p => math.distance(p.xz, at) < 2f * Spacing))
                     near++;
                 else
                     far++;
@@ -173,14 +173,14 @@ namespace Rill.Tests
             scene.Fluid.Gravity = Vector3.zero;
             scene.Root.SetActive(true);
             yield return Frames(1);
-            var places = new List<float3>();        // clumps of 27, far apart
+            var positions = new List<float3>();        // clumps of 27, far apart
             for (int clump = 0; clump < 75; clump++)
             {
                 float3 at = 3f + 6f * new float3(clump % 5, clump / 25, clump / 5 % 5);
                 for (int k = 0; k < 27; k++)
-                    places.Add((at + new float3(k % 3, k / 3 % 3, k / 9)) * Spacing - new float3(0.8f, 0.5f, 0.8f));
+                    positions.Add((at + new float3(k % 3, k / 3 % 3, k / 9)) * Spacing - new float3(0.8f, 0.5f, 0.8f));
             }
-            Add(places.ToArray());
+            Add(positions.ToArray());
             yield return Frames(1);
             int vertexRoom = scene.Fluid.Solver.Mesh.VertexCapacity, brickRoom = scene.Fluid.Solver.Mesh.BrickCapacity;
             var dark = new List<int>();
@@ -236,10 +236,10 @@ namespace Rill.Tests
         }
 
         // World, m; at rest.
-        void Add(float3[] places)
+        void Add(float3[] points)
         {
-            using (var positions = new NativeArray<float3>(places, Allocator.Persistent))
-            using (var velocities = new NativeArray<float3>(places.Length, Allocator.Persistent))
+            using (var positions = new NativeArray<float3>(points, Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(points.Length, Allocator.Persistent))
                 scene.Fluid.AddParticles(positions, velocities);
         }
 

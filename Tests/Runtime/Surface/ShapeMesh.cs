@@ -137,7 +137,7 @@ namespace Rill.Tests
             return -math.normalizesafe(new float3(shape(p + x) - shape(p - x), shape(p + y) - shape(p - y), shape(p + z) - shape(p - z)), math.up());
         }
 
-        // Of a cell whose nodes differ: the mean of where its edges are crossed, then on the surface; at a wall of the domain on that.
+        // Point of a cell whose nodes differ: the mean of where its edges are crossed, then on the surface; at a wall of the domain on that.
         float3 Point(int3 of)
         {
             float3 sum = 0f;

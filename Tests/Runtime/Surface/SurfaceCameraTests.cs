@@ -44,7 +44,7 @@ namespace Rill.Tests
             scene.Root.SetActive(true);
             yield return Frames(20);
             Color fromAbove = scene.Mean(), fromTheSide = Mean(other);
-            // 0.6 m from above; a meter from the side, where it reaches up to the middle of the picture and beyond.
+            // 0.6 m from above; a meter from the side, where it reaches up to the center of the picture and beyond.
             Assert.That(fromAbove.g, Is.EqualTo(0.9596f * Mathf.Pow(Left.y, Depth / 0.5f)).Within(0.02f));
             Assert.That(fromTheSide.g, Is.LessThan(fromAbove.g));
         }
@@ -167,7 +167,7 @@ namespace Rill.Tests
                 yield return Frames(2);
                 float[] differences = scene.Pixels().Select((pixel, i) => math.cmax(math.abs(pixel.xyz - straight[i].xyz))).ToArray();
                 TestContext.Out.WriteLine($"{differences.Max():0.0000} at most, {differences.Count(one => one > 0.004f)} pixels");
-                // Where a bent ray only just passes the post, or only just leaves the picture, rounding decides.
+                // If a bent ray only just passes the post, or only just leaves the picture, rounding decides.
                 Assert.That(differences.Count(one => one > 0.004f), Is.LessThanOrEqualTo(refracts ? Size * Size / 25 : 0), $"{tilt}");
             }
             Assert.That(straight.Count(pixel => pixel.y < 0.5f), Is.GreaterThan(Size * Size / 4), "water");
@@ -179,7 +179,7 @@ namespace Rill.Tests
             scene.AddFloor(1f);
             yield return scene.Settle(10);
             float4[] whole = scene.Pixels();
-            // Through the middle of the picture where the water's surface is, and steep: of the left half nothing is left.
+            // Through the center of the picture where the water's surface is, and steep: of the left half nothing is left.
             SetNearPlane(scene.Camera, new Vector3(0f, Depth - 0.5f, 0f), new Vector3(1f, -0.1f, 0f));
             yield return Frames(2);
             float4[] half = scene.Pixels();

@@ -8,7 +8,7 @@ namespace Rill.Tests
     /// is behind that.</summary>
     sealed class SurfacePicture
     {
-        /// <summary>Of the mesh with <see cref="SurfaceQuality.Medium"/>, d.</summary>
+        /// <summary>Cell of the mesh with <see cref="SurfaceQuality.Medium"/>, d.</summary>
         public const float Medium = 0.75f;
 
         Matrix4x4 worldToView, projection;
@@ -16,7 +16,7 @@ namespace Rill.Tests
         public int Width { get; private set; }
         public int Height { get; private set; }
 
-        /// <summary>Depth along the view, m; 0 where there is no water. Row by row from the bottom.</summary>
+        /// <summary>Depth along the view, m; 0 without water. Row by row from the bottom.</summary>
         public double[] Depth { get; private set; }
 
         /// <summary>World, out of the water.</summary>
@@ -67,7 +67,7 @@ namespace Rill.Tests
             return this;
         }
 
-        /// <summary>The ray through the middle of a pixel, of length 1 along the view.</summary>
+        /// <summary>The ray through the center of a pixel, of length 1 along the view.</summary>
         public void Ray(int x, int y, out float3 origin, out float3 direction)
         {
             var picture = new Vector2((x + 0.5f) / Width * 2f - 1f, (y + 0.5f) / Height * 2f - 1f);
@@ -79,7 +79,7 @@ namespace Rill.Tests
             direction = toWorld.MultiplyVector(isOrthographic ? Vector3.back : across + Vector3.back);
         }
 
-        /// <summary>Where the surface is at a pixel, world, m.</summary>
+        /// <summary>Position of the surface at a pixel, world, m.</summary>
         public float3 Point(int x, int y)
         {
             Ray(x, y, out float3 origin, out float3 direction);

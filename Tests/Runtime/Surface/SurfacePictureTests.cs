@@ -28,16 +28,16 @@ namespace Rill.Tests
                     fluid.Step();
                     fluid.Solver.Velocities.SetData(new float4[inside.Length]);        // relaxes and goes nowhere
                 }
-                float3 middle = Mean(fluid) * Spacing;
+                float3 mid = Mean(fluid) * Spacing;
                 double expected = Math.Pow(3.0 * inside.Length / (4.0 * Math.PI), 1.0 / 3.0) * Spacing;
-                picture.Look((Vector3)middle - new Vector3(0f, 0f, 4f), middle, 20f, 320, 320).Draw(fluid);
+                picture.Look((Vector3)mid - new Vector3(0f, 0f, 4f), mid, 20f, 320, 320).Draw(fluid);
                 double squares = 0.0;
                 int both = 0, either = 0;
                 for (int y = 0; y < picture.Height; y++)
                     for (int x = 0; x < picture.Width; x++)
                     {
                         picture.Ray(x, y, out float3 origin, out float3 direction);
-                        bool hits = HitSphere(origin, direction, middle, expected, out double depth);
+                        bool hits = HitSphere(origin, direction, mid, expected, out double depth);
                         double drawn = picture.Depth[y * picture.Width + x];
                         either += hits || drawn > 0.0 ? 1 : 0;
                         if (!hits || drawn == 0.0)

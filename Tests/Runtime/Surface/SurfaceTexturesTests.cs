@@ -10,7 +10,7 @@ using static Rill.Tests.WaterScene;
 
 namespace Rill.Tests
 {
-    /// <summary>What the surface's textures take, and when they are made: for what the fluid covers of the picture, and not again for each
+    /// <summary>Size of the surface's textures, and when they are made: for what the fluid covers of the picture, and not again for each
     /// size.</summary>
     public class SurfaceTexturesTests
     {
@@ -25,7 +25,7 @@ namespace Rill.Tests
         [UnityTearDown]
         public IEnumerator LeaveNothing() => scene.End();
 
-        // As a pipeline with dynamic resolution has it: another size in each frame.
+        // Works like a pipeline with dynamic resolution: another size in each frame.
         [UnityTest]
         public IEnumerator A_picture_whose_size_swings_makes_no_new_textures_and_shows_the_same([Values] bool refracts)
         {

@@ -31,7 +31,7 @@ namespace Rill.Tests
             yield return null;
         }
 
-        // Of light that falls straight on the surface.
+        // Transmittance of light that falls straight on the surface.
         static float Straight => 1f - math.pow((Index - 1f) / (Index + 1f), 2f);
 
         void LookDown(float size)
@@ -41,7 +41,7 @@ namespace Rill.Tests
             scene.Camera.transform.SetPositionAndRotation(new Vector3(0f, 2f, 0f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
         }
 
-        float3 Middle()
+        float3 Center()
         {
             float3[] pixels = scene.Pixels();
             int width = scene.Target.width;
@@ -58,10 +58,10 @@ namespace Rill.Tests
             const float radius = 0.2f, depth = 0.5f;
             scene.Put(p => math.max(radius - math.distance(p, new float3(0f, 0.3f, 0f)), -0.8f + depth - p.y));
             yield return Frames();
-            float3 behindDrop = Middle();
+            float3 behindDrop = Center();
             scene.Put(p => -0.8f + depth - p.y);
             yield return Frames();
-            float3 pool = Middle();
+            float3 pool = Center();
             float3 expectedPool = 0.8f * Straight * math.pow(Left, depth / 0.5f),
                 expectedDrop = expectedPool * Straight * Straight * math.pow(Left, 2f * radius / 0.5f);
             TestContext.Out.WriteLine($"pool {pool} of {expectedPool}, behind a drop {behindDrop} of {expectedDrop}");
@@ -81,10 +81,10 @@ namespace Rill.Tests
             scene.Surface.Look = Absorbing();
             scene.Put(p => -0.3f - p.y);
             yield return Frames();
-            float3 pool = Middle();
+            float3 pool = Center();
             scene.Put(p => math.max(0.08f - math.length(p.xy - new float2(0f, 0.3f)), -0.3f - p.y));
             yield return Frames();
-            float3 jet = Middle(), expected = 0.8f * Left * math.pow(Straight, 3f) * math.pow(Left, 0.16f / 0.5f);
+            float3 jet = Center(), expected = 0.8f * Left * math.pow(Straight, 3f) * math.pow(Left, 0.16f / 0.5f);
             TestContext.Out.WriteLine($"pool {pool}, through the jet {jet} of {expected}");
             for (int i = 0; i < 3; i++)
                 Assert.That(jet[i], Is.EqualTo(expected[i]).Within(0.03f * expected[i]));
@@ -108,10 +108,10 @@ namespace Rill.Tests
             while (rim < pixels / 2 && seen[row + pixels / 2 + rim].x > 0.25f)
                 rim++;
             float angle = math.degrees(math.atan(math.tan(math.radians(60f)) * rim / (pixels / 2f)));
-            float middle = seen[row + pixels / 2].x, beyond = seen[row + pixels - 8].x;
-            TestContext.Out.WriteLine($"rim at {angle:0.00} degrees; middle {middle:0.000}, beyond {beyond:0.000}");
+            float center = seen[row + pixels / 2].x, beyond = seen[row + pixels - 8].x;
+            TestContext.Out.WriteLine($"rim at {angle:0.00} degrees; center {center:0.000}, beyond {beyond:0.000}");
             Assert.That(angle, Is.EqualTo(48.6f).Within(0.5f));
-            Assert.That(middle, Is.EqualTo(Straight).Within(0.03f));
+            Assert.That(center, Is.EqualTo(Straight).Within(0.03f));
             Assert.That(beyond, Is.LessThan(0.02f), "mirrored water, which is dark");
         }
 
@@ -122,7 +122,7 @@ namespace Rill.Tests
             scene.Camera.transform.SetPositionAndRotation(new Vector3(0f, 0.4f, 0f), Quaternion.LookRotation(Vector3.up, Vector3.forward));
             scene.Put(p => 0.2f - p.y);
             yield return Frames();
-            Assert.That(Middle().x, Is.EqualTo(1f).Within(1e-3f));
+            Assert.That(Center().x, Is.EqualTo(1f).Within(1e-3f));
         }
 
         [UnityTest]
@@ -136,7 +136,7 @@ namespace Rill.Tests
             // The lower one first, or last: by where they lie among the cells.
             scene.Put(p => math.max(0.1f - math.distance(p, new float3(0f, 0.3f, 0f)), 0.1f - math.distance(p, new float3(0f, -0.3f, 0f))));
             yield return Frames();
-            float3 through = Middle();
+            float3 through = Center();
             float expected = 0.8f * Straight * math.csum(math.pow(Left, 0.2f / 0.5f)) / 3f;
             Assert.That(through.x, Is.EqualTo(expected).Within(0.03f * expected), "the nearest alone");
         }

@@ -32,7 +32,7 @@ namespace Rill.Tests
             Time.captureDeltaTime = 0f;
         }
 
-        // As far as drawing runs ahead of the field: rays go through that where it is.
+        // Drawing runs ahead of the field: rays go through that where it is.
         [UnityTest]
         public IEnumerator Water_that_has_gone_on_since_its_step_bends_light_as_water_that_is_there()
         {
@@ -116,8 +116,8 @@ namespace Rill.Tests
             scene.Add(PrimitiveType.Cube, 0.8f, new Vector3(0f, 0f, 2f), Quaternion.identity, new Vector3(4f, 4f, 0.1f));
             yield return Frames();
             float3[] pixels = scene.Pixels();
-            int middle = Across / 2 * Across;
-            float near = pixels[middle + Across - 8].y, far = pixels[middle + 8].y;
+            int center = Across / 2 * Across;
+            float near = pixels[center + Across - 8].y, far = pixels[center + 8].y;
             TestContext.Out.WriteLine($"behind {deep} m {near:F4}, behind {all} m {far:F4}");
             float mirrored = 0.0204f * 0.5f, through = (1f - 0.0204f) * 0.8f;
             Assert.That(near, Is.EqualTo(mirrored + through * math.pow(leftPerMeter, deep)).Within(0.01f));

@@ -96,7 +96,7 @@ namespace Rill.Tests
             yield return WaterScene.Frames(3);
         }
 
-        // Along x, of each pixel of the middle of the picture; before what stands in the water, which is black.
+        // Along x, of each pixel of the center of the picture; before what stands in the water, which is black.
         float[] Slopes(int size = Pixels)
         {
             float3[] pixels = scene.Pixels();
@@ -132,7 +132,7 @@ namespace Rill.Tests
             var face = new Color[size * size];
             for (int i = 0; i < face.Length; i++)
             {
-                // Of the upper face, whose rows go along z.
+                // Position on the upper face, whose rows go along z.
                 float x = (i % size + 0.5f) / size * 2f - 1f, z = (i / size + 0.5f) / size * 2f - 1f;
                 float value = 0.5f + 0.5f * x / math.sqrt(1f + x * x + z * z);
                 face[i] = new Color(value, value, value, 1f);

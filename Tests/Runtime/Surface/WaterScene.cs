@@ -58,7 +58,7 @@ namespace Rill.Tests
             return look;
         }
 
-        /// <summary>As a field takes it: fields are in sRGB, and the project calculates in linear or in gamma space.</summary>
+        /// <summary>Encodes a color for a field: fields are in sRGB, and the project calculates in linear or in gamma space.</summary>
         public static Color Encoded(float3 linear)
         {
             var color = new Color(linear.x, linear.y, linear.z);
@@ -191,7 +191,7 @@ namespace Rill.Tests
             return request.GetData<float4>().ToArray();
         }
 
-        /// <summary>The pixel that far right of and above the middle of the picture, m.</summary>
+        /// <summary>The pixel that far right of and above the center of the picture, m.</summary>
         public float3 At(float right, float up = 0f)
         {
             int x = (int)((right / Camera.orthographicSize * 0.5f + 0.5f) * Target.width),
@@ -199,7 +199,7 @@ namespace Rill.Tests
             return Pixels()[y * Target.width + x].xyz;
         }
 
-        /// <summary>Of the middle of the picture, a quarter of it.</summary>
+        /// <summary>Mean of the center of the picture, a quarter of it.</summary>
         public Color Mean() => Mean(Target);
 
         public Color Mean(int left, int right, int bottom, int top) => Mean(Target, left, right, bottom, top);

@@ -74,7 +74,7 @@ namespace Rill.Tests
             Assert.That(Sum(), Is.LessThan(0.01f));
         }
 
-        // As pictures of 720, 1080 and 2160 lines: a particle is from two thirds of a texel to two.
+        // Pictures like those of 720, 1080 and 2160 lines: a particle is from two thirds of a texel to two.
         [UnityTest]
         public IEnumerator Foam_covers_as_much_of_the_picture_however_large_it_is([Values(0.3f, 0.6f, 0.9f)] float opacity)
         {
@@ -162,10 +162,10 @@ namespace Rill.Tests
         }
 
         // Three particles that fly by themselves and stand still, lit from below and from the side, before black.
-        IEnumerator PutDrops(int pixels, params float3[] places)
+        IEnumerator PutDrops(int pixels, params float3[] points)
         {
-            if (places.Length == 0)
-                places = new[] { new float3(-0.15f, 0f, -0.15f), new float3(0.15f, 0.1f, -0.15f), new float3(0.15f, -0.1f, 0.15f) };
+            if (points.Length == 0)
+                points = new[] { new float3(-0.15f, 0f, -0.15f), new float3(0.15f, 0.1f, -0.15f), new float3(0.15f, -0.1f, 0.15f) };
             scene = new WaterScene(pixels, new Vector3(0.6f, 0.5f, 0.6f), 0f, 64);
             scene.Surface.CastShadows = ShadowCastingMode.Off;
             scene.Camera.backgroundColor = Color.black;
@@ -175,8 +175,8 @@ namespace Rill.Tests
             Time.captureDeltaTime = 1f / 60f;
             scene.Root.SetActive(true);
             yield return Frames(1);
-            using (var positions = new NativeArray<float3>(places, Allocator.Temp))
-            using (var velocities = new NativeArray<float3>(Enumerable.Repeat(velocity, places.Length).ToArray(), Allocator.Temp))
+            using (var positions = new NativeArray<float3>(points, Allocator.Temp))
+            using (var velocities = new NativeArray<float3>(Enumerable.Repeat(velocity, points.Length).ToArray(), Allocator.Temp))
                 scene.Fluid.AddParticles(positions, velocities);
             yield return Frames(4);
             scene.Fluid.Paused = true;
@@ -193,11 +193,11 @@ namespace Rill.Tests
             double turned = Math.Acos(cosine), low = 0.0, high = 0.5 * Math.PI;
             for (int i = 0; i < 60; i++)
             {
-                double middle = 0.5 * (low + high);
-                if (2.0 * (middle - Math.Asin(Math.Sin(middle) / index)) < turned)
-                    low = middle;
+                double mid = 0.5 * (low + high);
+                if (2.0 * (mid - Math.Asin(Math.Sin(mid) / index)) < turned)
+                    low = mid;
                 else
-                    high = middle;
+                    high = mid;
             }
             double inner = Math.Asin(Math.Sin(low) / index), change = 2.0 * (1.0 - Math.Cos(low) / (index * Math.Cos(inner)));
             double through = 1.0 - Reflectance(low, inner);

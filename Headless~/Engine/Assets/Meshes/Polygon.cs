@@ -10,27 +10,27 @@ namespace Host.Assets
     /// corners along a straight side stay corners of triangles, as those of the faces beside it are.</remarks>
     internal sealed class Polygon
     {
-        readonly struct Place
+        readonly struct Point
         {
             public readonly double X, Y;
-            public Place(double x, double y) => (X, Y) = (x, y);
+            public Point(double x, double y) => (X, Y) = (x, y);
         }
 
         // Of the polygon's size and its square: what rounding makes of a straight side, and of no area.
         const double Straight = 1e-12, Flat = 1e-10;
 
-        readonly Place[] places;
+        readonly Point[] points;
         readonly List<int> triangles;
         readonly int[] before, after;
 
-        Polygon(Place[] places, List<int> triangles)
+        Polygon(Point[] points, List<int> triangles)
         {
-            this.places = places;
+            this.points = points;
             this.triangles = triangles;
-            before = new int[places.Length];
-            after = new int[places.Length];
+            before = new int[points.Length];
+            after = new int[points.Length];
             int last = -1, first = -1;
-            for (var i = 0; i < places.Length; i++)
+            for (var i = 0; i < points.Length; i++)
             {
                 // A corner at the place of the one before it bounds nothing.
                 if (last >= 0 && Same(last, i)) continue;
@@ -56,14 +56,14 @@ namespace Host.Assets
                 return true;
             }
             // Corners that are no numbers, or in one line, are the mesh's to tell of.
-            var places = Seen(corners, out var isFinite, out var hasArea, out var isLine);
-            if (!isFinite || isLine || hasArea && IsConvex(places))
+            var points = Seen(corners, out var isFinite, out var hasArea, out var isLine);
+            if (!isFinite || isLine || hasArea && IsConvex(points))
             {
                 for (var i = 1; i + 1 < count; i++) Add(triangles, 0, i, i + 1);
                 return true;
             }
             var cut = triangles.Count;
-            if (hasArea && !Crosses(places) && new Polygon(places, triangles).Clip()) return true;
+            if (hasArea && !Crosses(points) && new Polygon(points, triangles).Clip()) return true;
             triangles.RemoveRange(cut, triangles.Count - cut);
             return false;
         }
@@ -76,7 +76,7 @@ namespace Host.Assets
         }
 
         /// <summary>Corners across the polygon's normal, counterclockwise, about the first one and by the polygon's size.</summary>
-        static Place[] Seen(IReadOnlyList<Vector3> corners, out bool isFinite, out bool hasArea, out bool isLine)
+        static Point[] Seen(IReadOnlyList<Vector3> corners, out bool isFinite, out bool hasArea, out bool isLine)
         {
             var count = corners.Count;
             var away = new (double X, double Y, double Z)[count];
@@ -99,8 +99,8 @@ namespace Host.Assets
             var length = Math.Sqrt(x * x + y * y + z * z);
             hasArea = length > Flat;
             isLine = !(most > Flat);
-            var places = new Place[count];
-            if (!hasArea) return places;
+            var points = new Point[count];
+            if (!hasArea) return points;
             (x, y, z) = (x / length, y / length, z / length);
             // Two axes across the normal (Duff et al. 2017).
             var sign = z < 0 ? -1.0 : 1.0;
@@ -108,50 +108,50 @@ namespace Host.Assets
             for (var i = 0; i < count; i++)
             {
                 var a = away[i];
-                places[i] = new Place((a.X * (1 + sign * x * x * f) + a.Y * sign * g - a.Z * sign * x) / size,
+                points[i] = new Point((a.X * (1 + sign * x * x * f) + a.Y * sign * g - a.Z * sign * x) / size,
                     (a.X * g + a.Y * (sign + y * y * f) - a.Z * y) / size);
             }
-            return places;
+            return points;
         }
 
         // Above 0 where c lies left of the line from a to b: twice the area of their triangle.
-        static double Turn(Place a, Place b, Place c) => (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
+        static double Turn(Point a, Point b, Point c) => (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
 
-        double Turn(int a, int b, int c) => Turn(places[a], places[b], places[c]);
+        double Turn(int a, int b, int c) => Turn(points[a], points[b], points[c]);
 
-        bool Same(int a, int b) => places[a].X == places[b].X && places[a].Y == places[b].Y;
+        bool Same(int a, int b) => points[a].X == points[b].X && points[a].Y == points[b].Y;
 
         /// <summary>Whether it turns left at every corner, and once around in all.</summary>
-        static bool IsConvex(Place[] places)
+        static bool IsConvex(Point[] points)
         {
-            int count = places.Length, changes = 0;
-            bool GoesRight(int i) => places[(i + 1) % count].X > places[i].X;
+            int count = points.Length, changes = 0;
+            bool GoesRight(int i) => points[(i + 1) % count].X > points[i].X;
             for (var i = 0; i < count; i++)
             {
-                if (!(Turn(places[i], places[(i + 1) % count], places[(i + 2) % count]) > Straight)) return false;
+                if (!(Turn(points[i], points[(i + 1) % count], points[(i + 2) % count]) > Straight)) return false;
                 changes += GoesRight(i) != GoesRight((i + 1) % count) ? 1 : 0;
             }
             return changes == 2;
         }
 
         /// <summary>Whether two sides pass through each other. They may touch.</summary>
-        static bool Crosses(Place[] places)
+        static bool Crosses(Point[] points)
         {
-            var count = places.Length;
+            var count = points.Length;
             var sides = new int[count];
             var lowest = new double[count];
             for (var i = 0; i < count; i++)
             {
                 sides[i] = i;
-                lowest[i] = Math.Min(places[i].X, places[(i + 1) % count].X);
+                lowest[i] = Math.Min(points[i].X, points[(i + 1) % count].X);
             }
             Array.Sort(lowest, sides);
             for (var i = 0; i < count; i++)
             {
-                Place a = places[sides[i]], b = places[(sides[i] + 1) % count];
+                Point a = points[sides[i]], b = points[(sides[i] + 1) % count];
                 for (var j = i + 1; j < count && lowest[j] <= Math.Max(a.X, b.X); j++)
                 {
-                    Place c = places[sides[j]], d = places[(sides[j] + 1) % count];
+                    Point c = points[sides[j]], d = points[(sides[j] + 1) % count];
                     if (Opposed(Turn(a, b, c), Turn(a, b, d)) && Opposed(Turn(c, d, a), Turn(c, d, b))) return true;
                 }
             }
@@ -220,7 +220,8 @@ namespace Host.Assets
             return true;
         }
 
-        /// <summary>Whether the outline goes on between the sides that meet at a corner of a triangle, from another corner at the same place.</summary>
+        /// <summary>Whether the outline goes on between the sides that meet at a corner of a triangle, from another corner at the same
+        /// place.</summary>
         bool ReachesIn(int other, int corner, int next, int last)
             => IsBetween(before[other], corner, next, last) || IsBetween(after[other], corner, next, last);
 

@@ -144,13 +144,13 @@ namespace Host.Assets
                 PropertyPath.Set(document.Fields, path, value);
             }
 
-            static YamlNode Number(long value, SourceLocation place)
-                => new YamlScalar(place, value.ToString(System.Globalization.CultureInfo.InvariantCulture));
+            static YamlNode Number(long value, SourceLocation location)
+                => new YamlScalar(location, value.ToString(System.Globalization.CultureInfo.InvariantCulture));
 
-            static YamlNode Reference(long fileId, SourceLocation place)
+            static YamlNode Reference(long fileId, SourceLocation location)
             {
-                var reference = new YamlMapping(place);
-                reference.Set("fileID", Number(fileId, place));
+                var reference = new YamlMapping(location);
+                reference.Set("fileID", Number(fileId, location));
                 return reference;
             }
         }

@@ -100,14 +100,14 @@ namespace Host.Assets
         /// <summary>YAML of one unnamed document, such as a .meta file.</summary>
         public static YamlNode ParsePlain(string text, string file) => new BodyReader(file, 0).Read(text);
 
-        static UnityDocument Header(string header, SourceLocation place)
+        static UnityDocument Header(string header, SourceLocation location)
         {
             var words = header.Split(' ', StringSplitOptions.RemoveEmptyEntries);
             if (words.Length < 3 || !words[1].StartsWith("!u!", StringComparison.Ordinal) || words[2][0] != '&'
                 || !int.TryParse(words[1].AsSpan(3), NumberStyles.None, CultureInfo.InvariantCulture, out var classId)
                 || !long.TryParse(words[2].AsSpan(1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var fileId))
-                throw place.Error($"'{header}' is no document header: expected '--- !u!<class id> &<file id>'");
-            return new UnityDocument { ClassId = classId, FileId = fileId, Stripped = words.Length > 3 && words[3] == "stripped", Location = place };
+                throw location.Error($"'{header}' is no document header: expected '--- !u!<class id> &<file id>'");
+            return new UnityDocument { ClassId = classId, FileId = fileId, Stripped = words.Length > 3 && words[3] == "stripped", Location = location };
         }
 
         void Add(UnityDocument document, string body, int linesBefore)

@@ -18,7 +18,7 @@ namespace Host.Assets
     internal abstract class YamlNode
     {
         public readonly SourceLocation Location;
-        protected YamlNode(SourceLocation place) => Location = place;
+        protected YamlNode(SourceLocation location) => Location = location;
         public abstract YamlNode Clone();
         public abstract string Kind { get; }
 
@@ -37,7 +37,7 @@ namespace Host.Assets
     internal sealed class YamlScalar : YamlNode
     {
         public readonly string Value;
-        public YamlScalar(SourceLocation place, string value) : base(place) => Value = value;
+        public YamlScalar(SourceLocation location, string value) : base(location) => Value = value;
         public override YamlNode Clone() => this;
         public override string Kind => $"the value '{(Value.Length > 40 ? Value.Substring(0, 40) + "..." : Value)}'";
         public bool IsEmpty => Value.Length == 0;
@@ -76,7 +76,7 @@ namespace Host.Assets
     /// <summary>An element that a longer list has and no one gave a value: it stays as its constructor leaves it.</summary>
     internal sealed class YamlUnset : YamlNode
     {
-        public YamlUnset(SourceLocation place) : base(place) { }
+        public YamlUnset(SourceLocation location) : base(location) { }
         public override YamlNode Clone() => this;
         public override string Kind => "nothing";
     }
@@ -102,7 +102,7 @@ namespace Host.Assets
     internal sealed class YamlSequence : YamlNode
     {
         public readonly List<YamlNode> Elements = new List<YamlNode>();
-        public YamlSequence(SourceLocation place) : base(place) { }
+        public YamlSequence(SourceLocation location) : base(location) { }
         public override string Kind => $"a list of {Elements.Count}";
 
         public override YamlNode Clone()
@@ -117,7 +117,7 @@ namespace Host.Assets
     internal sealed class YamlMapping : YamlNode
     {
         public readonly List<KeyValuePair<string, YamlNode>> Entries = new List<KeyValuePair<string, YamlNode>>();
-        public YamlMapping(SourceLocation place) : base(place) { }
+        public YamlMapping(SourceLocation location) : base(location) { }
         public override string Kind => "a group of fields";
 
         public YamlNode Find(string key)
@@ -152,7 +152,7 @@ namespace Host.Assets
         public readonly long FileId;
         public readonly string Guid;
         public readonly SourceLocation Location;
-        public FileReference(long fileId, string guid, SourceLocation place) { FileId = fileId; Guid = guid; Location = place; }
+        public FileReference(long fileId, string guid, SourceLocation location) { FileId = fileId; Guid = guid; Location = location; }
         public bool IsNone => FileId == 0;
         public bool IsLocal => string.IsNullOrEmpty(Guid);
         public override string ToString() => IsLocal ? $"{{fileID: {FileId}}}" : $"{{fileID: {FileId}, guid: {Guid}}}";

@@ -49,16 +49,16 @@ Shader "Hidden/Internal-ScreenSpaceShadows"
             #endif
                 float4 world = mul(unity_MatrixInvVP, float4(at.x / width * 2.0 - 1.0, 1.0 - at.y / height * 2.0, depth, 1.0));
                 world /= world.w;
-                float3 place = mul(unity_WorldToShadow[0], world).xyz;
+                float3 shadowed = mul(unity_WorldToShadow[0], world).xyz;
                 float away = distance(world.xyz, _WorldSpaceCameraPos);
-                if (depth <= 0.0 || away >= _ShadowMapSize.z || any(place.xy <= 0.0) || any(place.xy >= 1.0))
+                if (depth <= 0.0 || away >= _ShadowMapSize.z || any(shadowed.xy <= 0.0) || any(shadowed.xy >= 1.0))
                     return 1.0;
 
                 float lit = 0.0;
                 int reach = _ShadowMapSize.y > 0.5 ? 1 : 0;
                 for (int y = -reach; y <= reach; y++)
                     for (int x = -reach; x <= reach; x++)
-                        lit += _ShadowMap.SampleCmpLevelZero(host_linear_clamp_compare_sampler, place.xy + float2(x, y) / _ShadowMapSize.x, place.z);
+                        lit += _ShadowMap.SampleCmpLevelZero(host_linear_clamp_compare_sampler, shadowed.xy + float2(x, y) / _ShadowMapSize.x, shadowed.z);
                 lit /= (2 * reach + 1) * (2 * reach + 1);
                 float fade = saturate((away / _ShadowMapSize.z - 0.9) * 10.0);
                 return lerp(lerp(_LightShadowData.x, 1.0, lit), 1.0, fade);

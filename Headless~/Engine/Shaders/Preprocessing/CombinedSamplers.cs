@@ -124,8 +124,8 @@ namespace Host.Shaders
             if (arguments.Count == 4)
                 method = "SampleGrad";      // with both derivatives
 
-            string place = Preprocessor.Print(Rewritten(arguments[1])).Replace('\n', ' ');
-            Add(output, $"{name}.{method}(sampler{name}, {string.Format(coordinate, place)}");
+            string coordinates = Preprocessor.Print(Rewritten(arguments[1])).Replace('\n', ' ');
+            Add(output, $"{name}.{method}(sampler{name}, {string.Format(coordinate, coordinates)}");
             foreach ((int begin, int end) more in arguments.Skip(2))
             {
                 output.Add(new Token(TokenKind.Symbol, ","));

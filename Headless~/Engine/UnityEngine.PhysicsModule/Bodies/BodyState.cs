@@ -135,12 +135,12 @@ namespace UnityEngine.Headless
         void MoveFree(Rigidbody body, float time)
         {
             Vector3 center = body.centerOfMass;
-            Vector3 place = (wantedPosition ?? Position) + (wantedRotation ?? Rotation) * center + Velocity * time;
+            Vector3 position = (wantedPosition ?? Position) + (wantedRotation ?? Rotation) * center + Velocity * time;
             float angle = AngularVelocity.magnitude * time;
             Rotation = wantedRotation ?? Rotation;
             if (angle > 0f)
                 Rotation = (Quaternion.AngleAxis(angle * Mathf.Rad2Deg, AngularVelocity) * Rotation).normalized;
-            Position = place - Rotation * center;
+            Position = position - Rotation * center;
         }
 
         /// <summary>Keeps velocities within the body's limits and constraints.</summary>

@@ -71,8 +71,8 @@ namespace UnityEngine
         {
             get
             {
-                for (Transform place = transform; place != null; place = place.parent)
-                    if (place.TryGetComponent(out Rigidbody body))
+                for (Transform node = transform; node != null; node = node.parent)
+                    if (node.TryGetComponent(out Rigidbody body))
                         return body;
                 return null;
             }
@@ -124,7 +124,7 @@ namespace UnityEngine
         /// <summary>Its shape in the frame of <see cref="PoseIn"/>.</summary>
         internal virtual ShapeDescription Describe() => default;
 
-        /// <summary>The middle of its shape and the shape's axes in the frame of its object, unscaled.</summary>
+        /// <summary>The center of its shape and the shape's axes in the frame of its object, unscaled.</summary>
         private protected virtual Vector3 Center => Vector3.zero;
 
         /// <summary>Whether it follows its object's rotation.</summary>

@@ -140,8 +140,8 @@ namespace UnityEngine
 
         Vector3 AnchorOnOther()
         {
-            Vector3 place = transform.TransformPoint(m_Anchor);
-            return m_ConnectedBody != null ? m_ConnectedBody.transform.InverseTransformPoint(place) : place;
+            Vector3 position = transform.TransformPoint(m_Anchor);
+            return m_ConnectedBody != null ? m_ConnectedBody.transform.InverseTransformPoint(position) : position;
         }
 
         // In the copied tree the body that stands to the copy as the original's stands to it; beyond the tree the same one.

@@ -22,10 +22,10 @@ namespace UnityEngine.Headless
             BodyPose frame = new BodyPose(Vector3.Scale(joint.anchor, joint.transform.lossyScale), Along(joint.axis));
             // The frame on the other stands as the own one does now, about the connected anchor.
             BodyPose now = own.State.Pose.Of(frame);
-            Vector3 place = other != null ? Vector3.Scale(connectedAnchor, other.transform.lossyScale) : connectedAnchor;
+            Vector3 position = other != null ? Vector3.Scale(connectedAnchor, other.transform.lossyScale) : connectedAnchor;
             Quaternion turn = other != null ? Quaternion.Inverse(other.State.Rotation) * now.Rotation : now.Rotation;
             handle = Bullet.JointNew(world.Handle, actor.Handle, centerOfOwn.Inverse().Of(frame), connected?.Handle ?? IntPtr.Zero,
-                centerOfOther.Inverse().Of(new BodyPose(place, turn)), joint.enableCollision ? 1 : 0);
+                centerOfOther.Inverse().Of(new BodyPose(position, turn)), joint.enableCollision ? 1 : 0);
             Wake();
         }
 

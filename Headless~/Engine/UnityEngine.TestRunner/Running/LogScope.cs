@@ -62,7 +62,7 @@ namespace UnityEngine.Headless
                 expected.Enqueue(log);
         }
 
-        /// <summary>Fails on an error that nothing expects; may be called in the middle of a phase.</summary>
+        /// <summary>Fails on an error that nothing expects; may be called during a phase.</summary>
         public void Check()
         {
             lock (gate)

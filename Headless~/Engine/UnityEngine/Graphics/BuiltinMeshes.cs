@@ -84,14 +84,14 @@ namespace UnityEngine.Headless
                 triangles = triangles.ToArray() };
         }
 
-        static Mesh Grid(int cells, float half, Func<Vector2, Vector3> place, Vector3 normal)
+        static Mesh Grid(int cells, float half, Func<Vector2, Vector3> toPosition, Vector3 normal)
         {
             var builder = new Builder();
             for (int y = 0; y <= cells; y++)
                 for (int x = 0; x <= cells; x++)
                 {
                     var uv = new Vector2((float)x / cells, (float)y / cells);
-                    builder.Vertex(place((uv * 2 - Vector2.one) * half), normal, uv);
+                    builder.Vertex(toPosition((uv * 2 - Vector2.one) * half), normal, uv);
                 }
             builder.Strips(0, cells, cells);
             return builder.ToMesh();

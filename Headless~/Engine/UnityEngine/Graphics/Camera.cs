@@ -208,11 +208,11 @@ namespace UnityEngine
             if (outCorners.Length < 4)
                 throw new ArgumentException("outCorners minimum size is 4", nameof(outCorners));
             Matrix4x4 toCamera = worldToCameraMatrix;
-            Vector2[] places = { new Vector2(viewport.xMin, viewport.yMin), new Vector2(viewport.xMin, viewport.yMax),
+            Vector2[] corners = { new Vector2(viewport.xMin, viewport.yMin), new Vector2(viewport.xMin, viewport.yMax),
                 new Vector2(viewport.xMax, viewport.yMax), new Vector2(viewport.xMax, viewport.yMin) };
             for (int i = 0; i < 4; i++)
             {
-                Vector3 corner = toCamera.MultiplyPoint3x4(ViewportToWorldPoint(new Vector3(places[i].x, places[i].y, z)));
+                Vector3 corner = toCamera.MultiplyPoint3x4(ViewportToWorldPoint(new Vector3(corners[i].x, corners[i].y, z)));
                 outCorners[i] = new Vector3(corner.x, corner.y, -corner.z);
             }
         }

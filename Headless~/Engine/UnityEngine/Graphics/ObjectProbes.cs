@@ -44,7 +44,7 @@ namespace UnityEngine.Headless
             }
             EnvironmentLighting.Bind();
             bound = one != null;
-            // In the Built-in pipeline the second is the sky, and what counts of the first how far the draw's middle is inside.
+            // In the Built-in pipeline the second is the sky, and what counts of the first how far the draw's center is inside.
             float weight = one == null ? 1 : Weight(one, draw.Bounds.center);
             Set(first, one, universal && other != null ? one.importance - other.importance : 0);
             Set(second, other, universal && other != null ? one.importance - other.importance : 0);

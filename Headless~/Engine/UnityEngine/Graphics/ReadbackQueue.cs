@@ -21,7 +21,8 @@ namespace UnityEngine.Headless
         /// device was lost. Null for none.</summary>
         public static Func<string, bool> Fails { get; set; }
 
-        /// <summary>For tests: whether the callback of a request that is waited for comes with the next frame. Unity does not say when it comes.</summary>
+        /// <summary>For tests: whether the callback of a request that is waited for comes with the next frame. Unity does not say when it
+        /// comes.</summary>
         public static bool CallsBackLate { get; set; }
 
         /// <summary>Whether a request for a buffer is pending.</summary>

@@ -28,7 +28,8 @@ namespace UnityEngine.Headless
         public int ConstantBytes = 64 * 1024;
         public long BufferBytes = long.MaxValue;
         public bool HasTypedBuffers = true;
-        /// <summary>Kernels write textures of one or two halves, and of 8 or 16 bits a channel; otherwise of four halves and of 32 bits alone.</summary>
+        /// <summary>Kernels write textures of one or two halves, and of 8 or 16 bits a channel; otherwise of four halves and of 32 bits
+        /// alone.</summary>
         public bool WritesSmallTexels = true;
 
         /// <summary>Shader model 5.0 and feature level 11_0: 128 views to read (8 to write are Unity's limit everywhere), 1,024 threads of

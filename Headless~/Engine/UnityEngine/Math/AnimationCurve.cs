@@ -115,9 +115,9 @@ namespace UnityEngine
             int low = 0, high = length - 1;
             while (high - low > 1)
             {
-                int middle = (low + high) / 2;
-                if (list[middle].time <= time) low = middle;
-                else high = middle;
+                int mid = (low + high) / 2;
+                if (list[mid].time <= time) low = mid;
+                else high = mid;
             }
             return Segment(list[low], list[high], time);
         }

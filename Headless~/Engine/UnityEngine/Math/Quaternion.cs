@@ -90,7 +90,7 @@ namespace UnityEngine
                 cy * cx * cz + sy * sx * sz);
         }
 
-        // Reads the angles off the rotation matrix Y X Z: its middle row's last element is -sin x.
+        // Reads the angles off the rotation matrix Y X Z: its second row's last element is -sin x.
         static Vector3 ToEuler(Quaternion rotation)
         {
             Quaternion q = Normalize(rotation);

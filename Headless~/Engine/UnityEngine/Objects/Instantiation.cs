@@ -24,7 +24,7 @@ namespace UnityEngine.Headless
 
         public static Object CloneInto(Object original, Scene scene) => Copy(original, null, scene.Data, _ => { });
 
-        static Object Copy(Object original, Transform parent, SceneData scene, Action<Transform> place)
+        static Object Copy(Object original, Transform parent, SceneData scene, Action<Transform> setParent)
         {
             if (!Object.IsAlive(original))
                 throw new ArgumentException("The Object you want to instantiate is null.");
@@ -48,7 +48,7 @@ namespace UnityEngine.Headless
                     ((Component)pair.Value).OnCopied(from);
                 }
             root.NameOf = source.NameOf + "(Clone)";
-            place(root.TransformOf);
+            setParent(root.TransformOf);
             ObjectFactory.WakeCopy(root);
             return copies[original];
         }

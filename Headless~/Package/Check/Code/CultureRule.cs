@@ -11,7 +11,8 @@ namespace Host.Check
     /// The package formats, reads and compares texts alike under every culture: with a German one a number is "0,05", in Turkish the capital
     /// of i is another letter, and code that was not told which culture to use takes the user's.
     /// </summary>
-    /// <remarks>An interpolated string of strings alone is joined without a culture. With anything else in it the compiler calls string.Format.</remarks>
+    /// <remarks>An interpolated string of strings alone is joined without a culture. With anything else in it the compiler calls
+    /// string.Format.</remarks>
     sealed class CultureRule : Rule
     {
         const string Remedy = "write Invariant($\"...\") of System.FormattableString, or pass CultureInfo.InvariantCulture",

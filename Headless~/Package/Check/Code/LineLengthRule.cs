@@ -4,7 +4,8 @@ using System.Linq;
 
 namespace Host.Check
 {
-    /// <summary>Lines of the package's code fit beside each other on a screen. The formatter does not break lines, so this rule asks for it.</summary>
+    /// <summary>Lines of the package's code fit beside each other on a screen. The formatter does not break lines, so this rule asks for
+    /// it.</summary>
     /// <remarks>Left out: what a program writes, preprocessor lines, which end with their line, and lines with a string that long.</remarks>
     sealed class LineLengthRule : Rule
     {

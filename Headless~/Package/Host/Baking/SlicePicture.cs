@@ -10,7 +10,7 @@ using UnityEngine;
 
 namespace Host.Baking
 {
-    /// <summary>Slices of a distance field through its middle, one for each axis, side by side: blue inside, orange outside, black where it
+    /// <summary>Slices of a distance field through its center, one for each axis, side by side: blue inside, orange outside, black where it
     /// is zero.</summary>
     static class SlicePicture
     {
@@ -22,14 +22,14 @@ namespace Host.Baking
         {
             if (!Tool.Gnuplot.IsInstalled)
                 return false;
-            float most = Views.Max(view => view.MaxDistance(volume, Middle(volume, view)));
+            float most = Views.Max(view => view.MaxDistance(volume, Center(volume, view)));
 
             var script = new StringBuilder();
             void Line(FormattableString line) => script.Append(line.ToString(CultureInfo.InvariantCulture)).Append('\n');
             Line($"set terminal pngcairo size 1500,640 font 'DejaVu Sans,10'");
             Line($"set output {Quote(file)}");
             for (int i = 0; i < Views.Length; i++)
-                Data(script, i, Views[i].Values(volume, Middle(volume, Views[i])), Lowest(volume, Views[i].Right),
+                Data(script, i, Views[i].Values(volume, Center(volume, Views[i])), Lowest(volume, Views[i].Right),
                     Lowest(volume, Views[i].Up), volume.VoxelSize);
             Line($"set palette defined ({string.Join(", ", DistanceColors.Stops.Select(stop => string.Create(CultureInfo.InvariantCulture, $"{stop.Fraction} '#{stop.Color.r:x2}{stop.Color.g:x2}{stop.Color.b:x2}'")))})");
             Line($"set cbrange [{-most:R}:{most:R}]");
@@ -43,7 +43,7 @@ namespace Host.Baking
                 (int right, int up, int normal) = (Views[i].Right, Views[i].Up, Views[i].Normal);
                 if (i > 0)
                     Line($"unset colorbox");
-                Line($"set title '{Axes[normal]} = {Views[i].PositionOf(volume, Middle(volume, Views[i])):G4} m'");
+                Line($"set title '{Axes[normal]} = {Views[i].PositionOf(volume, Center(volume, Views[i])):G4} m'");
                 Line($"set xlabel '{Axes[right]} (m)'");
                 Line($"set ylabel '{Axes[up]} (m)'");
                 Line($"set xrange [{volume.Bounds.min[right]:R}:{volume.Bounds.max[right]:R}]");
@@ -76,7 +76,7 @@ namespace Host.Baking
             script.Append("EOD\n");
         }
 
-        static int Middle(SdfVolume volume, SdfSlice view) => volume.Resolution[view.Normal] / 2;
+        static int Center(SdfVolume volume, SdfSlice view) => volume.Resolution[view.Normal] / 2;
 
         /// <summary>Of the centers of the first voxels, m.</summary>
         static float Lowest(SdfVolume volume, int axis) => volume.Bounds.min[axis] + 0.5f * volume.VoxelSize;

@@ -25,7 +25,7 @@ namespace Host.Baking
                         pieces.Add((crossings[0], crossings[1]));
                     else if (crossings.Count == 4)
                     {
-                        // A saddle: its middle says which corners hang together, and the line goes around the others.
+                        // A saddle: its center says which corners hang together, and the line goes around the others.
                         bool joined = (a + b + c + d < 0) == (a < 0);
                         pieces.Add(joined ? (crossings[0], crossings[1]) : (crossings[3], crossings[0]));
                         pieces.Add(joined ? (crossings[2], crossings[3]) : (crossings[1], crossings[2]));

@@ -129,9 +129,9 @@ namespace Host.Bench
             using NativeArray<float4> positions = Water(scene, colliders, radius);
             using var velocities = new NativeArray<float4>(positions.Length, Allocator.Persistent);
             using var solver = new PbfSolver(scene.LayoutFor(settings));
-            NativeArray<float4> places = positions, speeds = velocities;
+            NativeArray<float4> points = positions, speeds = velocities;
             Dictionary<string, StepTimes.Spread> Play(Action before)
-                => StepTimes.Measure(solver, s => s.Add(places, speeds), input, window.First, window.Last, steps,
+                => StepTimes.Measure(solver, s => s.Add(points, speeds), input, window.First, window.Last, steps,
                 cmd => solver.Reactions?.RecordTake(cmd), before);
             Dictionary<string, StepTimes.Spread> times = Play(null);
             if (colliders.Length == 0)
@@ -189,14 +189,14 @@ namespace Host.Bench
                                 taken.Add(new int3(x, y, z));
             }
             var random = new Unity.Mathematics.Random(7);
-            var places = new NativeArray<float4>(scene.Particles, Allocator.Persistent);
+            var positions = new NativeArray<float4>(scene.Particles, Allocator.Persistent);
             int filled = 0;
-            for (int y = 0; filled < places.Length; y++)
+            for (int y = 0; filled < positions.Length; y++)
                 for (int z = 0; z < lattice.z; z++)
-                    for (int x = 0; x < lattice.x && filled < places.Length; x++)
+                    for (int x = 0; x < lattice.x && filled < positions.Length; x++)
                         if (!taken.Contains(new int3(x, y, z)))
-                            places[filled++] = new float4((new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f)) * scene.Spacing, 0f);
-            return places;
+                            positions[filled++] = new float4((new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f)) * scene.Spacing, 0f);
+            return positions;
         }
 
         static float Distance(in ColliderMotion collider, float radius, float3 p)

@@ -80,7 +80,7 @@ namespace Host.Studies
                         new GivenNumber("layers", 1, 1000), new GivenNumber("turning in rad/s", 0.001, 100, false));
                     GivenNumber.CheckParticles(text, Math.PI * n[0] * n[0] * n[1]);
                     if (n[2] > TurningTank.MaxSpeed(n[0], n[1]))
-                        throw new HostException(Text($"scene \"{text}\": turning in rad/s is {n[2]}, at which the middle of the floor falls dry; give at most {Math.Floor(100 * TurningTank.MaxSpeed(n[0], n[1])) / 100}, or more layers."));
+                        throw new HostException(Text($"scene \"{text}\": turning in rad/s is {n[2]}, at which the center of the floor falls dry; give at most {Math.Floor(100 * TurningTank.MaxSpeed(n[0], n[1])) / 100}, or more layers."));
                     CheckSteps(seconds);
                     return input => Bucket((int)n[0], (int)n[1], n[2], input, seconds > 0 ? seconds : 3.8);
                 case "utube":
@@ -123,7 +123,7 @@ namespace Host.Studies
             double depth = (double)layers / along, lean = Math.Atan(2 * wave / along), theory = Sloshing.Period(depth);
             DampedCosine fit = DampedCosine.Fit(Sloshing.Run(along, depth, lean, input, seconds > 0 ? seconds : 4 * theory));
             double first = FluidRun.FirstOrderDamping(theory, input);
-            return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; offset {(fit.Offset - Sloshing.Middle) / Sloshing.Offset(depth, lean):0.00}, misfit {100 * fit.Misfit:0.0} %");
+            return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; offset {(fit.Offset - Sloshing.Center) / Sloshing.Offset(depth, lean):0.00}, misfit {100 * fit.Misfit:0.0} %");
         }
 
         static string Vortex(int side, int layers, float speed, in StepInput input, double seconds)

@@ -10,12 +10,12 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What detectors say of the water in their shapes, against geometry and counts.</summary>
+    /// <summary>Measurements of detectors in their shapes, against geometry and counts.</summary>
     public class FluidDetectorTests
     {
         const float Spacing = QueryScene.Spacing;
 
-        // A block at rest without gravity, larger than the shapes: each finds its own volume, whichever way it is turned.
+        // A block at rest without gravity, larger than the shapes: each finds its own volume, however it is turned.
         [Test]
         public void The_volume_in_a_known_block_is_that_of_the_shape_within_one_percent(
             [Values(DetectorShape.Box, DetectorShape.Sphere, DetectorShape.Capsule)] DetectorShape shape, [Values(0f, 1f)] float turned)
@@ -23,7 +23,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(1.6f, 1.2f, 1.2f), Spacing, 25000))
             {
                 scene.Fluid.Gravity = Vector3.zero;
-                scene.AddWhere(place => place.x < 0.5f);
+                scene.AddWhere(p => p.x < 0.5f);
                 FluidDetector detector = scene.Add<FluidDetector>(new Vector3(-0.1f, 0.02f, 0.01f),
                     new Vector3(0.3f * turned, 0.2f * turned, 1f), d =>
                 {
@@ -63,7 +63,7 @@ namespace Rill.Tests
             }
         }
 
-        // A ball of water in the far end of a long shape that is turned about no axis of the box: turned another way it finds none.
+        // A ball of water in the far end of a long shape that is turned about no axis of the box: turned otherwise it finds none.
         [Test]
         public void Water_in_one_end_of_a_turned_shape_is_found_there([Values(DetectorShape.Box, DetectorShape.Capsule,
             DetectorShape.Mesh)] DetectorShape shape)
@@ -80,7 +80,7 @@ namespace Rill.Tests
                 scene.Fluid.Gravity = Vector3.zero;
                 Quaternion turn = Quaternion.Euler(20f, 35f, 50f);
                 Vector3 end = turn * (shape == DetectorShape.Capsule ? new Vector3(0f, 0.28f, 0f) : new Vector3(0.32f, 0f, 0f));
-                int count = scene.AddWhere(place => Vector3.Distance(place, end) < 0.09f);
+                int count = scene.AddWhere(p => Vector3.Distance(p, end) < 0.09f);
                 FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d =>
                 {
                     (d.Shape, d.Size, d.Radius, d.Height, d.Field) = (shape, new Vector3(0.9f, 0.3f, 0.3f), 0.15f, 0.9f, field);
@@ -95,7 +95,7 @@ namespace Rill.Tests
             UnityEngine.Object.DestroyImmediate(field);
         }
 
-        // A mesh that is not around its object's place, in a box that is moved and turned: in water it finds its own volume, and beside it none.
+        // A mesh that is not around its object's position, in a box that is moved and turned: in water it finds its own volume, and beside it none.
         [Test]
         public void A_listener_that_throws_is_logged_and_all_others_hear_all_the_same()
         {
@@ -158,7 +158,7 @@ namespace Rill.Tests
                 using (var scene = new SourceScene(new Vector3(1.6f, 1.2f, 1.2f), Spacing, 25000))
                 {
                     scene.Fluid.Gravity = Vector3.zero;
-                    scene.AddWhere(place => place.x < 0.5f, 0.5f * Vector3.right);
+                    scene.AddWhere(p => p.x < 0.5f, 0.5f * Vector3.right);
                     scene.Fluid.Inertial = false;
                     scene.Fluid.transform.SetPositionAndRotation(new Vector3(3f, 1f, 2f), Quaternion.Euler(10f, 30f, 0f));
                     FluidDetector Mesh(SignedDistanceField field, Vector3 local, Quaternion turn, float scale)
@@ -192,7 +192,7 @@ namespace Rill.Tests
                     }
                     Assert.That(inside[0].ShapeVolume, Is.EqualTo(0.12f).Within(0.002f));
                     Assert.That(inside[3].ShapeVolume, Is.EqualTo(0.12f * 1.15f * 1.15f * 1.15f).Within(0.003f));
-                    // The water's face went through its middle and has moved on by a step since.
+                    // The water's face went through its center and has moved on by a step since.
                     Assert.That(half.Flushed().fill, Is.EqualTo(0.5f + 0.75f * 0.5f / 60f / 0.2f).Within(0.02f));
                     Assert.That(beside.Flushed().volume, Is.Zero);
                     Assert.That(plain.Flushed().volume, Is.EqualTo(0.064f).Within(0.001f), "a box beside meshes");
@@ -246,7 +246,7 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 6000))
             {
-                scene.AddWhere(place => place.y < -0.2f && place.x < 0.2f);
+                scene.AddWhere(position => position.y < -0.2f && position.x < 0.2f);
                 FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0.3f, 0.3f, 0f), Vector3.down, e =>
                 {
                     e.Rate = 0.05f;
@@ -279,7 +279,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(1.6f, 0.4f, 0.4f), Spacing, 3000))
             {
                 scene.Fluid.Gravity = 9.81f * Vector3.left;      // so that the water stays with it
-                scene.AddWhere(place => place.x > -0.5f && place.x < 0.1f);
+                scene.AddWhere(p => p.x > -0.5f && p.x < 0.1f);
                 var plunger = new GameObject("Plunger");
                 plunger.transform.SetParent(scene.Fluid.transform, false);
                 plunger.transform.localPosition = new Vector3(-0.6f, 0f, 0f);
@@ -291,7 +291,7 @@ namespace Rill.Tests
                     plunger.transform.localPosition += Speed * SourceScene.Step60 * Vector3.right;
                     scene.Run(1);
                 }
-                // What is left of the sloshing goes to and fro; a probe also sees what its particles do.
+                // The remaining sloshing goes to and fro; a probe also sees what its particles do.
                 const int Frames = 20;
                 Vector3 mean = Vector3.zero, at = Vector3.zero;
                 for (int i = 0; i < Frames; i++)
@@ -313,7 +313,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 3000))
             {
                 // A block that falls through a box.
-                scene.AddWhere(place => place.y > 0.1f && place.y < 0.35f && Math.Abs(place.x) < 0.25f && Math.Abs(place.z) < 0.25f);
+                scene.AddWhere(p => p.y > 0.1f && p.y < 0.35f && Math.Abs(p.x) < 0.25f && Math.Abs(p.z) < 0.25f);
                 FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.1f, 0f), Vector3.forward, d =>
                 {
                     d.Size = new Vector3(0.4f, 0.2f, 0.4f);
@@ -346,7 +346,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(0.6f * Vector3.one, Spacing, 100))
             {
                 scene.Fluid.Gravity = Vector3.zero;
-                scene.AddWhere(place => Math.Abs(place.x) < 0.1f && Math.Abs(place.y) < 0.1f && Math.Abs(place.z) < 0.1f, 0.1f * Vector3.right);
+                scene.AddWhere(p => Math.Abs(p.x) < 0.1f && Math.Abs(p.y) < 0.1f && Math.Abs(p.z) < 0.1f, 0.1f * Vector3.right);
                 FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d =>
                 {
                     d.Size = 0.6f * Vector3.one;
@@ -423,7 +423,7 @@ namespace Rill.Tests
                 for (int run = 0; run < 2; run++)
                 {
                     called = "";
-                    scene.AddWhere(place => Math.Abs(place.x) < 0.1f && Math.Abs(place.y) < 0.1f && Math.Abs(place.z) < 0.1f, 0.1f * Vector3.right);
+                    scene.AddWhere(p => Math.Abs(p.x) < 0.1f && Math.Abs(p.y) < 0.1f && Math.Abs(p.z) < 0.1f, 0.1f * Vector3.right);
                     scene.Run(2);
                     Assert.That(called, Is.EqualTo("entered filled impact level "), $"run {run}");
                     scene.Fluid.Restart();

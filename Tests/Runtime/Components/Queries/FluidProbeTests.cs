@@ -11,7 +11,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What probes say of the water, against the particles, against geometry, and when they say nothing.</summary>
+    /// <summary>Samples of probes, against the particles and geometry, and when they have none.</summary>
     public class FluidProbeTests
     {
         const float Spacing = QueryScene.Spacing;
@@ -37,7 +37,7 @@ namespace Rill.Tests
             {
                 Vector3 up = Quaternion.Euler(0f, 30f, degrees) * Vector3.up;
                 scene.Fluid.Gravity = -9.81f * up;
-                scene.AddWhere(place => Vector3.Dot(place, up) < 0f);
+                scene.AddWhere(p => Vector3.Dot(p, up) < 0f);
                 FluidProbe[] probes = Around().Select(at => scene.Probe(OnPlane(0.4f * at.x, 0.4f * at.z, up) + 0.06f * at.y * up)).ToArray();
                 scene.Run(90);
                 AssertSurface(scene, probes, up);
@@ -53,7 +53,7 @@ namespace Rill.Tests
             {
                 Vector3 slope = Quaternion.Euler(degrees, 40f, 0f) * Vector3.up;
                 scene.Fluid.Gravity = 1e-3f * Vector3.down;
-                scene.AddWhere(place => Vector3.Dot(place, slope) < 0f);
+                scene.AddWhere(p => Vector3.Dot(p, slope) < 0f);
                 FluidProbe[] probes = Around().Select(at => scene.Probe(OnPlane(0.24f * at.x, 0.24f * at.z, slope))).ToArray();
                 scene.Step();
                 foreach (FluidProbe probe in probes)
@@ -69,7 +69,7 @@ namespace Rill.Tests
 
         static Vector3 OnPlane(float x, float z, Vector3 up) => new Vector3(x, -(up.x * x + up.z * z) / up.y, z);
 
-        // At the middle, near one wall, and near two; above and below the surface. Of half the box.
+        // At the center, near one wall, and near two; above and below the surface. Of half the box.
         static IEnumerable<Vector3> Around()
         {
             foreach (float x in new[] { -0.9f, -0.41f, 0.07f, 0.93f })
@@ -80,7 +80,7 @@ namespace Rill.Tests
         static void AssertSurface(SourceScene scene, FluidProbe[] probes, Vector3 up)
         {
             Vector3 box = scene.Fluid.DomainSize;
-            // Depth over the middle of the floor by the center of mass, which lies at (h² + v) / 2h under a plane: v is the mean square of what it
+            // Depth over the center of the floor by the center of mass, which lies at (h² + v) / 2h under a plane: v is the mean square of what it
             // leans by. The depth by volume is more by what the water is pressed together.
             ParticleState state = scene.Read();
             float low = state.positions.Average(p => p.y) * Spacing;
@@ -151,7 +151,7 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(new Vector3(1.2f, 0.8f, 0.4f), Spacing, 4000))
             {
-                scene.AddWhere(place => place.x < -0.2f && place.y < 0.2f, new Vector3(2f, 0f, 0f));
+                scene.AddWhere(p => p.x < -0.2f && p.y < 0.2f, new Vector3(2f, 0f, 0f));
                 scene.Add<FluidEmitter>(new Vector3(0.3f, 0.2f, 0f), Vector3.left, e => e.Rate = 0.01f);
                 var random = new Unity.Mathematics.Random(7u);
                 float3 half = (float3)scene.Fluid.DomainSize * 0.499f;
@@ -195,7 +195,7 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 3000))
             {
-                scene.AddWhere(place => place.y < -0.3f && place.x < 0f);
+                scene.AddWhere(p => p.y < -0.3f && p.x < 0f);
                 scene.Add<FluidEmitter>(new Vector3(0.3f, 0.3f, 0f), Vector3.down, e =>
                 {
                     e.Rate = 0.05f;
@@ -355,7 +355,7 @@ namespace Rill.Tests
         static SourceScene Breaking(out FluidProbe probe)
         {
             var scene = new SourceScene(new Vector3(0.8f, 0.6f, 0.4f), Spacing, 2000);
-            scene.AddWhere(place => place.x < 0f && place.y < 0f);
+            scene.AddWhere(p => p.x < 0f && p.y < 0f);
             probe = scene.Probe(new Vector3(0.05f, -0.2f, 0f));
             return scene;
         }
@@ -414,7 +414,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(0.8f, 0.4f, 0.4f), Spacing, 2000))
             {
                 scene.Fluid.Gravity = new Vector3(0f, -0.01f, 0f);
-                scene.AddWhere(place => place.x < 0f);
+                scene.AddWhere(p => p.x < 0f);
                 FluidProbe dry = scene.Probe(new Vector3(0.3f, 0f, 0f)), full = scene.Probe(new Vector3(-0.2f, 0f, 0f));
                 scene.Step();
                 FluidProbeSample none = dry.Flushed();
@@ -433,7 +433,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(0.8f, 1f, 0.8f), Spacing, 4000))
             {
                 scene.Fluid.Gravity = new Vector3(0f, -1e-3f, 0f);
-                scene.AddWhere(place => place.y < -0.1f && place.y > -0.4f && Math.Abs(place.x) < 0.35f && Math.Abs(place.z) < 0.35f,
+                scene.AddWhere(p => p.y < -0.1f && p.y > -0.4f && Math.Abs(p.x) < 0.35f && Math.Abs(p.z) < 0.35f,
                     1.2f * Vector3.up);
                 FluidProbe probe = scene.Probe(Vector3.zero);
                 scene.Run(5);

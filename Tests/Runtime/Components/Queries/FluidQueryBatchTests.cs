@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>What a batch says at its points, against probes, and when it says nothing.</summary>
+    /// <summary>Samples of a batch at its points, against probes, and when it has none.</summary>
     public class FluidQueryBatchTests
     {
         const float Spacing = QueryScene.Spacing;
@@ -20,18 +20,18 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(1.2f, 0.8f, 0.4f), Spacing, 4000))
             using (var batch = new FluidQueryBatch(scene.Fluid, 300))
             {
-                scene.AddWhere(place => place.x < -0.2f && place.y < 0.2f, new Vector3(2f, 0f, 0f));
+                scene.AddWhere(p => p.x < -0.2f && p.y < 0.2f, new Vector3(2f, 0f, 0f));
                 scene.Add<FluidEmitter>(new Vector3(0.3f, 0.2f, 0f), Vector3.left, e => { e.Rate = 0.01f; e.Phase = 3; });
                 scene.Fluid.transform.SetPositionAndRotation(new Vector3(30f, 2f, -7f), Quaternion.Euler(0f, 40f, 0f));
                 scene.Fluid.Inertial = false;
                 var random = new Unity.Mathematics.Random(9u);
                 float3 half = (float3)scene.Fluid.DomainSize * 0.499f;
-                Vector3[] places = Enumerable.Range(0, 300)
+                Vector3[] positions = Enumerable.Range(0, 300)
                     .Select(_ => scene.Fluid.transform.TransformPoint(random.NextFloat3(-half, half))).ToArray();
-                FluidProbe[] probes = places.Take(60).Select(scene.Probe).ToArray();
+                FluidProbe[] probes = positions.Take(60).Select(scene.Probe).ToArray();
                 for (int i = 0; i < probes.Length; i++)
-                    places[i] = probes[i].transform.position;       // as its object's place rounds it
-                batch.SetPoints(places, 0, 300);
+                    positions[i] = probes[i].transform.position;       // as its object's place rounds it
+                batch.SetPoints(positions, 0, 300);
                 scene.Run(25);
                 int wet = 0, surfaces = 0, emitted = 0;
                 for (int i = 0; i < probes.Length; i++)
@@ -53,7 +53,7 @@ namespace Rill.Tests
                     {
                         Assert.That(batch.TryGetSample(i, out FluidProbeSample one));
                         Assert.That(samples[i], Is.EqualTo(one));
-                        Assert.That(one.position, Is.EqualTo(places[i]));
+                        Assert.That(one.position, Is.EqualTo(positions[i]));
                     }
                 }
             }
@@ -107,15 +107,15 @@ namespace Rill.Tests
             using (var batch = new FluidQueryBatch(scene.Fluid, 4))
             {
                 Vector3 Point(int i) => new Vector3(0.05f * i - 0.1f, -0.1f, 0f);
-                void AssertAsked(params int[] places)
+                void AssertAsked(params int[] cells)
                 {
                     scene.Step();
                     batch.Flush();
                     for (int i = 0; i < 4; i++)
                     {
-                        Assert.That(batch.TryGetSample(i, out FluidProbeSample sample), Is.EqualTo(i < places.Length), $"point {i}");
-                        if (i < places.Length)
-                            Assert.That(sample.position, Is.EqualTo(Point(places[i])));
+                        Assert.That(batch.TryGetSample(i, out FluidProbeSample sample), Is.EqualTo(i < cells.Length), $"point {i}");
+                        if (i < cells.Length)
+                            Assert.That(sample.position, Is.EqualTo(Point(cells[i])));
                     }
                 }
                 using (var array = new NativeArray<float3>(new float3[] { Point(0), Point(1), Point(2) }, Allocator.Persistent))

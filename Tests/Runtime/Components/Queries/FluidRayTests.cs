@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>Where rays and balls hit the water: against geometry, against the particles, and when they do not.</summary>
+    /// <summary>Hits of rays and balls on the water: against geometry, against the particles, and when they do not.</summary>
     public class FluidRayTests
     {
         const float Spacing = QueryScene.Spacing;
@@ -79,8 +79,8 @@ namespace Rill.Tests
             using (var batch = new FluidQueryBatch(scene.Fluid, 0, 16))
             {
                 scene.Fluid.Gravity = 1e-3f * Vector3.down;
-                scene.AddWhere(place => place.x < -0.1f && place.y < 0.1f, 0.2f * Vector3.right);
-                scene.AddWhere(place => place.x > 0.1f && place.y < 0.1f, 0.4f * Vector3.right);
+                scene.AddWhere(p => p.x < -0.1f && p.y < 0.1f, 0.2f * Vector3.right);
+                scene.AddWhere(p => p.x > 0.1f && p.y < 0.1f, 0.4f * Vector3.right);
                 Vector3 inside = new Vector3(-0.35f, -0.1f, 0.02f), between = new Vector3(0f, -0.1f, 0.02f);
                 const FluidCrossing Enter = FluidCrossing.Enter, Leave = FluidCrossing.Leave, Any = FluidCrossing.Any;
                 var casts = new List<FluidRay>
@@ -98,7 +98,7 @@ namespace Rill.Tests
                     new FluidRay(new Vector3(-2f, -0.1f, 0f), Vector3.left),    // 10: away from it
                     new FluidRay(inside, Vector3.down, 10f, Enter),             // 11: nothing below it to enter
                     FluidRay.Sphere(inside, 0.05f, Vector3.right),              // 12: starts in water
-                    FluidRay.Sphere(new Vector3(-0.08f, -0.1f, 0f), 0.08f, Vector3.right),     // 13: touches water behind it
+                    FluidRay.Sphere(new Vector3(-0.08f, -0.1f, 0f), 0.08f, Vector3.right),     // 13: touches water at its back
                     FluidRay.Sphere(between, 0.03f, Vector3.right),             // 14
                 };
                 batch.SetRays(casts);
@@ -141,7 +141,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(1.2f, 0.8f, 0.4f), Spacing, 4000))
             using (var batch = new FluidQueryBatch(scene.Fluid, 0, 40))
             {
-                scene.AddWhere(place => place.x < -0.2f && place.y < 0.2f, new Vector3(2f, 0f, 0f));
+                scene.AddWhere(p => p.x < -0.2f && p.y < 0.2f, new Vector3(2f, 0f, 0f));
                 scene.Add<FluidEmitter>(new Vector3(0.3f, 0.2f, 0f), Vector3.left, e => { e.Rate = 0.01f; e.Phase = 5; });
                 var random = new Unity.Mathematics.Random(11u);
                 float3 half = (float3)scene.Fluid.DomainSize * 0.499f;
@@ -207,7 +207,7 @@ namespace Rill.Tests
             using (var batch = new FluidQueryBatch(scene.Fluid, 0, 64))
             {
                 scene.Fluid.Gravity = Vector3.zero;
-                scene.AddWhere(place => place.x > -2f && Mathf.Repeat(place.x, 1f) < 0.5f);
+                scene.AddWhere(p => p.x > -2f && Mathf.Repeat(p.x, 1f) < 0.5f);
                 for (int i = 0; i < 64; i++)
                 {
                     batch.RayCount = i + 1;

@@ -51,19 +51,19 @@ namespace Rill.Tests
             float d = scene.Fluid.ParticleSpacing;
             Vector3 box = scene.Fluid.DomainSize;
             int3 counts = (int3)math.round((float3)box / d);
-            var places = new List<float3>();
+            var points = new List<float3>();
             for (int z = 0; z < counts.z; z++)
                 for (int y = 0; y < counts.y; y++)
                     for (int x = 0; x < counts.x; x++)
                     {
-                        Vector3 place = new Vector3(x + 0.5f, y + 0.5f, z + 0.5f) * d - box * 0.5f;
-                        if (isWater(place))
-                            places.Add(place);
+                        Vector3 position = new Vector3(x + 0.5f, y + 0.5f, z + 0.5f) * d - box * 0.5f;
+                        if (isWater(position))
+                            points.Add(position);
                     }
-            using (var positions = new NativeArray<float3>(places.ToArray(), Allocator.Persistent))
-            using (var velocities = new NativeArray<float3>(Enumerable.Repeat((float3)velocity, places.Count).ToArray(), Allocator.Persistent))
+            using (var positions = new NativeArray<float3>(points.ToArray(), Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(Enumerable.Repeat((float3)velocity, points.Count).ToArray(), Allocator.Persistent))
                 scene.Fluid.AddParticles(positions, velocities);
-            return places.Count;
+            return points.Count;
         }
 
         /// <summary>The newest sample, waiting for the device; fails where it is not valid.</summary>
@@ -75,7 +75,7 @@ namespace Rill.Tests
             return sample;
         }
 
-        /// <summary>The same of a detector.</summary>
+        /// <summary>Returns the newest sample of a detector, likewise.</summary>
         public static FluidDetectorSample Flushed(this FluidDetector detector)
         {
             detector.Flush();
@@ -84,7 +84,7 @@ namespace Rill.Tests
             return sample;
         }
 
-        /// <summary>Density at a place, in d, relative to rest, over what the walls leave: by all particles.</summary>
+        /// <summary>Density at a point, in d, relative to rest, over what the walls leave: by all particles.</summary>
         public static double Density(ParticleState state, double3 at)
         {
             double sum = 0.0;

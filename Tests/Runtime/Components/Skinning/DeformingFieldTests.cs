@@ -87,7 +87,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("FluidDeformingMesh 'Thing' reaches over more than 4 times its size"));
             float[] distances = Bake(deforming);
             Assert.That(distances.All(d => !float.IsNaN(d) && math.abs(d) < 1e4f));
-            Assert.That(distances.Min(), Is.LessThan(-0.15f), "the middle of the ball is still solid");
+            Assert.That(distances.Min(), Is.LessThan(-0.15f), "the center of the ball is still solid");
 
             made.vertices = Enumerable.Repeat(new Vector3(float.NaN, float.NaN, float.NaN), broken.Length).ToArray();
             distances = Bake(deforming);
@@ -161,7 +161,7 @@ namespace Rill.Tests
             return deforming;
         }
 
-        // As a fluid that takes a step.
+        // Bakes like a fluid that takes a step.
         static float[] Bake(FluidDeformingMesh deforming)
         {
             Assert.That(deforming.GetComponent<FluidCollider>().TryDescribe(out _));
@@ -197,7 +197,7 @@ namespace Rill.Tests
             Assert.That(near, Is.GreaterThan(20));
         }
 
-        // Of the baker's field, halfway between its voxels, from the voxels of this one, where both are near the surface.
+        // Difference of the baker's field, halfway between its voxels, from the voxels of this one, where both are near the surface.
         static float MaxDifference(float[] distances, in SdfGrid grid, SdfBake baked)
         {
             float largest = 0f;

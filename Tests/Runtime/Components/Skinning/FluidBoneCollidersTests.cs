@@ -159,10 +159,10 @@ namespace Rill.Tests
             Assert.That(bones.Fit(), Is.Zero);
         }
 
-        float Distance(Vector3 place) => bones.Capsules.Min(capsule =>
+        float Distance(Vector3 position) => bones.Capsules.Min(capsule =>
         {
             Assert.That(capsule.TryDescribe(out ColliderMotion motion));
-            return (float)Reference.Shapes.Distance(motion, (float3)place);
+            return (float)Reference.Shapes.Distance(motion, (float3)position);
         });
     }
 }

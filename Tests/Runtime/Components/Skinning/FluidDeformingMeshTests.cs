@@ -69,9 +69,9 @@ namespace Rill.Tests
                 ParticleState state = TestFluid.Read(fluid.Solver);
                 for (int k = 0; k < state.Count; k++)
                 {
-                    float3 place = fluid.DomainToWorld.MultiplyPoint3x4(state.positions[k].xyz) - arm.Lower.position;
-                    float along = math.clamp(math.dot(place, axis), 0f, SkinnedArm.Length - 0.5f - SkinnedArm.Radius);
-                    float3 from = place - along * axis;
+                    float3 position = fluid.DomainToWorld.MultiplyPoint3x4(state.positions[k].xyz) - arm.Lower.position;
+                    float along = math.clamp(math.dot(position, axis), 0f, SkinnedArm.Length - 0.5f - SkinnedArm.Radius);
+                    float3 from = position - along * axis;
                     float gap = math.length(from) - SkinnedArm.Radius;
                     deepest = math.min(deepest, gap);
                     if (gap > 0.6f * Spacing || along < 0.15f || met.Add(state.ids[k]))
@@ -112,12 +112,12 @@ namespace Rill.Tests
             int far = 0;
             for (int i = 0; i < state.Count; i++)
             {
-                float3 place = fluid.DomainToWorld.MultiplyPoint3x4(state.positions[i].xyz);
-                float along = math.clamp(place.x, SkinnedArm.Radius, SkinnedArm.Length - SkinnedArm.Radius);
-                float wanted = math.min((math.length(place - new float3(along, 0f, 0f)) - SkinnedArm.Radius) / large, 2f);
+                float3 position = fluid.DomainToWorld.MultiplyPoint3x4(state.positions[i].xyz);
+                float along = math.clamp(position.x, SkinnedArm.Radius, SkinnedArm.Length - SkinnedArm.Radius);
+                float wanted = math.min((math.length(position - new float3(along, 0f, 0f)) - SkinnedArm.Radius) / large, 2f);
                 if (wanted < 0f)
                     continue;
-                Assert.That(distances[i], Is.EqualTo(wanted).Within(0.15f), $"at {place}");
+                Assert.That(distances[i], Is.EqualTo(wanted).Within(0.15f), $"at {position}");
                 far += wanted > 1.2f && wanted < 2f ? 1 : 0;
             }
             TestContext.Out.WriteLine($"{sides} voxels, {far} of {state.Count} particles far off");
@@ -247,7 +247,7 @@ namespace Rill.Tests
         {
             GameObject bare = ballObject = new GameObject("Bare");
             LogAssert.Expect(LogType.Error,
-                new Regex("FluidDeformingMesh 'Bare' is no collider: it has no Skinned Mesh Renderer and no Mesh Filter"));
+                new Regex("FluidDeformingMesh 'Bare' is not a collider: it has no Skinned Mesh Renderer and no Mesh Filter"));
             var deforming = bare.AddComponent<FluidDeformingMesh>();
             ball = new Mesh { name = "Drop", vertices = new[] { Vector3.zero, Vector3.right, Vector3.up }, triangles = new[] { 0, 1, 2 } };
             bare.AddComponent<MeshFilter>().sharedMesh = ball;
@@ -298,10 +298,10 @@ namespace Rill.Tests
             float deepest = float.PositiveInfinity;
             for (int i = 0; i < state.Count; i++)
             {
-                float3 place = toArm.MultiplyPoint3x4(state.positions[i].xyz);
-                float along = math.clamp(place.x, 0f, SkinnedArm.Length - 0.5f - SkinnedArm.Radius);
-                if (place.x > 0.15f)
-                    deepest = math.min(deepest, math.length(place - new float3(along, 0f, 0f)) - SkinnedArm.Radius);
+                float3 position = toArm.MultiplyPoint3x4(state.positions[i].xyz);
+                float along = math.clamp(position.x, 0f, SkinnedArm.Length - 0.5f - SkinnedArm.Radius);
+                if (position.x > 0.15f)
+                    deepest = math.min(deepest, math.length(position - new float3(along, 0f, 0f)) - SkinnedArm.Radius);
             }
             return deepest;
         }

@@ -60,11 +60,11 @@ namespace Rill.Tests
             UnityEngine.Object.DestroyImmediate(Mesh);
         }
 
-        static Transform Bone(string name, Transform parent, Vector3 place)
+        static Transform Bone(string name, Transform parent, Vector3 position)
         {
             Transform bone = new GameObject(name).transform;
             bone.SetParent(parent, false);
-            bone.localPosition = place;
+            bone.localPosition = position;
             return bone;
         }
 

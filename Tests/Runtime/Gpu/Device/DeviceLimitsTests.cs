@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>What of a device decides between kernels.</summary>
+    /// <summary>Properties of a device that decide between kernels.</summary>
     public class DeviceLimitsTests
     {
         static readonly KernelNeed Need = new KernelNeed("File", "Kernel", "", 512, 20000, 9, 2, 0);

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>What solids leave open of the coarse grid's cells and their faces, against counted points. In boxes whose sides are no whole
-    /// cells these are no cubes, and differ along each axis.</summary>
+    /// <summary>Open fractions of the coarse grid's cells and faces, against counted points. In boxes whose sides are not whole
+    /// cells these are not cubes, and differ along each axis.</summary>
     public class CoarseCollidersTests
     {
         const float Spacing = 0.05f, HasRoom = 0.25f;
@@ -47,7 +47,7 @@ namespace Rill.Tests
                         float3 size = grid.CellSize;
                         size[axis] = 0f;
                         double face = Open(collider, low, size);
-                        // Of four rays through the face, those that meet the solid between water take their quarter.
+                        // Each of four rays through the face that meets the solid between water takes a quarter.
                         double found = (open[i].x >> (10 * axis) & 1023u) / 1023.0;
                         int free = Enumerable.Range(1, 4).OrderBy(rays => Math.Abs(found - face * rays / 4.0)).First();
                         error = found - face * free / 4.0;
@@ -60,7 +60,8 @@ namespace Rill.Tests
                         worstFace = Math.Max(worstFace, Math.Abs(error));
                     }
                 }
-                TestContext.Out.WriteLine($"{cut} cells: rms {Math.Sqrt(squares / cut):0.0000}, worst {worst:0.000}; {allFree} of {cutFaces} faces: rms " +
+                TestContext.Out.WriteLine($"{cut} cells: rms {Math.Sqrt(squares / cut):0.0000}, worst {worst:0.000}; {allFree} of {cutFaces} " +
+                    "faces: rms " +
                     $"{Math.Sqrt(faceSquares / cutFaces):0.0000}, worst {worstFace:0.000}");
                 Assert.That(new[] { cut, cutFaces }, Is.All.GreaterThan(15));
                 Assert.That(Math.Sqrt(squares / cut), Is.LessThan(0.035));

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>
-    /// What lies between particles and the potential of the coarse grid, pass by pass: each is judged from what the device
+    /// Passes between particles and the potential of the coarse grid, pass by pass: each is judged from what the device
     /// made of the pass before.
     /// </summary>
     public class CoarseCorrectionTests
@@ -153,7 +153,7 @@ namespace Rill.Tests
                 .With(p => new float3(5900f, -5900f, 60f * p.x));
             using (var stages = new CoarseStages(state).Project())
             {
-                const int crowded = 13, ahead = 20;     // of 3 x 3 x 3 the middle, and the corner where all flow to
+                const int crowded = 13, ahead = 20;     // of 3 x 3 x 3 the center, and the corner where all flow to
                 Assert.That(stages.Fill[ahead], Is.EqualTo(10000f / 64f).Within(1e-3f));
                 double3 mean = default;
                 foreach (float4 velocity in state.velocities)
@@ -313,7 +313,7 @@ namespace Rill.Tests
                 AssertScreened(stages.Cells, lift > 0.0 ? 30.0 : 1.0);
                 Assert.That(stages.Source, Is.All.EqualTo(-0.06f).Within(ErrorRounding));
                 float[] last = stages.LastErrors;
-                Assert.That(last, Is.All.EqualTo(-0.06f).Within(ErrorRounding), "there is no surface");
+                Assert.That(last, Is.All.EqualTo(-0.06f).Within(ErrorRounding), "no surface exists");
 
                 stages.Project();
                 CoarseCells cells = stages.FlowCells;
@@ -355,7 +355,7 @@ namespace Rill.Tests
                 Compare.Scalars("source", cells.Total, i => source[i], i => Coupling(i) * known[i] - cells.Divergence(i, flow)
                     - (IsAtEnd(i) ? (2 * toNext - 1) * flow[i][axis] / cells.size[axis] : 0.0), i => 1e-5 * (1.0 + Coupling(i)));
 
-                // What a neighbor presses apart on its side of the end is its own.
+                // A neighbor's pressure on its side of the end is its own.
                 stages.CorrectDensity(Errors(state));
                 diagonal = stages.Diagonal;
                 Compare.Scalars("diagonal", cells.Total, i => diagonal[i], i => stages.Cells.Diagonal(i) + Coupling(i),
@@ -399,7 +399,7 @@ namespace Rill.Tests
         [TestCase(10007)]
         public void Errors_handed_to_the_grid_are_those_of_the_constraint(int count)
         {
-            // With a crowd at one place, spray around and a cell's worth of particles that are too dense.
+            // With a crowd at one point, spray around and a cell's worth of particles that are too dense.
             ParticleState state = ParticleState.Random(count, seed: 5);
             for (int i = 0; i < count / 5; i++)
                 state.positions[i] = new float4(5.5f + 0.05f * math.sin(new float3(i, 2f * i, 3f * i)), 0f);
@@ -528,10 +528,11 @@ namespace Rill.Tests
         static void AssertVelocities(CoarseStages stages, ParticleState state)
         {
             CoarseCells cells = stages.FlowCells;
-            double3[] displacements = Compare.Points(stages.Displacements), places = stages.AlongFlow;
+            double3[] displacements = Compare.Points(stages.Displacements), positions = stages.AlongFlow;
             float4[] after = stages.Velocities;
             Compare.Vectors("velocities", state.Count, i => after[i].xyz,
-                i => state.velocities[i].xyz + Pressed(state.velocities[i].w) * cells.LookUp(displacements, places[i], 40.0) / CoarseStages.TimeStep,
+                i => state.velocities[i].xyz + Pressed(state.velocities[i].w) *
+                    cells.LookUp(displacements, positions[i], 40.0) / CoarseStages.TimeStep,
                 i => 1e-3 + 1e-5 * math.length(state.velocities[i].xyz));
         }
 
@@ -551,16 +552,16 @@ namespace Rill.Tests
             (int count, float3 box) = Scenes[scene];
             var random = new Unity.Mathematics.Random((uint)(count * 31 + 7));
             float3 cell = box / (float3)new CoarseGrid(box, 4f).Counts;
-            var places = new List<float3>();
-            while (places.Count < count)
+            var positions = new List<float3>();
+            while (positions.Count < count)
             {
                 float3 p = random.NextFloat3(0.5f, box - 0.5f);
-                bool spray = places.Count % 50 == 0;
+                bool spray = positions.Count % 50 == 0;
                 float surface = box.y * (0.55f + 0.2f * math.sin(0.3f * p.x) * math.cos(0.2f * p.z));
                 if ((spray || p.y < surface || scene < 2) && IsClear(p) && IsClear((float3)CoarseStages.AlongFlowOf(p, Velocity(p), box, Gravity)))
-                    places.Add(p);
+                    positions.Add(p);
             }
-            ParticleState state = new ParticleState(box, places.ToArray()).With(Velocity);
+            ParticleState state = new ParticleState(box, positions.ToArray()).With(Velocity);
             for (int i = 0; i < count; i++)
                 state.velocities[i].w = 0.2f + 0.05f * (i % 12);        // densities: spray and water
             return state;
@@ -575,7 +576,7 @@ namespace Rill.Tests
             }
         }
 
-        // Somewhat off a lattice, in the middle of a cube.
+        // Somewhat off a lattice, in the center of a cube.
         static ParticleState Block(int side, float box = 32f)
         {
             return ParticleState.Lattice(box, 0.5f * (box - side) + 0.5f, side, jitter: 0.02f);

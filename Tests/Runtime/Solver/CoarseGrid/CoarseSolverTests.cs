@@ -36,28 +36,28 @@ namespace Rill.Tests
         // Means of the right-hand side, which varies by 0.2 about them: where it is negative for long, phi >= 0 binds.
         const double Dense = 0.2, Dilute = 0.02, VeryDilute = -0.03;
 
-        // Cells along each axis, and the fill of a cell from its place and a random number from 0 to 1.
+        // Cells along each axis, and the fill of a cell from its relative and a random number from 0 to 1.
         static readonly Dictionary<string, (int3 counts, Func<int3, double, double> fill)> Boxes = new Dictionary<string,
             (int3, Func<int3, double, double>)>
         {
-            ["one cell"] = (new int3(1, 1, 1), (place, random) => 1.0),
-            ["one active cell"] = (new int3(5, 5, 5), (place, random) => math.all(place == 2) ? 0.8 : 0.1),
-            ["no active cell"] = (new int3(5, 5, 5), (place, random) => 0.59 * random),
-            ["full box"] = (new int3(20, 20, 20), (place, random) => 0.9 + 0.2 * random),
-            ["half filled box"] = (new int3(20, 20, 20), (place, random) => BelowSurface(place.y, 10, random)),
-            ["primes"] = (new int3(7, 13, 11), (place, random) => BelowSurface(place.y, 9, random)),
-            ["scattered cells"] = (new int3(17, 13, 19), (place, random) => random),
-            ["deep column"] = (new int3(6, 60, 6), (place, random) => BelowSurface(place.y, 50, random)),
-            ["large half filled box"] = (new int3(50, 50, 50), (place, random) => BelowSurface(place.y, 25, random)),
-            ["half filled, one level above the tail"] = (new int3(28, 28, 28), (place, random) => BelowSurface(place.y, 14, random)),
-            ["25 rows"] = (new int3(6, 75, 6), (place, random) => Rows(place.y, 25)),
-            ["49 rows"] = (new int3(6, 150, 6), (place, random) => Rows(place.y, 49)),
-            ["full box of odd sides"] = (new int3(33, 17, 33), (place, random) => 1.0),
+            ["one cell"] = (new int3(1, 1, 1), (cell, random) => 1.0),
+            ["one active cell"] = (new int3(5, 5, 5), (cell, random) => math.all(cell == 2) ? 0.8 : 0.1),
+            ["no active cell"] = (new int3(5, 5, 5), (cell, random) => 0.59 * random),
+            ["full box"] = (new int3(20, 20, 20), (cell, random) => 0.9 + 0.2 * random),
+            ["half filled box"] = (new int3(20, 20, 20), (cell, random) => BelowSurface(cell.y, 10, random)),
+            ["primes"] = (new int3(7, 13, 11), (cell, random) => BelowSurface(cell.y, 9, random)),
+            ["scattered cells"] = (new int3(17, 13, 19), (cell, random) => random),
+            ["deep column"] = (new int3(6, 60, 6), (cell, random) => BelowSurface(cell.y, 50, random)),
+            ["large half filled box"] = (new int3(50, 50, 50), (cell, random) => BelowSurface(cell.y, 25, random)),
+            ["half filled, one level above the tail"] = (new int3(28, 28, 28), (cell, random) => BelowSurface(cell.y, 14, random)),
+            ["25 rows"] = (new int3(6, 75, 6), (cell, random) => Rows(cell.y, 25)),
+            ["49 rows"] = (new int3(6, 150, 6), (cell, random) => Rows(cell.y, 49)),
+            ["full box of odd sides"] = (new int3(33, 17, 33), (cell, random) => 1.0),
         };
 
         static IEnumerable<string> Names => Boxes.Keys;
 
-        // What the residual falls to in a cycle, at most. Aggregates that keep the free surface's faces in full are too stiff
+        // Largest factor by which a cycle leaves the residual. Aggregates that keep the free surface's faces in full are too stiff
         // below it, the more so the deeper the water is; a calm surface is worth that. So is a surface that lies near a cell's center,
         // whose row is up to ten times as large. A full box is held by the screening alone; what all its water has in common comes late
         // and moves nothing.
@@ -80,7 +80,7 @@ namespace Rill.Tests
             {
                 double first = problem.Reference.Residual(new double[problem.Cells.Total]), residual = first;
                 int cycles = 0;
-                // As far as single precision carries.
+                // Iterates as far as single precision carries.
                 for (; cycles < 12 && residual > 1e-4 * first; cycles++)
                     residual = problem.Reference.Residual(problem.Cycle().Potential);
                 double factor = cycles == 0 ? 0.0 : Math.Pow(residual / first, 1.0 / cycles);
@@ -228,8 +228,8 @@ namespace Rill.Tests
                 }
                 for (int cell = 0; cell < Cells.Total; cell++)
                 {
-                    double3 place = (double3)Cells.Coordinates(cell) / counts;
-                    double smooth = 0.1 * Math.Sin(7.0 * place.x) * Math.Cos(5.0 * place.z) + mean;
+                    double3 relative = (double3)Cells.Coordinates(cell) / counts;
+                    double smooth = 0.1 * Math.Sin(7.0 * relative.x) * Math.Cos(5.0 * relative.z) + mean;
                     sources[cell] = Cells.active[cell] ? (float)(smooth + random.NextDouble(-0.1, 0.1)) : Inactive;
                     diagonals[cell] = Cells.active[cell] ? (float)Cells.Diagonal(cell) : 1f;
                 }

@@ -58,7 +58,7 @@ namespace Rill.Tests
         /// <summary>Those of the projection: over where the particles' flow takes them; those that are not finite are in none.</summary>
         public CoarseCells FlowCells => new CoarseCells(state.box, Grid.Counts).Fill(AlongFlow.Where(p => math.all(math.isfinite(p))).ToArray());
 
-        /// <summary>Where flow alone takes each particle in the substep, d; not finite where one of its numbers is not.</summary>
+        /// <summary>Position to which flow alone takes each particle in the substep, d; not finite if one of its numbers is not.</summary>
         public double3[] AlongFlow => state.positions.Select((p, i) => AlongFlowOf(p.xyz, state.velocities[i].xyz, state.box, gravity)).ToArray();
 
         /// <param name="p">d, <paramref name="velocity"/> d/s, <paramref name="gravity"/> m/s².</param>
@@ -112,7 +112,7 @@ namespace Rill.Tests
             constants.Release();
         }
 
-        /// <summary>What CoarseBins.hlsl sums for density errors: in a cell's 8 words their number and 64 bits of the sum.</summary>
+        /// <summary>Sums by CoarseBins.hlsl for density errors: in a cell's 8 words their number and 64 bits of the sum.</summary>
         public static uint[] ErrorBins(CoarseGrid grid, float3 box, float4[] positions, float[] errors)
         {
             var bins = new uint[grid.Total * 8];

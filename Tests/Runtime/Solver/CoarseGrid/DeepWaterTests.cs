@@ -69,7 +69,7 @@ namespace Rill.Tests
             }
         }
 
-        // What draws dilute water together must not feed on the grain of still water, which short steps meet the more often.
+        // The contraction of dilute water must not feed on the grain of still water, which short steps meet the more often.
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(4)]
@@ -141,7 +141,7 @@ namespace Rill.Tests
                 double off = math.length(after.momentum - expected) / math.length(expected);
                 TestContext.Out.WriteLine($"momentum is off by {100.0 * off:0.000} %");
                 AssertWhole(fluid, 1728, after);
-                // What a coarse cell hands its particles is no pair of forces: what they lack to a balance shows here.
+                // A coarse cell does not give its particles a pair of forces: their imbalance shows here.
                 Assert.That(off, Is.LessThan(0.02));
             }
         }
@@ -226,7 +226,7 @@ namespace Rill.Tests
                 .AddBlock(0f, new float3(0.3f, 1f, 0.3f));
         }
 
-        // Two fluids whose steps share command buffers end as they do alone.
+        // Two fluids with common command buffers end as they do alone.
         static void AssertUndisturbed(TestFluid first, TestFluid firstAlone, TestFluid second, TestFluid secondAlone)
         {
             for (int i = 0; i < 12; i++)
@@ -402,7 +402,7 @@ namespace Rill.Tests
                     $"at most {statistics.speedMax:0.0} m/s, coincident {statistics.coincident}");
                 AssertWhole(fluid, 1000, statistics);
                 Assert.That(statistics.densityError999, Is.LessThan(3f));
-                // What passes and grid may move a particle in a step: 2 x 0.5 d, 2 d and 40 d at most.
+                // Limits of the motion by passes and grid in a step: 2 x 0.5 d, 2 d and 40 d at most.
                 Assert.That(statistics.speedMax, Is.LessThan(43f * Spacing * 60f));
             }
         }

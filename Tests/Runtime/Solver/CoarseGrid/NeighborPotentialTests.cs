@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>What a coarse grid takes of that of a connected fluid.</summary>
+    /// <summary>Potential that a coarse grid takes from that of a connected fluid.</summary>
     public class NeighborPotentialTests
     {
         static readonly float3 Box = new float3(40f, 16f, 13f), OtherBox = new float3(48f, 16f, 13f);
@@ -19,15 +19,15 @@ namespace Rill.Tests
         public void Beyond_its_side_of_the_overlap_it_is_the_neighbors_and_elsewhere_its_own(float x, float y, float otherCell)
         {
             float3 offset = new float3(x, y, 0f), slope = new float3(0.7f, -1.3f, 0.4f);
-            float middle = 0.5f * (math.max(x, 0f) + math.min(x + OtherBox.x, Box.x)), sign = x > 0f ? -1f : 1f;
-            var region = new TransferRegion { offset = offset, plane = new float4(sign, 0f, 0f, sign * middle) };
+            float center = 0.5f * (math.max(x, 0f) + math.min(x + OtherBox.x, Box.x)), sign = x > 0f ? -1f : 1f;
+            var region = new TransferRegion { offset = offset, plane = new float4(sign, 0f, 0f, sign * center) };
             const float Own = -5f, Scale = 0.25f;
             using (var taker = new CoarseCorrection(LayoutOf(Box), 4f))
             using (var other = new CoarseCorrection(LayoutOf(OtherBox), otherCell))
             {
-                float3[] places = Centers(taker.Grid), otherPlaces = Centers(other.Grid);
-                other.Cells.flowPotential.SetData(otherPlaces.Select(p => 3f + math.dot(slope, p)).ToArray());
-                taker.Cells.flowPotential.SetData(places.Select(_ => Own).ToArray());
+                float3[] positions = Centers(taker.Grid), otherPoints = Centers(other.Grid);
+                other.Cells.flowPotential.SetData(otherPoints.Select(p => 3f + math.dot(slope, p)).ToArray());
+                taker.Cells.flowPotential.SetData(positions.Select(_ => Own).ToArray());
                 ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
                 GpuTest.Run(cmd =>
                 {
@@ -36,16 +36,16 @@ namespace Rill.Tests
                 });
                 float[] taken = GpuTest.Read<float>(taker.Cells.flowPotential, taker.Grid.Total);
                 int count = 0;
-                for (int cell = 0; cell < places.Length; cell++)
+                for (int cell = 0; cell < positions.Length; cell++)
                 {
-                    float3 q = places[cell] - offset;
-                    bool takes = sign * places[cell].x < sign * middle && math.all(q >= 0f) && math.all(q <= OtherBox);
+                    float3 q = positions[cell] - offset;
+                    bool takes = sign * positions[cell].x < sign * center && math.all(q >= 0f) && math.all(q <= OtherBox);
                     float3 nearest = math.clamp(q, 0.5f * other.Grid.CellSize, OtherBox - 0.5f * other.Grid.CellSize);
                     float expected = takes ? Scale * (3f + math.dot(slope, nearest)) : Own;
-                    Assert.That(taken[cell], Is.EqualTo(expected).Within(1e-4f), $"cell at {places[cell]}");
+                    Assert.That(taken[cell], Is.EqualTo(expected).Within(1e-4f), $"cell at {positions[cell]}");
                     count += takes ? 1 : 0;
                 }
-                Assert.That(count, Is.GreaterThan(0).And.LessThan(places.Length / 2));
+                Assert.That(count, Is.GreaterThan(0).And.LessThan(positions.Length / 2));
             }
         }
 

@@ -46,7 +46,7 @@ namespace Rill.Tests
             }
         }
 
-        // At each face of a cell that it closes: all of its way, and of its turn what goes out of the surface.
+        // At each face of a cell that it closes: all of its displacement, and of its rotation what goes out of the surface.
         [Test]
         public void The_flow_of_a_collider_is_its_way_and_what_its_turn_moves_outwards([Values(ColliderShape.Sphere, ColliderShape.Box)]
             ColliderShape shape, [Values] bool isCube)

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>What the fluid does to colliders: as much as they do to it, and what Archimedes says.</summary>
+    /// <summary>Reactions on colliders: as much as they do to the fluid, and what Archimedes says.</summary>
     [Category("LongRun")]
     public class ColliderReactionTests
     {
@@ -64,7 +64,7 @@ namespace Rill.Tests
             }
         }
 
-        // In endless water half of the water in its place (Lamb 1932, section 92); the walls of a small tank add to it.
+        // In endless water half of the displaced water (Lamb 1932, section 92); the walls of a small tank add to it.
         [Test]
         public void A_ball_that_is_jerked_in_deep_water_feels_the_added_mass_of_the_water()
         {

@@ -75,7 +75,7 @@ namespace Rill.Tests
                     return new[] { (new float3(0.5f, 0.2f, 0f), 0.2f), (new float3(0f, 0.9f, 0f), 0.2f), (new float3(0f, 0.3f, 0.1f), -0.2f) };
                 case ColliderShape.Plane:
                     return new[] { (new float3(5f, 0.7f, -3f), 0.7f), (new float3(1f, -0.2f, 1f), -0.2f) };
-                case ColliderShape.HeightField:     // y = 0.5 x over its middle: a slope of 0.5, half sides of 1 and 2
+                case ColliderShape.HeightField:     // y = 0.5 x over its center: a slope of 0.5, half sides of 1 and 2
                     float upright = 1f / math.sqrt(1.25f);
                     return new[] { (new float3(0.2f, 0.5f, 0.7f), 0.4f * upright), (new float3(-0.9f, -1f, -1.5f), -0.55f * upright),
                         (new float3(2f, 0.5f, 0f), 1f) };
@@ -116,9 +116,9 @@ namespace Rill.Tests
                     field = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Box(new Vector3(0.4f, 0.6f, 0.8f), Vector3.zero), settings));
                     made.Add(field.Texture);
                     made.Add(field);
-                    var place = ColliderPlace.Origin;
+                    var position = ColliderTransform.Origin;
                     RigidPose pose = Pose;
-                    Assert.That(place.DescribeField(field, ref motion, ref pose), Is.Null);
+                    Assert.That(position.DescribeField(field, ref motion, ref pose), Is.Null);
                     break;
             }
             return motion;

@@ -113,8 +113,8 @@ namespace Rill.Tests
             ColliderMotion motion = Still(shape, new float3(3f, 2f, 4f), new float3(9f, 12f, 9f), quaternion.Euler(0.4f, 0.3f, 0.2f));
             motion.insideOut = insideOut;
             var random = new Unity.Mathematics.Random(7u);
-            float3[] places = Enumerable.Range(0, 400).Select(_ => motion.end.position + random.NextFloat3(-6f, 6f)).ToArray();
-            using (TestFluid fluid = Box(DeepWater.Off).Add(places.Select(p => p * Spacing).ToArray()))
+            float3[] positions = Enumerable.Range(0, 400).Select(_ => motion.end.position + random.NextFloat3(-6f, 6f)).ToArray();
+            using (TestFluid fluid = Box(DeepWater.Off).Add(positions.Select(p => p * Spacing).ToArray()))
             {
                 Use(fluid, motion);
                 GpuTest.Run(cmd => fluid.Solver.Step(cmd, fluid.Input));
@@ -142,11 +142,11 @@ namespace Rill.Tests
         public void Two_boxes_in_one_plane_add_what_one_does()
         {
             // A floor of one box, and of two that meet under the particles.
-            float3[] places = Enumerable.Range(0, 40).Select(i => new float3(6f + 0.15f * i, 5.5f + 0.01f * i, 9f) * Spacing).ToArray();
-            float4[] one = BoundaryOver(places, Still(ColliderShape.Box, new float3(20f, 2f, 20f), new float3(9f, 3f, 9f), quaternion.identity));
-            float4[] two = BoundaryOver(places, Still(ColliderShape.Box, new float3(10f, 2f, 20f), new float3(-1f, 3f, 9f), quaternion.identity),
+            float3[] positions = Enumerable.Range(0, 40).Select(i => new float3(6f + 0.15f * i, 5.5f + 0.01f * i, 9f) * Spacing).ToArray();
+            float4[] one = BoundaryOver(positions, Still(ColliderShape.Box, new float3(20f, 2f, 20f), new float3(9f, 3f, 9f), quaternion.identity));
+            float4[] two = BoundaryOver(positions, Still(ColliderShape.Box, new float3(10f, 2f, 20f), new float3(-1f, 3f, 9f), quaternion.identity),
                 Still(ColliderShape.Box, new float3(10f, 2f, 20f), new float3(19f, 3f, 9f), quaternion.identity));
-            for (int i = 0; i < places.Length; i++)
+            for (int i = 0; i < positions.Length; i++)
                 Assert.That(math.length(two[i] - one[i]), Is.LessThan(0.01f * math.length(one[i])), $"particle {i}: {two[i]} instead of {one[i]}");
         }
 
@@ -198,18 +198,18 @@ namespace Rill.Tests
             }
         }
 
-        static float4[] BoundaryOver(float3[] places, params ColliderMotion[] motions)
+        static float4[] BoundaryOver(float3[] positions, params ColliderMotion[] motions)
         {
-            using (TestFluid fluid = Box(DeepWater.Off).Add(places))
+            using (TestFluid fluid = Box(DeepWater.Off).Add(positions))
             {
                 fluid.Input.gravity = 0f;
                 fluid.Input.material.density = 1000f;
                 Use(fluid, motions);
                 fluid.Step();
                 fluid.Solver.Clear();
-                fluid.Add(places);
+                fluid.Add(positions);
                 GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
-                return GpuTest.Read<float4>(fluid.Solver.Colliders.Boundary, places.Length);
+                return GpuTest.Read<float4>(fluid.Solver.Colliders.Boundary, positions.Length);
             }
         }
 

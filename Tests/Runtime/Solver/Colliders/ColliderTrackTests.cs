@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>How a collider's motion is followed: both halves of it, along a way and about an axis.</summary>
+    /// <summary>Tracking of a collider's motion: along a path and about an axis.</summary>
     public class ColliderTrackTests
     {
         const float Duration = 1f / 60f, Substep = 1f / 120f;
@@ -41,7 +41,7 @@ namespace Rill.Tests
             track.SkipTo(Pose(100));
             track.Follow(Pose(101), Duration, Substep);
             RelativeMotion later = track.Take();
-            Assert.That(math.length(later.Slip), Is.LessThan(0.05f * math.length(Velocity)), "time that was dropped is no motion");
+            Assert.That(math.length(later.Slip), Is.LessThan(0.05f * math.length(Velocity)), "dropped time is not a motion");
             Assert.That(math.length(later.AngularSlip), Is.LessThan(0.05f * math.length(Spin)));
         }
 
@@ -57,7 +57,7 @@ namespace Rill.Tests
             AssertNear(RigidPose.RotationVector(from, new quaternion(-to.value)), axis * math.radians(expected), 1e-4f);
         }
 
-        // Of every point of the ball around it, and not twice as much.
+        // Motion of every point of the ball around it, and not twice as much.
         [Test]
         public void What_a_collider_sweeps_in_a_substep_is_as_far_as_its_points_go([Values(0f, 1f)] float moves,
             [Values(0f, 0.02f, 0.3f)] float turns)
@@ -99,7 +99,7 @@ namespace Rill.Tests
                 + disc.Radius * math.length(step.spin))).Within(1e-3f), "d, with a spacing to spare");
         }
 
-        // Of a quarter of a turn in the step.
+        // Motion in a quarter of a turn in the step.
         [Test]
         public void The_substeps_of_an_emitter_turn_and_move_on_evenly([Values(2, 3)] int count)
         {

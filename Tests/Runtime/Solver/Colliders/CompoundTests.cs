@@ -33,8 +33,8 @@ namespace Rill.Tests
             Object.DestroyImmediate(ball);
         }
 
-        // Where edges of two overlapping boxes lie in one line, the edge counts as if it were a face: by half of what lies behind a face.
-        // Of a round surface the half space behind it counts, which is more than it holds.
+        // If edges of two overlapping boxes lie in one line, the edge counts as if it were a face: by half of what lies beyond a face.
+        // For a round surface the half space beyond it counts, which is more than it holds.
         [TestCase(Kind.Slab, 0.012f)]
         [TestCase(Kind.Tiles, 0.012f)]
         [TestCase(Kind.Stacked, 0.012f)]
@@ -51,20 +51,20 @@ namespace Rill.Tests
         {
             ColliderMotion[] bodies = Make(kind);
             var random = new Unity.Mathematics.Random(3u);
-            var places = new List<float3>();
-            while (places.Count < 200)
+            var positions = new List<float3>();
+            while (positions.Count < 200)
             {
                 float3 p = random.NextFloat3(2.1f, 21.9f);
                 if (Distance(bodies, p) > 0.45 && Distance(bodies, p) < 1.2)
-                    places.Add(p);
+                    positions.Add(p);
             }
-            float4[] boundary = BoundaryOver(places.ToArray(), bodies);
+            float4[] boundary = BoundaryOver(positions.ToArray(), bodies);
             double worst = 0.0;
-            for (int i = 0; i < places.Count; i++)
+            for (int i = 0; i < positions.Count; i++)
             {
-                double off = boundary[i].w - DensityOf(bodies, places[i]);
+                double off = boundary[i].w - DensityOf(bodies, positions[i]);
                 worst = Math.Max(worst, Math.Abs(off));
-                Assert.That(off, Is.EqualTo(0.0).Within(error), $"too much at {places[i]}");
+                Assert.That(off, Is.EqualTo(0.0).Within(error), $"too much at {positions[i]}");
             }
             TestContext.Out.WriteLine($"{worst:0.000} at most");
         }
@@ -73,22 +73,22 @@ namespace Rill.Tests
         [TestCase(Kind.Stacked)]
         public void A_floor_of_several_bodies_adds_what_one_does_wherever_they_meet(Kind kind)
         {
-            float3[] places = Enumerable.Range(0, 900)
+            float3[] positions = Enumerable.Range(0, 900)
                 .Select(i => new float3(6f + 0.4f * (i % 30), FloorTop + 0.5f + 0.03f * (i / 30 % 7), 6f + 0.4f * (i / 30))).ToArray();
-            float4[] one = BoundaryOver(places, Make(Kind.Slab)), several = BoundaryOver(places, Make(kind));
-            for (int i = 0; i < places.Length; i++)
+            float4[] one = BoundaryOver(positions, Make(Kind.Slab)), several = BoundaryOver(positions, Make(kind));
+            for (int i = 0; i < positions.Length; i++)
                 Assert.That(math.length(several[i] - one[i]), Is.LessThan(0.01f * math.length(one[i])),
-                    $"{several[i]} instead of {one[i]} at {places[i]}");
+                    $"{several[i]} instead of {one[i]} at {positions[i]}");
         }
 
         [Test]
         public void A_floor_on_the_floor_of_the_domain_counts_once([Values(ColliderShape.Plane, ColliderShape.Box)] ColliderShape shape,
             [Values(1, 2)] int times)
         {
-            var place = new[] { new float3(9f, 0.5f, 9f) };
+            var position = new[] { new float3(9f, 0.5f, 9f) };
             ColliderMotion floor = ColliderTests.Still(shape, shape == ColliderShape.Box ? new float3(30f, 2f, 30f) : 0f,
                 new float3(9f, shape == ColliderShape.Box ? -2f : 0f, 9f), quaternion.identity);
-            Assert.That(BoundaryOver(place, Enumerable.Repeat(floor, times).ToArray())[0].w, Is.EqualTo(0f).Within(1e-4f),
+            Assert.That(BoundaryOver(position, Enumerable.Repeat(floor, times).ToArray())[0].w, Is.EqualTo(0f).Within(1e-4f),
                 "the domain's own floor is there already");
             var above = new[] { new float3(9f, 4.5f, 9f) };
             floor.start.position.y = floor.end.position.y += 4f;
@@ -155,19 +155,19 @@ namespace Rill.Tests
         [Test]
         public void Eight_boxes_are_lifted_as_the_one_that_they_make()
         {
-            var middle = new float3(9f, 8f, 11f);
+            var center = new float3(9f, 8f, 11f);
             quaternion turn = quaternion.Euler(0.3f, 0.2f, 0.1f);
             const float half = 4f;
-            ColliderMotion whole = ColliderTests.Still(ColliderShape.Box, half, middle, turn);
+            ColliderMotion whole = ColliderTests.Still(ColliderShape.Box, half, center, turn);
             ColliderMotion[] eight = Enumerable.Range(0, 8)
                 .Select(i => ColliderTests.Still(ColliderShape.Box, 0.5f * half,
-                middle + math.mul(turn, (new float3(i & 1, i >> 1 & 1, i >> 2) - 0.5f) * half), turn)).ToArray();
+                center + math.mul(turn, (new float3(i & 1, i >> 1 & 1, i >> 2) - 0.5f) * half), turn)).ToArray();
             float3 one = LiftOf(whole, whole), all = LiftOf(whole, eight);
             Assert.That(all.y, Is.EqualTo(one.y).Within(0.2f), "lift, in the displaced water's weight");
             Assert.That(math.length(all.xz), Is.LessThan(0.06f), "nothing pushes sideways");
         }
 
-        // Force on bodies under still water, in the weight of the water in the place of their outline.
+        // Force on bodies under still water, in the weight of the water in their outline.
         static float3 LiftOf(ColliderMotion outline, params ColliderMotion[] bodies)
         {
             using (TestFluid fluid = Water(new float3(20f, 20f, 20f), DeepWater.On, 7000))
@@ -175,8 +175,8 @@ namespace Rill.Tests
                 fluid.AddAround(outline, 0f, new float3(20f, 16f, 20f));
                 UseReacting(fluid, bodies);
                 fluid.Step(30);
-                TakeForce(fluid);
-                float3 force = TakeForce(fluid.Step(30))
+                ReadForce(fluid);
+                float3 force = ReadForce(fluid.Step(30))
                     / (FluidMaterial.Water.density * 9.81f * 8f * outline.size.x * outline.size.y * outline.size.z * math.pow(Spacing, 3));
                 TestContext.Out.WriteLine($"{bodies.Length}: {force} of the displaced water's weight");
                 return force;
@@ -197,8 +197,8 @@ namespace Rill.Tests
                 UseReacting(fluid, floor);
                 fluid.AddBlock(new float3(0f, FloorTop, 0f) * Spacing, new float3(24f, 6f, 12f) * Spacing);
                 FluidStatistics settled = fluid.Step(50).MeasureWhole();
-                TakeForce(fluid);
-                float3 force = TakeForce(fluid.Step(20));
+                ReadForce(fluid);
+                float3 force = ReadForce(fluid.Step(20));
                 float4[] lowest = fluid.Read().positions.Where(p => p.y < FloorTop + 1f).ToArray();
                 var result = new Rest
                 {
@@ -310,7 +310,7 @@ namespace Rill.Tests
             => bodies.Min(body => body.shape == ColliderShape.Mesh ? math.distance(p, (double3)body.end.position) - BallRadius
             : Shapes.Distance(body, p));
 
-        // Of all that is solid within the support, as of water at rest: by places spread evenly in it.
+        // Density of all that is solid within the support, like water at rest, by points spread evenly in it.
         static double DensityOf(ColliderMotion[] bodies, double3 p)
         {
             const double step = 0.2;
@@ -338,15 +338,15 @@ namespace Rill.Tests
             return new TestFluid(box * Spacing, Spacing, capacity, settings);
         }
 
-        static float4[] BoundaryOver(float3[] places, params ColliderMotion[] motions)
+        static float4[] BoundaryOver(float3[] positions, params ColliderMotion[] motions)
         {
-            using (TestFluid fluid = Water(24f, DeepWater.Off, places.Length))
+            using (TestFluid fluid = Water(24f, DeepWater.Off, positions.Length))
             {
                 ColliderTests.Use(fluid, motions);
                 fluid.Step();
-                fluid.Add(places.Select(p => p * Spacing).ToArray());
+                fluid.Add(positions.Select(p => p * Spacing).ToArray());
                 GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
-                return GpuTest.Read<float4>(fluid.Solver.Colliders.Boundary, places.Length);
+                return GpuTest.Read<float4>(fluid.Solver.Colliders.Boundary, positions.Length);
             }
         }
 
@@ -358,7 +358,7 @@ namespace Rill.Tests
         }
 
         // Mean of the sum of the forces on all bodies since the last call, N.
-        static float3 TakeForce(TestFluid fluid)
+        static float3 ReadForce(TestFluid fluid)
         {
             ColliderReactions reactions = fluid.Solver.Reactions;
             GpuTest.Run(reactions.RecordTake);

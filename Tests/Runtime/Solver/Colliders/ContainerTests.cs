@@ -58,8 +58,8 @@ namespace Rill.Tests
         static RigidPose Shaken(float time)
         {
             float ease = math.saturate(time);
-            float3 place = 24f + ease * new float3(6f * math.sin(11f * time), 3f * math.sin(17f * time), 4f * math.sin(7f * time));
-            return new RigidPose(place, quaternion.Euler(ease * 1.5f * math.sin(2f * time), 0.7f * time, ease * 2.5f * math.sin(3f * time)));
+            float3 position = 24f + ease * new float3(6f * math.sin(11f * time), 3f * math.sin(17f * time), 4f * math.sin(7f * time));
+            return new RigidPose(position, quaternion.Euler(ease * 1.5f * math.sin(2f * time), 0.7f * time, ease * 2.5f * math.sin(3f * time)));
         }
 
         static void AssertInside(TestFluid fluid, RigidPose can, string when)

@@ -89,7 +89,7 @@ namespace Rill.Tests
             }
         }
 
-        // Neither a cube nor a multiple of a group along any axis, the balls beside the middle of their fields, and all of it turned.
+        // Neither a cube nor a multiple of a group along any axis, the balls beside the center of their fields, and all of it turned.
         [Test]
         public void Fields_of_any_sides_lie_one_behind_the_other_and_keep_their_distances_where_they_are_turned([Values] bool swapped)
         {
@@ -128,7 +128,7 @@ namespace Rill.Tests
         static float DistanceTo(in ColliderMotion collider, float3 center, float radius, float3 p)
             => math.distance(math.mul(math.inverse(collider.end.rotation), p - collider.end.position), center) - radius;
 
-        // As a bake into an asset that is in use.
+        // Bakes into an asset that is in use.
         [Test]
         public void A_field_that_changes_in_place_is_copied_again_and_one_that_does_not_is_not()
         {
@@ -171,7 +171,7 @@ namespace Rill.Tests
             .Where(texture => texture.name == "Rill.Colliders." + atlas && texture.IsCreated())
                 .Sum(texture => HalfFloat * texture.width * texture.height * texture.volumeDepth);
 
-        static float Height(float2 place) => 2f + Slope * place.x;
+        static float Height(float2 position) => 2f + Slope * position.x;
 
         ColliderMotion Ground()
         {
@@ -198,8 +198,8 @@ namespace Rill.Tests
             NativeArray<float> texels = field.GetPixelData<float>(0);
             for (int i = 0; i < texels.Length; i++)
             {
-                float3 place = new float3(i % sides.x, i / sides.x % sides.y, i / (sides.x * sides.y)) + 0.5f;
-                texels[i] = math.distance(voxel * (place - 0.5f * (float3)sides), center) - radius;
+                float3 point = new float3(i % sides.x, i / sides.x % sides.y, i / (sides.x * sides.y)) + 0.5f;
+                texels[i] = math.distance(voxel * (point - 0.5f * (float3)sides), center) - radius;
             }
             field.Apply(false, false);
             var pose = new RigidPose(position, quaternion.AxisAngle(math.normalize(new float3(1f, 2f, 3f)), turn));

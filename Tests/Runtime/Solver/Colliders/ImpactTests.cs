@@ -44,7 +44,7 @@ namespace Rill.Tests
             {
                 fluid.Input.gravity = 0f;
                 float length = scale * Spacing;
-                // beside the other's middle, so that they turn
+                // beside the other's center, so that they turn
                 fluid.AddBlock(new float3(14f, 32f, 26f) * length, 12f * length, new float3(2.5f, 0f, 0f));
                 fluid.AddBlock(new float3(29f, 23f, 23f) * length, 18f * length);
                 (double3 momentum, double3 spin) before = Momentum(fluid.Read());
@@ -95,14 +95,14 @@ namespace Rill.Tests
             for (int part = 0; part < 15; part++)
             {
                 FluidStatistics statistics = fluid.Step(part < 10 ? 1 : 6).MeasureWhole();
-                // What was pressed together flies apart again: that little may come back of what the impact took.
+                // Compressed water expands again: that little may come back of what the impact took.
                 Assert.That(statistics.Energy, Is.LessThan(math.min(last + 0.01f * first, first)), $"part {part}");
                 last = statistics.Energy;
             }
             Assert.That(fluid.Measure().densityError, Is.LessThan(0.05f));
         }
 
-        // Sums of velocities and of their moments about the middle of the box, in d/s and d²/s.
+        // Sums of velocities and of their moments about the center of the box, in d/s and d²/s.
         static (double3 momentum, double3 spin) Momentum(ParticleState state)
         {
             double3 momentum = 0.0, spin = 0.0;

@@ -62,11 +62,11 @@ namespace Rill.Tests
             simulation.Advance(simulation.FixedStep);
 
             float3 center = simulation.DomainToWorld.inverse.MultiplyPoint3x4(first.transform.TransformPoint(new Vector3(0.1f, 0f, 0f)));
-            float3 middle = simulation.DomainToWorld.inverse.MultiplyPoint3x4(second.transform.position);
+            float3 mid = simulation.DomainToWorld.inverse.MultiplyPoint3x4(second.transform.position);
             quaternion toBox = Quaternion.Inverse(second.transform.rotation) * water.transform.rotation;
             AssertDistances(simulation, p =>
             {
-                float3 beyond = math.abs(math.mul(toBox, p - middle)) - 0.35f / Spacing * new float3(1f, 0.6f, 0.8f);
+                float3 beyond = math.abs(math.mul(toBox, p - mid)) - 0.35f / Spacing * new float3(1f, 0.6f, 0.8f);
                 float toTheBox = math.length(math.max(beyond, 0f)) + math.min(math.cmax(beyond), 0f);
                 return math.min(math.distance(p, center) - 0.35f / Spacing, toTheBox);
             });
@@ -80,17 +80,17 @@ namespace Rill.Tests
             SignedDistanceField cube = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Box(0.5f * Vector3.one).Apart(5e-8f), settings));
             try
             {
-                float3 middle = 8f;
-                using (TestFluid fluid = new TestFluid(2f * middle * Spacing, Spacing, 512).AddBlock((middle - 4f) * Spacing, 8f * Spacing))
+                float3 center = 8f;
+                using (TestFluid fluid = new TestFluid(2f * center * Spacing, Spacing, 512).AddBlock((center - 4f) * Spacing, 8f * Spacing))
                 {
-                    ColliderMotion solid = ColliderTests.Still(ColliderShape.Mesh, cube.Bounds.extents / Spacing, middle, quaternion.identity);
+                    ColliderMotion solid = ColliderTests.Still(ColliderShape.Mesh, cube.Bounds.extents / Spacing, center, quaternion.identity);
                     solid.field = cube.Texture;
                     solid.voxel = cube.VoxelSize / Spacing;
                     solid.fieldUnit = 1f / Spacing;
                     ColliderTests.Use(fluid, solid);
                     fluid.Step(60);
                     // Half a spacing is what a surface may be off.
-                    Assert.That(fluid.Read().positions.Count(p => math.cmax(math.abs(p.xyz - middle)) < 4.5f), Is.Zero);
+                    Assert.That(fluid.Read().positions.Count(p => math.cmax(math.abs(p.xyz - center)) < 4.5f), Is.Zero);
                 }
             }
             finally
@@ -168,7 +168,7 @@ namespace Rill.Tests
         const float LargeRadius = 0.35f, SmallRadius = 0.2f;
         static readonly Vector3 LargeBall = new Vector3(-0.25f, 0.1f, 0f), SmallBall = new Vector3(0.3f, -0.3f, 0.25f);
 
-        // What a bake of both, finely meshed, gives.
+        // Result of a bake of both, finely meshed.
         static SignedDistanceField Balls()
         {
             MeshSdfSettings settings = MeshSdfSettings.Default;
@@ -181,9 +181,9 @@ namespace Rill.Tests
             var distances = new float[resolution.x * resolution.y * resolution.z];
             for (int i = 0; i < distances.Length; i++)
             {
-                float3 place = grid.Min + (new float3(i % resolution.x, i / resolution.x % resolution.y, i / (resolution.x * resolution.y))
+                float3 position = grid.Min + (new float3(i % resolution.x, i / resolution.x % resolution.y, i / (resolution.x * resolution.y))
                     + 0.5f) * grid.VoxelSize;
-                distances[i] = math.min(math.distance(place, LargeBall) - LargeRadius, math.distance(place, SmallBall) - SmallRadius);
+                distances[i] = math.min(math.distance(position, LargeBall) - LargeRadius, math.distance(position, SmallBall) - SmallRadius);
             }
             return SignedDistanceField.Create(new SdfBake("Balls", grid, distances, settings, MeshSdfSign.WindingNumber, 1));
         }
@@ -195,7 +195,7 @@ namespace Rill.Tests
         }
 
         // Without gravity, in a box of 2 m; the particles stay about where they are given.
-        FluidSimulation Simulation(float3[] places)
+        FluidSimulation Simulation(float3[] points)
         {
             water = new GameObject("Water");
             water.SetActive(false);
@@ -205,9 +205,9 @@ namespace Rill.Tests
             simulation.StatisticsInterval = 0;
             simulation.Gravity = Vector3.zero;
             water.SetActive(true);
-            using (var positions = new Unity.Collections.NativeArray<float3>(places.Select(p => (float3)water.transform.TransformPoint(p))
+            using (var positions = new Unity.Collections.NativeArray<float3>(points.Select(p => (float3)water.transform.TransformPoint(p))
                 .ToArray(), Unity.Collections.Allocator.Persistent))
-            using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
+            using (var velocities = new Unity.Collections.NativeArray<float3>(points.Length, Unity.Collections.Allocator.Persistent))
                 simulation.AddParticles(positions, velocities);
             return simulation;
         }

@@ -104,7 +104,7 @@ namespace Rill.Tests
             return (sum / Math.Max(count, 1), Math.Sqrt(squares / Math.Max(count, 1)));
         }
 
-        // A film of three layers, in a frame that leans as the floor does, slides along it. Its ends run out, so its middle third is looked at.
+        // A film of three layers, in a frame that leans as the floor does, slides along it. Its ends run out, so its central third is looked at.
         [Test]
         public void A_floor_neither_brakes_nor_drives_the_film_that_slides_along_it([Values(0f, 2f, 5f, 20f, 35f)] float tilt)
         {
@@ -116,11 +116,11 @@ namespace Rill.Tests
             {
                 ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Plane, 0f, foot, turn));
                 fluid.Input.gravity = -Gravity * up;
-                var places = new List<float3>();
+                var positions = new List<float3>();
                 for (int i = 0; i < length * 3 * 12; i++)
-                    places.Add((foot + (4.5f + i % length) * along + (0.55f + i / length % 3) * up
+                    positions.Add((foot + (4.5f + i % length) * along + (0.55f + i / length % 3) * up
                         + new float3(0f, 0f, 0.5f + i / (3 * length))) * Spacing);
-                fluid.Add(places.ToArray(), 1.5f * along);
+                fluid.Add(positions.ToArray(), 1.5f * along);
                 ParticleState start = fluid.Read();
                 var inside = new HashSet<uint>(Enumerable.Range(0, start.Count)
                     .Where(i => math.abs(math.dot(start.positions[i].xyz - foot, along) - 4f - 0.5f * length) < length / 6f)
@@ -131,7 +131,7 @@ namespace Rill.Tests
             }
         }
 
-        // Along a half-pipe that lies along the grid or across it; the middle third of the water.
+        // Along a half-pipe that lies along the grid or across it; the central third of the water.
         [Test]
         public void A_half_pipe_neither_brakes_nor_drives_the_sheet_that_slides_along_it([Values(10f, 30f)] float turned)
         {
@@ -139,24 +139,24 @@ namespace Rill.Tests
             quaternion turn = quaternion.RotateY(math.radians(turned));
             float3 along = math.mul(turn, math.right()), across = math.mul(turn, math.forward());
             var box = new float3(90f, 20f, 90f);
-            float3 middle = new float3(0.5f * box.x, radius + 2.3f, 0.5f * box.z);
+            float3 center = new float3(0.5f * box.x, radius + 2.3f, 0.5f * box.z);
             using (var fluid = new TestFluid(box * Spacing, Spacing, 4000, ColliderDeepWaterTests.Deep))
             {
                 // A capsule inside out whose axis, its y, lies along the pipe.
-                ColliderMotion pipe = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 120f, 0f), middle,
+                ColliderMotion pipe = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 120f, 0f), center,
                     math.mul(turn, quaternion.RotateZ(math.radians(90f))));
                 pipe.insideOut = true;
                 ColliderTests.Use(fluid, pipe);
-                var places = new List<float3>();
+                var positions = new List<float3>();
                 for (float x = 0.5f - 0.6f * length; x < 0.4f * length; x++)
                     for (float y = -radius + 0.55f; y < -radius + 4f; y++)
                         for (float z = 0.5f - radius; z < radius; z++)
                             if (y * y + z * z < (radius - 0.5f) * (radius - 0.5f))
-                                places.Add((middle + x * along + y * math.up() + z * across) * Spacing);
-                fluid.Add(places.ToArray(), 1.5f * along);
+                                positions.Add((center + x * along + y * math.up() + z * across) * Spacing);
+                fluid.Add(positions.ToArray(), 1.5f * along);
                 ParticleState start = fluid.Read();
                 var inside = new HashSet<uint>(Enumerable.Range(0, start.Count)
-                    .Where(i => math.abs(math.dot(start.positions[i].xyz - middle, along) + 0.1f * length) < length / 6f)
+                    .Where(i => math.abs(math.dot(start.positions[i].xyz - center, along) + 0.1f * length) < length / 6f)
                     .Select(i => start.ids[i]));
                 double before = math.dot(MeanVelocity(start, inside), along);
                 double3 end = MeanVelocity(fluid.Step(20).Read(), inside);

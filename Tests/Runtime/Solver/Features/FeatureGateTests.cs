@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>What a scene may have on a device that is too small for all of it.</summary>
+    /// <summary>Features that a scene may have on a device that is too small for all of it.</summary>
     public class FeatureGateTests
     {
         static readonly FeatureSet Everything = Features.Colliders | Features.DeepWater | Features.VelocitySmoothing

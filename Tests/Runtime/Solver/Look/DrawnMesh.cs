@@ -23,7 +23,7 @@ namespace Rill.Tests
             return mesh;
         }
 
-        /// <summary>The same in the room that there is.</summary>
+        /// <summary>Records the mesh in the available room.</summary>
         public static DrawnMesh Recorded(TestFluid fluid, float cell)
         {
             fluid.Solver.MeshCell = cell;
@@ -110,7 +110,7 @@ namespace Rill.Tests
             }
         }
 
-        /// <summary>Where a ray from within the water leaves it, d; <paramref name="most"/> where it does not before.</summary>
+        /// <summary>Returns where a ray from within the water leaves it, d; <paramref name="most"/> if it does not before.</summary>
         public double Exit(double3 from, double3 along, double most)
         {
             double first = most;

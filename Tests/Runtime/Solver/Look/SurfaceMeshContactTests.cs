@@ -37,17 +37,17 @@ namespace Rill.Tests
         // The collider, and the shape of the same surface whose distance has a formula.
         ColliderMotion Make(Solid solid, out ColliderMotion formula)
         {
-            float3 middle = new float3(7.5f, 4.5f, 7.5f);
+            float3 center = new float3(7.5f, 4.5f, 7.5f);
             quaternion tilt = quaternion.Euler(0.4f, 0.3f, 0.2f);
             switch (solid)
             {
-                case Solid.Ball: return formula = Still(ColliderShape.Sphere, 3.2f, middle, quaternion.identity);
-                case Solid.Box: return formula = Still(ColliderShape.Box, new float3(2.3f, 9f, 2.8f), middle, quaternion.identity);
-                case Solid.TiltedBox: return formula = Still(ColliderShape.Box, new float3(2.2f, 5f, 2.2f), middle, tilt);
-                case Solid.Capsule: return formula = Still(ColliderShape.Capsule, new float3(2f, 2.5f, 0f), middle, quaternion.Euler(1.2f, 0.3f, 0f));
+                case Solid.Ball: return formula = Still(ColliderShape.Sphere, 3.2f, center, quaternion.identity);
+                case Solid.Box: return formula = Still(ColliderShape.Box, new float3(2.3f, 9f, 2.8f), center, quaternion.identity);
+                case Solid.TiltedBox: return formula = Still(ColliderShape.Box, new float3(2.2f, 5f, 2.2f), center, tilt);
+                case Solid.Capsule: return formula = Still(ColliderShape.Capsule, new float3(2f, 2.5f, 0f), center, quaternion.Euler(1.2f, 0.3f, 0f));
                 case Solid.Slope: return formula = Still(ColliderShape.Plane, 0f, new float3(7.5f, 1f, 7.5f), quaternion.Euler(0.6f, 0f, 0.2f));
                 case Solid.Ground: return Ground(out formula);
-                default: return Cube(middle, tilt, out formula);
+                default: return Cube(center, tilt, out formula);
             }
         }
 
@@ -69,22 +69,22 @@ namespace Rill.Tests
             return motion;
         }
 
-        ColliderMotion Cube(float3 middle, quaternion tilt, out ColliderMotion formula)
+        ColliderMotion Cube(float3 center, quaternion tilt, out ColliderMotion formula)
         {
             MeshSdfSettings settings = MeshSdfSettings.Default;
             settings.resolution = 24;
             settings.padding = 4;
             cube = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Box(5f * Spacing * Vector3.one), settings));
-            ColliderMotion motion = Still(ColliderShape.Mesh, cube.Bounds.extents / Spacing, middle, tilt);
+            ColliderMotion motion = Still(ColliderShape.Mesh, cube.Bounds.extents / Spacing, center, tilt);
             motion.field = cube.Texture;
             motion.voxel = cube.VoxelSize / Spacing;
             motion.fieldUnit = 1f / Spacing;
-            formula = Still(ColliderShape.Box, 2.5f, middle, tilt);
+            formula = Still(ColliderShape.Box, 2.5f, center, tilt);
             return motion;
         }
 
-        // As far below the surface beside it, d, begins a pocket of a few cells without water, not the line. One is left at a mesh by some ways that
-        // the water comes to rest, of up to a seventh of the points.
+        // Depth below the surface beside it, d, at which a pocket of a few cells without water begins, not the line. Some paths leave one at a mesh
+        // as the water comes to rest, of up to a seventh of the points.
         const double Pocket = 1.0;
 
         // Particles do not get into a wedge between the surface and a collider that leans: there the surface ends lower than it is beside.
@@ -140,7 +140,7 @@ namespace Rill.Tests
             }
         }
 
-        // What is thinner than a third of a cell is not held.
+        // Parts thinner than a third of a cell are not held.
         [Test]
         public void Water_at_a_thin_plate_is_not_seen_on_its_other_side([Values(0.5f, Medium, 1f)] float cell,
             [Values(0.3f, 0.6f, 1f)] float thickness, [Values(0f, 0.25f)] float tilt)
@@ -151,10 +151,10 @@ namespace Rill.Tests
                 quaternion.Euler(0f, 0f, tilt));
             using (TestFluid fluid = new TestFluid(Box * Spacing, Spacing, 1200))
             {
-                float3[] places = ParticleState.Lattice(0f, 0.5f, new int3(7, 4, 15), 0.02f).positions.Select(p => p.xyz)
+                float3[] positions = ParticleState.Lattice(0f, 0.5f, new int3(7, 4, 15), 0.02f).positions.Select(p => p.xyz)
                     .Where(p => Reference.Shapes.Distance(plate, p) > 0.5 && In(plate, p).x < 0.0).Select(p => p * Spacing).ToArray();
                 Use(fluid, plate);
-                DrawnMesh mesh = DrawnMesh.Of(fluid.Add(places).Step(20), cell);
+                DrawnMesh mesh = DrawnMesh.Of(fluid.Add(positions).Step(20), cell);
                 double beyond = mesh.positions.Max(p => In(plate, p).x) - 0.5 * thickness;
                 double[] gaps = Gaps(fluid, mesh, plate);
                 TestContext.Out.WriteLine($"{beyond:0.000} d beyond it; gaps of {gaps.Length} up to {gaps.Max():0.000} d");
@@ -261,7 +261,7 @@ namespace Rill.Tests
             Assert.That(Rms(onLine), Is.LessThan(lineError));
         }
 
-        // Of the particles that lie on a shape: how far from it the water ends below them, positive where there is a gap.
+        // Returns how far from a shape the water ends below the particles on it, positive at a gap.
         static double[] Gaps(TestFluid fluid, DrawnMesh mesh, ColliderMotion shape)
         {
             var gaps = new List<double>();
@@ -303,9 +303,9 @@ namespace Rill.Tests
             for (int i = 0; i < mesh.indices.Length; i++)
             {
                 uint a = mesh.indices[i], b = mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
-                double3 middle = 0.5 * (mesh.positions[a] + mesh.positions[b]);
-                if (distances[a] >= 0.0 || distances[b] < 0.0 || middle.y < level - 1.5
-                    || math.cmin(math.min(middle, Box - middle).xz) < 1.0)
+                double3 center = 0.5 * (mesh.positions[a] + mesh.positions[b]);
+                if (distances[a] >= 0.0 || distances[b] < 0.0 || center.y < level - 1.5
+                    || math.cmin(math.min(center, Box - center).xz) < 1.0)
                     continue;
                 double3 at = math.lerp(mesh.positions[a], mesh.positions[b], distances[a] / (distances[a] - distances[b]));
                 double[] beside = top.Where(p => math.distance(p.xz, at.xz) < 2.5).Select(p => p.y).ToArray();
@@ -315,7 +315,7 @@ namespace Rill.Tests
             return line.ToArray();
         }
 
-        // What the mesh encloses without what a shape hides of it, d³.
+        // Volume that the mesh encloses outside of a shape, d³.
         static double VolumeOutside(DrawnMesh mesh, ColliderMotion shape)
         {
             double3[] p = mesh.positions.Select(q => q - Normal(shape, q) * Math.Min(Reference.Shapes.Distance(shape, q), 0.0)).ToArray();

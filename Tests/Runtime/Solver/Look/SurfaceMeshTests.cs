@@ -104,14 +104,14 @@ namespace Rill.Tests
                 Assert.Pass("thinner than a cell: Low tears such sheets");
             using (TestFluid fluid = Still(new float3(28f, 16f, 28f), 3000))
             {
-                var places = new List<float3>();
+                var positions = new List<float3>();
                 for (int z = 0; z < 24; z++)
                     for (int y = 0; y < layers; y++)
                         for (int x = 0; x < 24; x++)
-                            places.Add((new float3(x, y, z) + 0.02f * math.sin(37f * new float3(x + z, y + x, z - y))
+                            positions.Add((new float3(x, y, z) + 0.02f * math.sin(37f * new float3(x + z, y + x, z - y))
                                 + new float3(2.5f, 7.2f, 2.5f)) * Spacing);
                 fluid.Input.settings.iterations = 0;
-                DrawnMesh mesh = DrawnMesh.Of(fluid.Add(places.ToArray()).Step(), cell);
+                DrawnMesh mesh = DrawnMesh.Of(fluid.Add(positions.ToArray()).Step(), cell);
                 Assert.That(mesh.OpenEdges, Is.Zero);
                 double[] heights = mesh.positions.Where(p => math.all(p.xz > 6.0) && math.all(p.xz < 22.0))
                     .Select(p => p.y - 7.2 - 0.5 * (layers - 1)).ToArray();
@@ -225,22 +225,22 @@ namespace Rill.Tests
         [Test]
         public void The_field_beside_a_wall_is_that_of_the_water_and_its_mirror_image()
         {
-            const float middle = 18f;       // a wall there has the same nodes beside it as one at 0: 24 nodes of 0.75 d, whole bricks
-            float3[] ball = Ball(middle, 4f);
-            ReadField Field(float3 box, IEnumerable<float3> places)
+            const float center = 18f;       // a wall there has the same nodes beside it as one at 0: 24 nodes of 0.75 d, whole bricks
+            float3[] ball = Ball(center, 4f);
+            ReadField Field(float3 box, IEnumerable<float3> positions)
             {
                 using (TestFluid fluid = Still(box, 1000))
                 {
                     fluid.Input.settings.iterations = 0;
-                    fluid.Add(places.ToArray()).Step();
+                    fluid.Add(positions.ToArray()).Step();
                     DrawnMesh.Of(fluid, Medium);
                     return new ReadField(fluid.Solver.Mesh);
                 }
             }
-            var offset = new float3(middle, 0f, 0f);
-            ReadField whole = Field(2f * middle, ball);
-            ReadField half = Field(new float3(middle, 2f * middle, 2f * middle),
-                ball.Where(p => p.x > middle * Spacing).Select(p => p - offset * Spacing));
+            var offset = new float3(center, 0f, 0f);
+            ReadField whole = Field(2f * center, ball);
+            ReadField half = Field(new float3(center, 2f * center, 2f * center),
+                ball.Where(p => p.x > center * Spacing).Select(p => p - offset * Spacing));
             var errors = new List<double>();
             foreach (int3 node in half.Nodes)
             {
@@ -492,9 +492,9 @@ namespace Rill.Tests
                     fluid.Results.Surface.IsNeeded = true;
                     fluid.Results.Surface.RequestMesh(0.5f, BoxWalls.All);
                 };
-                using (var places = new NativeArray<float3>(Clumps(random).Select(p => p - 32f * Spacing).ToArray(), Allocator.Persistent))
-                using (var velocities = new NativeArray<float3>(places.Length, Allocator.Persistent))
-                    fluid.AddParticles(places, velocities);
+                using (var positions = new NativeArray<float3>(Clumps(random).Select(p => p - 32f * Spacing).ToArray(), Allocator.Persistent))
+                using (var velocities = new NativeArray<float3>(positions.Length, Allocator.Persistent))
+                    fluid.AddParticles(positions, velocities);
                 scene.Step();
                 fluid.Paused = true;
                 uint[] first = GpuTest.Read<uint>(fluid.Solver.Mesh.Counters, Enum.GetValues(typeof(SurfaceMesh.Counter)).Length);
@@ -511,17 +511,17 @@ namespace Rill.Tests
             }
         }
 
-        // Of 27 particles each, far apart in a box of 64 d, m.
+        // Clumps of 27 particles each, far apart in a box of 64 d, m.
         static List<float3> Clumps(Random random)
         {
-            var places = new List<float3>();
+            var positions = new List<float3>();
             for (int clump = 0; clump < 240; clump++)
             {
                 float3 at = 3f + 6f * new float3(clump % 10, clump / 10 % 6, clump / 60);
                 for (int k = 0; k < 27; k++)
-                    places.Add((at + new float3(k % 3, k / 3 % 3, k / 9) + random.NextFloat3(-0.02f, 0.02f)) * Spacing);
+                    positions.Add((at + new float3(k % 3, k / 3 % 3, k / 9) + random.NextFloat3(-0.02f, 0.02f)) * Spacing);
             }
-            return places;
+            return positions;
         }
 
         // The first frames of a splash may lack one of the three alone.
@@ -584,16 +584,16 @@ namespace Rill.Tests
 
         static float3[] Ball(float center, float radius)
         {
-            var places = new List<float3>();
+            var positions = new List<float3>();
             for (float z = center - radius; z < center + radius; z++)
                 for (float y = center - radius; y < center + radius; y++)
                     for (float x = center - radius; x < center + radius; x++)
                     {
                         float3 p = math.floor(new float3(x, y, z)) + 0.5f;
                         if (math.distance(p, center) < radius)
-                            places.Add(p * Spacing);
+                            positions.Add(p * Spacing);
                     }
-            return places.ToArray();
+            return positions.ToArray();
         }
 
         enum SurfaceElementKind { None, Surface, Wall, Drop }
@@ -621,7 +621,7 @@ namespace Rill.Tests
                     against += math.dot(face, sum) < 0.0 ? 1 : 0;
                 }
             }
-            Assert.That(against, Is.LessThan(fraction * mesh.indices.Length / 3 + 1), $"triangles whose normals look the other way, {at}");
+            Assert.That(against, Is.LessThan(fraction * mesh.indices.Length / 3 + 1), $"triangles whose normals are reversed, {at}");
             foreach (double3 normal in mesh.normals)
                 Assert.That(math.length(normal), Is.EqualTo(1.0).Within(1e-3));
         }
@@ -672,7 +672,7 @@ namespace Rill.Tests
                                               from x in Enumerable.Range(0, 4 * bricks.x)
                                               select new int3(x, y, z);
 
-            /// <summary>Places of the bricks that exist.</summary>
+            /// <summary>Coordinates of the bricks that exist.</summary>
             public IEnumerable<int3> Bricks => Nodes.Where(node => math.all(node % 4 == 0) && Top(node / 4) >= 2).Select(node => node / 4);
 
             public bool IsIn(int3 node) => math.all(node >= 0) && math.all(node < 4 * bricks);
@@ -680,7 +680,7 @@ namespace Rill.Tests
             /// <summary>Distance of a node from the surface, d; 2 or -2 where no brick is.</summary>
             public float this[int3 node] => Top(node / 4) < 2 ? Top(node / 4) == 1 ? 2f : -2f : Stored(node / 4, node % 4);
 
-            /// <summary>What a brick that exists holds, local 0 to 4.</summary>
+            /// <summary>Value stored in a brick that exists, local 0 to 4.</summary>
             public float Stored(int3 brick, int3 local)
             {
                 uint number = Top(brick) - 2;

@@ -99,8 +99,8 @@ namespace Rill.Tests
             fluid.Paused = true;
             int before = SurfaceShape.Read(fluid.Solver).Length;
             ParticleState state = TestFluid.Read(fluid.Solver);
-            Vector3 middle = fluid.DomainToWorld.MultiplyPoint3x4(state.positions.Aggregate(float4.zero, (sum, p) => sum + p / state.Count).xyz);
-            fluid.RemoveInside(FluidShape.Sphere(middle + 2f * fluid.ParticleSpacing * Vector3.up, 3f * fluid.ParticleSpacing));
+            Vector3 center = fluid.DomainToWorld.MultiplyPoint3x4(state.positions.Aggregate(float4.zero, (sum, p) => sum + p / state.Count).xyz);
+            fluid.RemoveInside(FluidShape.Sphere(center + 2f * fluid.ParticleSpacing * Vector3.up, 3f * fluid.ParticleSpacing));
             Frame(draws: true);
             Assert.That(SurfaceShape.Read(fluid.Solver).Length, Is.EqualTo(before), "as it was, until the next step");
             using (var positions = new NativeArray<float3>(new[] { new float3(0.4f, 0.4f, 0.4f) }, Allocator.Temp))

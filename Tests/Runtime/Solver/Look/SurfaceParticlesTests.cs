@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>What is found to be drawn of the water, against the same in double precision, and on every path to it.</summary>
+    /// <summary>Visible parts of the water, against double precision, and on every path to them.</summary>
     public class SurfaceParticlesTests
     {
         // A center and a shape as an element of 32 bytes keeps them: 10 bits for each component of a rotation, halves for lengths.
@@ -203,8 +203,8 @@ namespace Rill.Tests
         [Test]
         public void A_drop_alone_is_a_sphere_where_it_is_and_a_pair_is_one_longish_drop()
         {
-            var places = new[] { new float3(6f, 6f, 6f), new float3(14f, 14f, 14f), new float3(15f, 14f, 14f), new float3(0.5f, 6f, 15f) };
-            using (var found = new Found(new ParticleState(20f, places)))
+            var positions = new[] { new float3(6f, 6f, 6f), new float3(14f, 14f, 14f), new float3(15f, 14f, 14f), new float3(0.5f, 6f, 15f) };
+            using (var found = new Found(new ParticleState(20f, positions)))
             {
                 Assert.That(found.Shapes.Length, Is.EqualTo(4));
                 foreach (SurfaceShape shape in found.Shapes)
@@ -306,7 +306,7 @@ namespace Rill.Tests
             public uint[] Counters => GpuTest.Read<uint>(stage.Counters, 3);
             public uint[] Arguments => GpuTest.Read<uint>(stage.Arguments, ParticleState.ArgumentCount);
 
-            /// <summary>Of all ellipsoids, in one order whatever that of the buffer.</summary>
+            /// <summary>Bits of all ellipsoids, in one order whatever that of the buffer.</summary>
             public uint[] Bits
             {
                 get

@@ -55,10 +55,10 @@ namespace Rill.Tests
                 Assert.That(floor.Hits, Has.None.NaN);
                 Assert.That(side.Hits.Concat(floor.Hits).Max(), Is.LessThan(0.1));
                 var top = new SurfaceRays(shapes, 1, -1, 0.3, 19.7);
-                double middle = top.Hits.Where((_, i) => math.cmax(math.abs(top.At(i) - 10.0)) < 5.0).Average();
+                double center = top.Hits.Where((_, i) => math.cmax(math.abs(top.At(i) - 10.0)) < 5.0).Average();
                 double rim = top.Hits.Where((_, i) => math.cmax(math.abs(top.At(i) - 10.0)) > 9.2).Average();
-                TestContext.Out.WriteLine($"the surface within 0.8 d of the walls lies {rim - middle:+0.00;-0.00} d above the middle");
-                Assert.That(rim - middle, Is.InRange(-0.7, 0.7), "the water itself lies lower at the walls");
+                TestContext.Out.WriteLine($"the surface within 0.8 d of the walls lies {rim - center:+0.00;-0.00} d above the center");
+                Assert.That(rim - center, Is.InRange(-0.7, 0.7), "the water itself lies lower at the walls");
             }
         }
 
@@ -69,8 +69,8 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(new float3(30f) * Spacing, Spacing, 5000))
             {
                 fluid.Input.gravity = 0f;
-                float3[] places = EvenBall(4189, radius);
-                fluid.Add(places.Select(p => (p + 15f) * Spacing).ToArray());
+                float3[] positions = EvenBall(4189, radius);
+                fluid.Add(positions.Select(p => (p + 15f) * Spacing).ToArray());
                 for (int step = 0; step < 30; step++)
                 {
                     fluid.Step();
@@ -84,11 +84,11 @@ namespace Rill.Tests
                 for (int axis = 0; axis < 3; axis++)
                     foreach (int direction in new[] { 1, -1 })
                     {
-                        var middle = new double2(center[(axis + 1) % 3], center[(axis + 2) % 3]);
-                        var rays = new SurfaceRays(shapes, axis, direction, middle - r - 2.0, middle + r + 2.0, cell);
+                        var mid = new double2(center[(axis + 1) % 3], center[(axis + 2) % 3]);
+                        var rays = new SurfaceRays(shapes, axis, direction, mid - r - 2.0, mid + r + 2.0, cell);
                         for (int i = 0; i < rays.Hits.Length; i++)
                         {
-                            double2 off = rays.At(i) - middle;
+                            double2 off = rays.At(i) - mid;
                             double left = r * r - math.lengthsq(off);
                             bool isHit = !double.IsNaN(rays.Hits[i]);
                             either += left > 0.0 || isHit ? 1 : 0;
@@ -218,7 +218,7 @@ namespace Rill.Tests
             bool IsInside(int k, int count, int rim) => k >= rim && k < count - rim;
         }
 
-        // Points that keep their distance from one another and from their images in a sphere: what the solver then relaxes is no lattice,
+        // Points that keep their distance from one another and from their images in a sphere: what the solver then relaxes is not a lattice,
         // which would end in steps.
         static float3[] EvenBall(int count, double radius)
         {

@@ -39,7 +39,7 @@ namespace Rill.Tests
                 Cast(shape);
         }
 
-        /// <summary>Where a ray runs, on the two other axes.</summary>
+        /// <summary>Position of a ray on the two other axes.</summary>
         public double2 At(int i) => First + Step * new double2(i % Count.x, i / Count.x);
 
         void Cast(in SurfaceShape shape)

@@ -14,7 +14,7 @@ namespace Rill.Tests
         public double3 x, y, z;
         public double3 semiAxes;
         public int particle;
-        /// <summary>Of thick water: its normal, z, is stored more finely than other shapes are.</summary>
+        /// <summary>Set for thick water: its normal, z, is stored more finely than other shapes are.</summary>
         public bool isDisc;
 
         /// <summary>Those that the solver has to draw, sorted by particle.</summary>

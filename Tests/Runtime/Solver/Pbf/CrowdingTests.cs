@@ -13,8 +13,8 @@ namespace Rill.Tests
         [Test]
         public void Pairs_in_one_place_far_from_all_others_come_apart([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            float3[] places = Enumerable.Range(0, 27).Select(i => (3f + 4f * new float3(i % 3, i / 3 % 3, i / 9)) * Spacing).ToArray();
-            using (var fluid = new TestFluid(14f * Spacing, Spacing, 54, Settings(deepWater)).Add(places).Add(places))
+            float3[] positions = Enumerable.Range(0, 27).Select(i => (3f + 4f * new float3(i % 3, i / 3 % 3, i / 9)) * Spacing).ToArray();
+            using (var fluid = new TestFluid(14f * Spacing, Spacing, 54, Settings(deepWater)).Add(positions).Add(positions))
             {
                 fluid.Input.gravity = 0f;
                 Assert.That(fluid.Measure().coincident, Is.EqualTo(54));
@@ -42,8 +42,8 @@ namespace Rill.Tests
         [Test]
         public void A_block_at_eight_times_the_density_comes_apart_without_an_explosion([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            float3[] places = Enumerable.Range(0, 512).Select(i => (8f + 0.5f * new float3(i % 8, i / 8 % 8, i / 64)) * Spacing).ToArray();
-            using (var fluid = new TestFluid(20f * Spacing, Spacing, 512, Settings(deepWater)).Add(places))
+            float3[] positions = Enumerable.Range(0, 512).Select(i => (8f + 0.5f * new float3(i % 8, i / 8 % 8, i / 64)) * Spacing).ToArray();
+            using (var fluid = new TestFluid(20f * Spacing, Spacing, 512, Settings(deepWater)).Add(positions))
             {
                 fluid.Input.gravity = 0f;
                 float fastest = 0f;
@@ -63,8 +63,8 @@ namespace Rill.Tests
             [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             var random = new Random(3);
-            float3[] places = Enumerable.Range(0, 1000).Select(_ => (10f + random.NextFloat3()) * Spacing).ToArray();
-            using (var fluid = new TestFluid(20f * Spacing, Spacing, 1000, Settings(deepWater)).Add(places))
+            float3[] positions = Enumerable.Range(0, 1000).Select(_ => (10f + random.NextFloat3()) * Spacing).ToArray();
+            using (var fluid = new TestFluid(20f * Spacing, Spacing, 1000, Settings(deepWater)).Add(positions))
             {
                 FluidStatistics first = fluid.Step().MeasureWhole();
                 Assert.That(first.neighborOverflow, Is.EqualTo(1000));
@@ -81,9 +81,9 @@ namespace Rill.Tests
         public void A_closed_box_with_too_many_particles_shares_the_error_among_all_and_calms_down(
             [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            float3[] places = Enumerable.Range(0, 6 * 25 * 6)
+            float3[] positions = Enumerable.Range(0, 6 * 25 * 6)
                 .Select(i => (new float3(i % 6, i / 6 % 25 * 0.8f, i / 150) + new float3(0.5f, 0.4f, 0.5f)) * Spacing).ToArray();
-            using (var fluid = new TestFluid(new float3(6f, 20f, 6f) * Spacing, Spacing, places.Length, Settings(deepWater)).Add(places))
+            using (var fluid = new TestFluid(new float3(6f, 20f, 6f) * Spacing, Spacing, positions.Length, Settings(deepWater)).Add(positions))
             {
                 FluidStatistics statistics = fluid.Step(60).MeasureWhole();
                 TestContext.Out.WriteLine(
@@ -128,7 +128,7 @@ namespace Rill.Tests
 
         // In the corners of a box at an angle are cells of the coarse grid with little room, few particles and hardly an open face. What its walls
         // push around there must not throw the water about, which at rest in the box moves at 1.2 m/s. Beside the wall of a ball are coarser
-        // cells without water, which are no surface either.
+        // cells without water, which are not a surface either.
         [TestCase(ColliderShape.Box, 3f, 3f)]
         [TestCase(ColliderShape.Sphere, 0f, 0.5f)]
         public void A_vessel_that_holds_a_fifth_too_much_does_not_burst(ColliderShape shape, float turning, float fastest)
@@ -137,7 +137,7 @@ namespace Rill.Tests
             RigidPose Pose(float time) => new RigidPose(20f, quaternion.Euler(0.3f + turning * time, 0.4f, 0.5f + 0.1f * turning * time));
             quaternion back = math.conjugate(Pose(0f).rotation);
             float pitch = math.pow(1.2f, -1f / 3f);
-            float3[] places = Enumerable.Range(0, 43 * 43 * 43).Select(i => (new float3(i % 43, i / 43 % 43, i / (43 * 43)) - 21f) * pitch)
+            float3[] positions = Enumerable.Range(0, 43 * 43 * 43).Select(i => (new float3(i % 43, i / 43 % 43, i / (43 * 43)) - 21f) * pitch)
                 .Where(p => (shape == ColliderShape.Box ? math.cmax(math.abs(math.mul(back, p))) : math.length(p)) < half - 0.45f)
                 .Select(p => (p + 20f) * Spacing).ToArray();
             ColliderMotion vessel = ColliderTests.Still(shape, half, 20f, quaternion.identity);
@@ -145,7 +145,7 @@ namespace Rill.Tests
             vessel.end = Pose(0f);
             SolverSettings settings = Settings(DeepWater.On);
             settings.iterations = 2;
-            using (TestFluid fluid = new TestFluid(40f * Spacing, Spacing, places.Length, settings).Add(places))
+            using (TestFluid fluid = new TestFluid(40f * Spacing, Spacing, positions.Length, settings).Add(positions))
             {
                 float speed = 0f;
                 for (int step = 1; step <= 60; step++)
@@ -157,7 +157,7 @@ namespace Rill.Tests
                     if (step % 10 == 0)
                         speed = math.max(speed, fluid.Measure().speed);
                 }
-                TestContext.Out.WriteLine($"{places.Length} particles, mean speed at most {speed:0.00} m/s");
+                TestContext.Out.WriteLine($"{positions.Length} particles, mean speed at most {speed:0.00} m/s");
                 Assert.That(speed, Is.LessThan(fastest));
             }
         }
@@ -165,12 +165,12 @@ namespace Rill.Tests
         // Has room for 50 layers.
         static TestFluid OverfullBox(int side, int layers)
         {
-            float3[] places = Enumerable.Range(0, side * layers * side)
+            float3[] positions = Enumerable.Range(0, side * layers * side)
                 .Select(i => (new float3(i % side, i / side % layers, i / (side * layers)) + 0.5f) * new float3(1f, 50f / layers, 1f) * Spacing)
                 .ToArray();
             SolverSettings settings = Settings(DeepWater.On);
             settings.iterations = 2;
-            return new TestFluid(new float3(side, 50f, side) * Spacing, Spacing, places.Length, settings).Add(places);
+            return new TestFluid(new float3(side, 50f, side) * Spacing, Spacing, positions.Length, settings).Add(positions);
         }
 
         // m/s: each pass moves a particle half a spacing at most, the grid's density correction two spacings.

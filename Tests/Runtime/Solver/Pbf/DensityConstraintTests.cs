@@ -168,12 +168,12 @@ namespace Rill.Tests
         public void A_coincident_pair_is_pushed_apart_in_opposite_directions()
         {
             ParticleState lattice = ParticleState.Lattice(16f, 4.25f, 8);
-            int middle = (4 * 8 + 4) * 8 + 4;
-            var state = new ParticleState(16f, lattice.positions.Select(p => p.xyz).Append(lattice.positions[middle].xyz).ToArray());
+            int center = (4 * 8 + 4) * 8 + 4;
+            var state = new ParticleState(16f, lattice.positions.Select(p => p.xyz).Append(lattice.positions[center].xyz).ToArray());
             using (var stages = Listed(state, SolverStages.Roomy).Constrain(iterations: 1))
             {
                 uint[] ids = stages.SortedIds;
-                int a = Array.IndexOf(ids, (uint)middle), b = Array.IndexOf(ids, (uint)lattice.Count);
+                int a = Array.IndexOf(ids, (uint)center), b = Array.IndexOf(ids, (uint)lattice.Count);
                 float4[] before = stages.Multipliers, after = stages.Predicted;
                 float3 first = after[a].xyz - before[a].xyz, second = after[b].xyz - before[b].xyz;
                 Assert.That(before[a].w, Is.LessThan(0f), "the pair is not compressed");

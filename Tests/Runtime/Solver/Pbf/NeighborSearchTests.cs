@@ -91,15 +91,15 @@ namespace Rill.Tests
         public void Particles_outside_are_brought_into_the_box()
         {
             var box = new float3(8f, 6f, 7f);
-            var places = new[] { new float3(-100f, 3f, 3f), new float3(4f, 1e30f, 3f), new float3(4f, 3f, 7.2f),
+            var positions = new[] { new float3(-100f, 3f, 3f), new float3(4f, 1e30f, 3f), new float3(4f, 3f, 7.2f),
                 new float3(0.1f, 5.9f, 0.49f), new float3(4f, 3f, 3f) };
-            using (var stages = new SolverStages(new ParticleState(box, places), SolverStages.Still()).Sort())
+            using (var stages = new SolverStages(new ParticleState(box, positions), SolverStages.Still()).Sort())
             {
                 uint[] ids = stages.SortedIds;
                 float4[] predicted = stages.Predicted;
                 Assert.That(ids.OrderBy(id => id), Is.EqualTo(new uint[] { 0, 1, 2, 3, 4 }));
-                for (int slot = 0; slot < places.Length; slot++)
-                    Assert.That(predicted[slot].xyz, Is.EqualTo(math.clamp(places[ids[slot]], 0.5f, box - 0.5f)), $"particle {ids[slot]}");
+                for (int slot = 0; slot < positions.Length; slot++)
+                    Assert.That(predicted[slot].xyz, Is.EqualTo(math.clamp(positions[ids[slot]], 0.5f, box - 0.5f)), $"particle {ids[slot]}");
                 Assert.That(stages.Counter(ParticleCounter.NonFinite), Is.Zero);
             }
         }
@@ -160,10 +160,10 @@ namespace Rill.Tests
         public void A_very_full_cell_keeps_all_its_particles_in_order()
         {
             var random = new Unity.Mathematics.Random(10u);
-            float3[] places = Enumerable.Range(0, 1500).Select(_ => random.NextFloat3(2.05f, 2.6f)).ToArray();
-            using (var stages = new SolverStages(new ParticleState(8f, places), SolverStages.Still()).Sort())
+            float3[] positions = Enumerable.Range(0, 1500).Select(_ => random.NextFloat3(2.05f, 2.6f)).ToArray();
+            using (var stages = new SolverStages(new ParticleState(8f, positions), SolverStages.Still()).Sort())
             {
-                Assert.That(Cells(new ParticleState(8f, places), stages.Layout).Distinct().Count(), Is.EqualTo(1));
+                Assert.That(Cells(new ParticleState(8f, positions), stages.Layout).Distinct().Count(), Is.EqualTo(1));
                 Compare.Same("ids", stages.SortedIds, Enumerable.Range(0, 1500).Select(i => (uint)i).ToArray());
             }
         }
@@ -213,7 +213,7 @@ namespace Rill.Tests
 
         static uint[] CellStarts(SolverStages stages) => GpuTest.Read<uint>(stages.Search.CellStarts, stages.Layout.CellTotal + 1);
 
-        // Of particles that do not move.
+        // Cells of particles that do not move.
         static int[] Cells(ParticleState state, SolverLayout layout)
         {
             return state.positions.Select(p => CountingSort.Cell(p.xyz, 1f / layout.CellSize, layout.CellCounts)).ToArray();

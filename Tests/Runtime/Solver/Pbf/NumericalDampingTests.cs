@@ -28,27 +28,27 @@ namespace Rill.Tests
         static float3[] Loose(float3 corner) => ParticleState.Lattice(0f, 0.5f, 5,
             0.02f).positions.Select(p => (corner + 1.3f * p.xyz) * Spacing).ToArray();
 
-        // What holds it on the circle pushes along the radius at the path's end: it loses q Ω² Δt of its turning in a second.
+        // The constraint to the circle pushes along the radius at the path's end: it loses q Ω² Δt of its turning in a second.
         [TestCase(1f)]
         [TestCase(0.5f)]
         [TestCase(0.25f)]
         [TestCase(0f)]
         public void A_particle_that_circles_in_a_cylinder_loses_that_fraction_of_what_a_first_order_step_takes(float damping)
         {
-            const float radius = 12f, speed = 6f, middle = radius + 1f;
+            const float radius = 12f, speed = 6f, center = radius + 1f;
             const int steps = 120;
-            using (TestFluid fluid = Fluid(damping, 2f * middle))
+            using (TestFluid fluid = Fluid(damping, 2f * center))
             {
                 fluid.Input.gravity = 0f;
-                ColliderMotion wall = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 100f, 0f), middle, quaternion.identity);
+                ColliderMotion wall = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 100f, 0f), center, quaternion.identity);
                 wall.insideOut = true;
                 ColliderTests.Use(fluid, wall);
                 const float arm = radius - 0.5f;
-                fluid.Add(new[] { new float3(middle + arm, middle, middle) * Spacing }, new float3(0f, 0f, speed * arm * Spacing));
+                fluid.Add(new[] { new float3(center + arm, center, center) * Spacing }, new float3(0f, 0f, speed * arm * Spacing));
                 fluid.Step(10);
-                float before = Turning(fluid, middle);
+                float before = Turning(fluid, center);
                 fluid.Step(steps);
-                float after = Turning(fluid, middle);
+                float after = Turning(fluid, center);
                 float perStep = damping * before * before * fluid.Input.timeStep * fluid.Input.timeStep;
                 float expected = before / math.sqrt(1f + 2f * perStep * steps);
                 TestContext.Out.WriteLine($"damping {damping}: {after / before:0.000} of {before:0.000} rad/s, expected {expected / before:0.000}");
@@ -56,10 +56,10 @@ namespace Rill.Tests
             }
         }
 
-        static float Turning(TestFluid fluid, float middle)
+        static float Turning(TestFluid fluid, float center)
         {
             ParticleState state = fluid.Read();
-            float2 arm = state.positions[0].xz - middle;
+            float2 arm = state.positions[0].xz - center;
             return (arm.x * state.velocities[0].z - arm.y * state.velocities[0].x) / math.lengthsq(arm);
         }
 
@@ -176,7 +176,7 @@ namespace Rill.Tests
             }
         }
 
-        // Of velocities without order little is in the mean that is extrapolated, so nothing would make up for a part of the smoothing held back.
+        // The extrapolated mean of disordered velocities is small, so nothing would make up for a part of the smoothing held back.
         [Test]
         public void Noise_is_smoothed_no_slower_than_by_a_first_order_step([Values(0.33f, 0f)] float damping)
         {

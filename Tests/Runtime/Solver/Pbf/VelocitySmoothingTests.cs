@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>What the viscosity setting is in Pa s.</summary>
+    /// <summary>Value of the viscosity setting in Pa s.</summary>
     public class VelocitySmoothingTests
     {
         const float Spacing = 0.05f;

@@ -29,7 +29,7 @@ namespace Rill.Tests
                 float4[] velocities = stages.Velocities;
                 ListedAt(stages, out double3[] points, out int[][] neighbors);
                 float4[] start = stages.Start;
-                // What neighbors see of each other is packed; what a particle keeps of itself is not.
+                // Values that neighbors read are packed; a particle's own are not.
                 double3[] seen = stages.Predicted.Select(p => Unpacked(p.w) / TimeStep).ToArray();
                 var reference = new Velocities(points, seen, neighbors);
                 Compare.Vectors("velocities", count, i => velocities[i].xyz,
@@ -75,14 +75,14 @@ namespace Rill.Tests
         {
             // Far apart, at all distances from faces, edges and corners.
             var random = new Unity.Mathematics.Random(5u);
-            float3[] places = Enumerable.Range(0, 200)
+            float3[] points = Enumerable.Range(0, 200)
                 .Select(i => new float3(i % 2 == 0 ? 0.5f + 2f * random.NextFloat() : 5f, 3f + 5f * (i / 2), i % 3 == 0
                 ? 0.5f + 2f * random.NextFloat() : 5f)).ToArray();
-            using (var stages = Updated(new ParticleState(new float3(12f, 510f, 12f), places), smoothing: 0.01f, iterations: 1, relaxation: 0f))
+            using (var stages = Updated(new ParticleState(new float3(12f, 510f, 12f), points), smoothing: 0.01f, iterations: 1, relaxation: 0f))
             {
                 float4[] velocities = stages.Velocities, positions = stages.Predicted;
                 double own = Kernels.Poly6(0.0) / Kernels.RestDensity;
-                Compare.Scalars("densities", places.Length, i => velocities[i].w,
+                Compare.Scalars("densities", points.Length, i => velocities[i].w,
                     i => own + Walls.Density(positions[i].xyz, stages.Layout.DomainSize) + Pair(positions, i), i => 2e-5);
             }
 
@@ -182,7 +182,7 @@ namespace Rill.Tests
             return new SolverStages(state, SolverStages.Still(settings, material)).Sort().Constrain(iterations).UpdateVelocities();
         }
 
-        // As PackedVector.hlsl has it: 5 bits of exponent, three mantissas of 9.
+        // Unpacks like PackedVector.hlsl: 5 bits of exponent, three mantissas of 9.
         static double3 Unpacked(float packed)
         {
             uint bits = math.asuint(packed);

@@ -36,7 +36,7 @@ namespace Rill.Tests
                 Compare.Vectors("velocities", count, i => swirl.Confined[i].xyz,
                     i => reference.Confined(i, curls, magnitudes, strength, TimeStep, Viscosity), Tolerance);
 
-                // Of a short eta the direction is uncertain.
+                // The direction of a short eta is uncertain.
                 double Tolerance(int i)
                 {
                     VectorSum eta = reference.Eta(i, magnitudes);
@@ -62,8 +62,8 @@ namespace Rill.Tests
             ParticleState state = ParticleState.Lattice(30f, 10f, 9).With(p => math.cross(new float3(0f, 0f, 4f), p - 14f));
             using (var swirl = new Swirl(state, Vorticity))
             {
-                int middle = Array.FindIndex(swirl.Points, p => math.distance(p, 14.0) < 1e-3);
-                float4 curl = swirl.Curl[middle];
+                int center = Array.FindIndex(swirl.Points, p => math.distance(p, 14.0) < 1e-3);
+                float4 curl = swirl.Curl[center];
                 Assert.That(curl.z, Is.GreaterThan(4f), "twice the rate of turning, as far as the kernel sums to one");
                 Assert.That(math.abs(curl.x) + math.abs(curl.y), Is.LessThan(1e-2f));
                 Assert.That(curl.w, Is.EqualTo(curl.z).Within(1e-3));

@@ -95,17 +95,17 @@ namespace Rill.Tests
         public void Particles_beyond_the_walls_inset_have_escaped()
         {
             var box = new float3(10f, 8f, 6f);
-            var places = new[] { new float3(0.41f, 4f, 3f), new float3(0.39f, 4f, 3f), new float3(5f, 7.59f, 3f), new float3(5f, 7.61f, 3f),
+            var positions = new[] { new float3(0.41f, 4f, 3f), new float3(0.39f, 4f, 3f), new float3(5f, 7.59f, 3f), new float3(5f, 7.61f, 3f),
                 new float3(5f, 4f, 9f), new float3(-3f, -3f, -3f), new float3(5f, 4f, 3f) };
-            Assert.That(Measure(new ParticleState(box, places)).escaped, Is.EqualTo(4));
+            Assert.That(Measure(new ParticleState(box, positions)).escaped, Is.EqualTo(4));
         }
 
         [Test]
         public void Particles_in_one_place_are_coincident()
         {
-            var places = new[] { new float3(3f), new float3(3f), new float3(3.04f, 3f, 3f), new float3(5f, 5f, 5f),
+            var positions = new[] { new float3(3f), new float3(3f), new float3(3.04f, 3f, 3f), new float3(5f, 5f, 5f),
                 new float3(5f, 5.06f, 5f), new float3(7f) };
-            Assert.That(Measure(new ParticleState(10f, places)).coincident, Is.EqualTo(3));
+            Assert.That(Measure(new ParticleState(10f, positions)).coincident, Is.EqualTo(3));
         }
 
         [Test]
@@ -242,13 +242,13 @@ namespace Rill.Tests
             fluid.Solver.RequestStatistics();
         }
 
-        // Of particles where they stand, through the stage alone.
+        // Measures particles where they stand, through the stage alone.
         static FluidStatistics Measure(ParticleState state)
         {
             using (var stages = new SolverStages(state, SolverStages.Still()))
             using (var pass = new StatisticsPass(stages.Layout.Capacity))
             {
-                // What only a step writes, as it is after one that overflowed nothing.
+                // Counters that only a step writes, as after one that overflowed nothing.
                 uint[] counters = GpuTest.Read<uint>(stages.Particles.Counters, ParticleBuffers.CounterCount);
                 counters[(int)ParticleCounter.Overflow] = counters[(int)ParticleCounter.MaxNeighbors] = 0;
                 stages.Particles.Counters.SetData(counters);

@@ -18,7 +18,7 @@ namespace Rill.Tests
         const float Spacing = 0.05f, TimeStep = 1f / 60f;
         const float Stretch = 1.5f;
 
-        // Of a ball drawn out to one and a half times its length and let go: within a quarter of a swing the return is as the modulus.
+        // A ball is drawn out to one and a half times its length and let go: within a quarter of a swing the return is as the modulus.
         [Test]
         public void A_stretched_ball_springs_back_by_its_modulus_and_one_without_stays()
         {
@@ -48,29 +48,29 @@ namespace Rill.Tests
             const float Radius = 7f, Modulus = 400f;
             using (var fluid = Free(Modulus))
             {
-                float3 middle = 20f;
-                float3[] places = Points(p => math.length(p.xy) < Radius && math.abs(p.z) < 0.5f * Length)
-                    .Select(p => (middle + p) * Spacing).ToArray();
-                fluid.Add(places, p => 0.5f * Along(p) * math.cross(new float3(0f, 0f, 1f), p - middle * Spacing));
+                float3 center = 20f;
+                float3[] positions = Points(p => math.length(p.xy) < Radius && math.abs(p.z) < 0.5f * Length)
+                    .Select(p => (center + p) * Spacing).ToArray();
+                fluid.Add(positions, p => 0.5f * Along(p) * math.cross(new float3(0f, 0f, 1f), p - center * Spacing));
                 var crossings = new List<double>();
                 double last = 0.0;
                 for (int step = 1; crossings.Count < 3 && step < 240; step++)
                 {
                     ParticleState state = fluid.Step().Read();
                     double spin = Enumerable.Range(0, state.Count)
-                        .Sum(i => Along(state.positions[i].xyz * Spacing) * math.cross(state.positions[i].xyz - middle,
+                        .Sum(i => Along(state.positions[i].xyz * Spacing) * math.cross(state.positions[i].xyz - center,
                         state.velocities[i].xyz).z);
                     if (step > 1 && spin * last < 0.0)
                         crossings.Add((step - spin / (spin - last)) * TimeStep);
                     last = spin;
                 }
                 double frequency = 1.0 / (crossings[2] - crossings[0]), expected = Math.Sqrt(Modulus / 1000.0) / (2.0 * Length * Spacing);
-                TestContext.Out.WriteLine($"{places.Length} particles swing at {frequency:0.0000} Hz, " +
+                TestContext.Out.WriteLine($"{positions.Length} particles swing at {frequency:0.0000} Hz, " +
                     $"{100.0 * (frequency / expected - 1.0):0.0} % off √(G/ρ) / 2L = {expected:0.0000} Hz");
                 Assert.That(frequency, Is.EqualTo(expected).Within(0.1 * expected),
                     "a gradient at the surface is that half a neighborhood further in, so it swings slower");
 
-                float Along(float3 p) => (float)Math.Cos(Math.PI * (p.z / Spacing - middle.z + 0.5f * Length) / Length);
+                float Along(float3 p) => (float)Math.Cos(Math.PI * (p.z / Spacing - center.z + 0.5f * Length) / Length);
             }
         }
 
@@ -187,9 +187,9 @@ namespace Rill.Tests
                 material.shearModulus = 1e-3f;      // too little to move anything
                 material.relaxationTime = 1000f;
                 scene.Fluid.Material = material;
-                float3[] places = Points(p => math.cmax(math.abs(p)) < 5f).Select(p => p * Spacing).ToArray();
-                first = (uint)places.Length;
-                AddTo(scene.Fluid, places, new float3(1.2f, 0.6f, 0f));
+                float3[] positions = Points(p => math.cmax(math.abs(p)) < 5f).Select(p => p * Spacing).ToArray();
+                first = (uint)positions.Length;
+                AddTo(scene.Fluid, positions, new float3(1.2f, 0.6f, 0f));
                 scene.Step();
                 uint[] ids = scene.Read().ids;
                 scene.Fluid.Solver.Viscoelasticity.Conformation.SetData(
@@ -202,7 +202,7 @@ namespace Rill.Tests
                 {
                     scene.Step();
                     Dictionary<uint, Tensor> stretch = ReadStretch(scene.Fluid.Solver);
-                    gone = places.Length - stretch.Keys.Count(id => id < first);
+                    gone = positions.Length - stretch.Keys.Count(id => id < first);
                     come = stretch.Keys.Count(id => id >= first);
                     worst = Math.Max(worst, stretch.Max(b => Off(b.Key, b.Value)));
                 }
@@ -220,14 +220,14 @@ namespace Rill.Tests
         }
 
         // A cube of half a meter under its own weight. Where it slides freely, an incompressible neo-Hookean column is shortened by λ
-        // with 1/λ² − λ = ρ g (H − Z) / G, and its middle lies as high as the mean of (H − Z) λ / H: 3.34 d, 5 d unloaded.
+        // with 1/λ² − λ = ρ g (H − Z) / G, and its center lies as high as the mean of (H − Z) λ / H: 3.34 d, 5 d unloaded.
         [TestCase(DeepWater.Off)]
         [TestCase(DeepWater.On)]
         public void A_gel_stands_where_water_runs_out(DeepWater deepWater)
         {
             float gel = MiddleAfterTwoSeconds(2000f), water = MiddleAfterTwoSeconds(0f);
-            TestContext.Out.WriteLine($"the middle is {gel:0.00} d high, without elasticity {water:0.00} d");
-            Assert.That(gel, Is.EqualTo(3.34f).Within(0.25f * 3.34f), "it gives way by what the passes leave of compression, and creeps");
+            TestContext.Out.WriteLine($"the center is {gel:0.00} d high, without elasticity {water:0.00} d");
+            Assert.That(gel, Is.EqualTo(3.34f).Within(0.25f * 3.34f), "it yields by what the passes leave of compression, and creeps");
             Assert.That(water, Is.LessThan(1.7f));
 
             float MiddleAfterTwoSeconds(float modulus)
@@ -354,8 +354,8 @@ namespace Rill.Tests
                     AddTo(scene.Fluid, Points(p => math.cmax(math.abs(p)) < 5f).Select(p => p * Spacing + new float3(0f, 0.3f, 0f)).ToArray(), 0f);
                     scene.Step(60);
                     scene.AssertConserved();
-                    float3 middle = new float3(0.6f, 0.3f, 0.6f) / Spacing;
-                    float nearest = scene.Read().positions.Min(p => math.distance(p.xyz, middle)) - 0.25f / Spacing;
+                    float3 center = new float3(0.6f, 0.3f, 0.6f) / Spacing;
+                    float nearest = scene.Read().positions.Min(p => math.distance(p.xyz, center)) - 0.25f / Spacing;
                     TestContext.Out.WriteLine($"nearest {nearest:0.000} d from the surface");
                     Assert.That(nearest, Is.GreaterThan(0.4f), "half a spacing but for what a pass leaves");
                 }
@@ -376,7 +376,7 @@ namespace Rill.Tests
             }
         }
 
-        // A ball drawn out along x, at rest in the middle of nowhere.
+        // A ball drawn out along x, at rest far from everything.
         static TestFluid Ball(float modulus, float relaxationTime, bool stretched)
         {
             TestFluid fluid = Free(modulus);
@@ -400,14 +400,14 @@ namespace Rill.Tests
             return fluid;
         }
 
-        static void AddTo(FluidSimulation fluid, float3[] places, float3 velocity)
+        static void AddTo(FluidSimulation fluid, float3[] points, float3 velocity)
         {
-            using (var positions = new NativeArray<float3>(places, Allocator.Persistent))
-            using (var velocities = new NativeArray<float3>(places.Select(_ => velocity).ToArray(), Allocator.Persistent))
+            using (var positions = new NativeArray<float3>(points, Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(points.Select(_ => velocity).ToArray(), Allocator.Persistent))
                 fluid.AddParticles(positions, velocities);
         }
 
-        // Of a lattice around 0, d.
+        // Points of a lattice around 0, d.
         static IEnumerable<float3> Points(Func<float3, bool> inside)
         {
             ParticleState lattice = ParticleState.Lattice(0f, -9.5f, 20, jitter: 0.02f);
@@ -417,8 +417,8 @@ namespace Rill.Tests
         static float Elongation(TestFluid fluid)
         {
             float4[] positions = fluid.Read().positions;
-            float4 middle = positions.Aggregate((a, b) => a + b) / positions.Length;
-            float4 squares = positions.Select(p => (p - middle) * (p - middle)).Aggregate((a, b) => a + b);
+            float4 center = positions.Aggregate((a, b) => a + b) / positions.Length;
+            float4 squares = positions.Select(p => (p - center) * (p - center)).Aggregate((a, b) => a + b);
             return math.sqrt(squares.x / squares.y);
         }
 

@@ -33,8 +33,8 @@ namespace Rill.Tests
                     emitter.Rate = 0.9f * math.PI * Radius * Radius * Speed;
                 });
 
-                // Where the jet is, halfway down, from its first landing on.
-                var places = new List<float2>();
+                // Positions of the jet, halfway down, from its first landing on.
+                var positions = new List<float2>();
                 for (int frame = 0; frame < 84; frame++)
                 {
                     scene.Step();
@@ -43,9 +43,9 @@ namespace Rill.Tests
                     float3[] jet = scene.Read().positions.Select(p => p.xyz * Spacing)
                         .Where(p => math.abs(p.y - 0.45f * Fall) < 0.1f * Fall).ToArray();
                     Assert.That(jet.Length, Is.GreaterThan(20), "the jet is whole");
-                    places.Add(new float2(jet.Average(p => p.x), jet.Average(p => p.z)));
+                    positions.Add(new float2(jet.Average(p => p.x), jet.Average(p => p.z)));
                 }
-                float sway = places.Max(a => places.Max(b => math.distance(a, b)));
+                float sway = positions.Max(a => positions.Max(b => math.distance(a, b)));
                 float fastest = scene.Read().velocities.Max(v => math.length(v.xyz)) * Spacing;
                 TestContext.Out.WriteLine($"{viscosity} Pa s: sways by {sway / Radius:0.00} radii; fastest {fastest:0.00} m/s, " +
                     $"Reynolds number {Density * fastest * Radius / viscosity:0.000}");

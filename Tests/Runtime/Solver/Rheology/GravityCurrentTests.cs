@@ -43,21 +43,21 @@ namespace Rill.Tests
             var box = new float3(52f, Floor + height + 8f, 52f);
             using (TestFluid fluid = OnAFloor(box, radius * radius * height))
             {
-                var places = new List<float3>();
+                var positions = new List<float3>();
                 for (int i = 0; i < radius * radius * height; i++)
                 {
-                    float3 place = new float3(i % radius, i / (radius * radius), i / radius % radius) + 0.5f;
-                    if (math.length(place.xz) < radius)
-                        places.Add((place + new float3(0f, Floor, 0f)) * Spacing);
+                    float3 position = new float3(i % radius, i / (radius * radius), i / radius % radius) + 0.5f;
+                    if (math.length(position.xz) < radius)
+                        positions.Add((position + new float3(0f, Floor, 0f)) * Spacing);
                 }
-                fluid.Add(places.ToArray());
+                fluid.Add(positions.ToArray());
 
                 double before = MeanRadius(fluid.Step(First)), after = MeanRadius(fluid.Step(last - First));
                 double exponent = Math.Log(after / before) / Math.Log((double)last / First);
-                double volume = 4 * places.Count * Math.Pow(Spacing, 3);
+                double volume = 4 * positions.Count * Math.Pow(Spacing, 3);
                 double theory = 0.6119 * 0.894
                     * Math.Pow(Gravity * Math.Pow(volume, 3) * last * fluid.Input.timeStep / (3.0 * Viscosity), 0.125) / Spacing;
-                TestContext.Out.WriteLine($"{places.Count} particles, mean radius {before:0.00} and {after:0.00} d, {theory:0.00} by theory; " +
+                TestContext.Out.WriteLine($"{positions.Count} particles, mean radius {before:0.00} and {after:0.00} d, {theory:0.00} by theory; " +
                     $"as t^{exponent:0.000}");
                 Assert.That(exponent, Is.EqualTo(0.125).Within(0.01));
                 Assert.That(after, Is.EqualTo(theory).Within(0.05 * theory));

@@ -172,7 +172,7 @@ namespace Rill.Tests
                 }
         }
 
-        // Of any positive B; different from one particle to the next.
+        // Takes any positive B; different from one particle to the next.
         static Tensor Stretched(uint id)
         {
             var random = new Unity.Mathematics.Random(id * 7919u + 17u);
@@ -187,7 +187,7 @@ namespace Rill.Tests
             public readonly uint[] Ids;
 
             readonly Viscoelasticity stage;
-            readonly float4[] places;
+            readonly float4[] positions;
 
             public Stage(ParticleState state, float modulus, float relaxationTime = RelaxationTime, long maxBinding = 0, int capacity = 0)
             {
@@ -197,12 +197,12 @@ namespace Rill.Tests
                 material.velocitySmoothing = 0f;
                 Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, maxBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
-                places = Stages.Predicted;
-                Points = Compare.Points(places);
+                positions = Stages.Predicted;
+                Points = Compare.Points(positions);
                 Ids = Stages.SortedIds;
                 Before = Stages.Velocities;
                 stage = new Viscoelasticity(Stages.Layout.Capacity);
-                // What is in one place before and after the sort.
+                // One slot before and after the sort.
                 stage.PreviousIndices.SetData(Enumerable.Range(0, Stages.Layout.Capacity).Select(i => (uint)i).ToArray());
             }
 
@@ -240,7 +240,7 @@ namespace Rill.Tests
                 return From(Points.Select(p => center + back * (p - center)).ToArray());
             }
 
-            /// <summary>The same from anywhere within a distance of their places.</summary>
+            /// <summary>Largest rate from anywhere within a distance of their positions.</summary>
             public double Tear(float distance, uint seed)
             {
                 var random = new Unity.Mathematics.Random(seed | 1u);

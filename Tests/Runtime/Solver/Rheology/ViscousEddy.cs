@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>An eddy z x r exp(-r²/w²) in the middle of a free block, by the whole solver. Lengths in d.</summary>
+    /// <summary>An eddy z x r exp(-r²/w²) in the center of a free block, by the whole solver. Lengths in d.</summary>
     sealed class ViscousEddy
     {
         readonly int side;
@@ -22,33 +22,33 @@ namespace Rill.Tests
         /// <summary>Positions of the block on a lattice.</summary>
         public float3[] Lattice => ParticleState.Lattice(0f, 0.5f, side).positions.Select(p => p.xyz).ToArray();
 
-        /// <summary>What steps of the solver leave of it.</summary>
-        /// <param name="places">d.</param>
+        /// <summary>Fraction of it that steps of the solver leave.</summary>
+        /// <param name="positions">d.</param>
         /// <param name="viscosity">Kinematic, m²/s.</param>
-        public double Left(float3[] places, float viscosity, float spacing, float timeStep, int steps)
+        public double Left(float3[] positions, float viscosity, float spacing, float timeStep, int steps)
         {
             FluidMaterial material = FluidMaterial.Water;
             material.velocitySmoothing = 0f;
             material.dynamicViscosity = viscosity * material.density;
-            return Left(places, material, spacing, timeStep, steps);
+            return Left(positions, material, spacing, timeStep, steps);
         }
 
-        public double Left(float3[] places, in FluidMaterial material, float spacing, float timeStep, int steps)
+        public double Left(float3[] positions, in FluidMaterial material, float spacing, float timeStep, int steps)
         {
-            using (var fluid = new TestFluid((side + 4f) * spacing, spacing, places.Length))
+            using (var fluid = new TestFluid((side + 4f) * spacing, spacing, positions.Length))
             {
                 fluid.Input.gravity = 0f;
                 fluid.Input.timeStep = timeStep;
                 fluid.Input.material.velocitySmoothing = 0f;
                 // the first step has no lists
-                fluid.Add(places.Select(p => (p + 2f) * spacing).ToArray(), p => 2f * spacing * Velocity(p / spacing)).Step();
+                fluid.Add(positions.Select(p => (p + 2f) * spacing).ToArray(), p => 2f * spacing * Velocity(p / spacing)).Step();
                 double before = Along(fluid.Read());
                 fluid.Input.material = material;
                 return Along(fluid.Step(steps).Read()) / before;
             }
         }
 
-        /// <summary>What implicit steps leave of it in fluid without an end, by the heat equation: over the eddy's spectrum, k⁴
+        /// <summary>Fraction of it that implicit steps leave in endless fluid, by the heat equation: over the eddy's spectrum, k⁴
         /// exp(-k²w²/2).</summary>
         /// <param name="strength">ν Δt / d².</param>
         public double Expected(double strength, int steps)
@@ -63,7 +63,7 @@ namespace Rill.Tests
             return left / all;
         }
 
-        /// <summary>The same in the block with its free surface.</summary>
+        /// <summary>Returns this fraction in the block with its free surface.</summary>
         public double ExpectedInBlock(double strength, int steps)
         {
             return new FreeCube(side, side / 2, p => new double3(-p.y, p.x, 0.0) * Math.Exp(-math.dot(p, p) / (width * width))).Left(strength, steps);

@@ -75,7 +75,7 @@ namespace Rill.Tests
                 TestFluid.AssertSame(with.Read(), without.Read());
         }
 
-        // Honey in half a box of water's depth, more of it added on the way.
+        // Honey in half a box of water's depth, more of it added meanwhile.
         [Test]
         public void Viscous_fluid_comes_to_rest_whole([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater,
             [Values(10f, 1e6f)] float dynamicViscosity)
@@ -97,11 +97,11 @@ namespace Rill.Tests
             }
         }
 
-        static void AssertDecays(float3[] places, float viscosity, float spacing, float timeStep)
+        static void AssertDecays(float3[] positions, float viscosity, float spacing, float timeStep)
         {
             const int Steps = 2;
             double strength = viscosity * timeStep / (spacing * spacing);
-            double without = Whirl.Left(places, 0f, spacing, timeStep, Steps), left = Whirl.Left(places, viscosity, spacing, timeStep, Steps);
+            double without = Whirl.Left(positions, 0f, spacing, timeStep, Steps), left = Whirl.Left(positions, viscosity, spacing, timeStep, Steps);
             double decay = Math.Log(without / left), expected = -Math.Log(Whirl.Expected(strength, Steps));
             double inBlock = strength > Reaches ? -Math.Log(Whirl.ExpectedInBlock(strength, Steps)) : expected;
             TestContext.Out.WriteLine($"ν Δt/d² {strength:g3}, {ImplicitViscosity.PassesFor(strength)} passes: " +
@@ -122,9 +122,9 @@ namespace Rill.Tests
                 using (var fluid = new TestFluid(new float3(Side + 2f, 2f * Side, Side) * 0.05f, 0.05f, Side * Side * Side, settings))
                 {
                     fluid.AddBlock(new float3(0f, 5f, 0f) * 0.05f, (float3)Side * 0.05f).Step(90);
-                    float3[] places = fluid.Read().positions.Select(p => p.xyz).ToArray();
-                    float3 center = places.Aggregate((a, b) => a + b) / places.Length;
-                    return flowed = places.Select(p => p - center + 0.5f * Side).ToArray();
+                    float3[] positions = fluid.Read().positions.Select(p => p.xyz).ToArray();
+                    float3 center = positions.Aggregate((a, b) => a + b) / positions.Length;
+                    return flowed = positions.Select(p => p - center + 0.5f * Side).ToArray();
                 }
             }
         }

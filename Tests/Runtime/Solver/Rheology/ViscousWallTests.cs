@@ -32,7 +32,7 @@ namespace Rill.Tests
             }
         }
 
-        // Layers that have slid past each other by 2 d are no lattice any more and up to 3 % less viscous, so the plate slides half a
+        // Layers that have slid past each other by 2 d are not a lattice any more and up to 3 % less viscous, so the plate slides half a
         // spacing at most.
         [Test]
         public void Fluid_beside_a_plate_that_slides_is_dragged_by_its_viscosity([Values(1, 2)] int finer, [Values(0.06f, 0.6f, 6f)] float strength)
@@ -122,9 +122,9 @@ namespace Rill.Tests
         static (double x, double speed)[] Profile(TestFluid fluid, int gap)
         {
             ParticleState state = fluid.Read();
-            float middle = 0.5f * state.box.y;
+            float center = 0.5f * state.box.y;
             return (from i in Enumerable.Range(0, state.Count)
-                    where math.abs(state.positions[i].y - middle) < 0.3f * gap
+                    where math.abs(state.positions[i].y - center) < 0.3f * gap
                     group i by (int)math.floor(state.positions[i].x) into layer
                     orderby layer.Key
                     select (layer.Average(i => (double)state.positions[i].x), layer.Average(i => (double)state.velocities[i].y) * TimeStep))
@@ -142,10 +142,10 @@ namespace Rill.Tests
             Assert.That(errors, Is.All.EqualTo(0.0).Within(tolerance));
         }
 
-        // What an implicit step leaves of a wave of m half lengths across the gap.
+        // Fraction of a wave of m half lengths across the gap that an implicit step leaves.
         static double Left(int m, int gap, float strength) => 1.0 / (1.0 + strength * Math.Pow(m * Math.PI / gap, 2));
 
-        // What n steps make of a velocity gained in each, and in the one before that has no neighbors yet: q + q² + ... qⁿ, + qⁿ.
+        // Sum over n steps of a velocity gained in each, and in the one before that has no neighbors yet: q + q² + ... qⁿ, + qⁿ.
         static double Gained(double q, int n) => q * (1.0 - Math.Pow(q, n)) / (1.0 - q) + Math.Pow(q, n);
 
         static double Sum(Func<int, double> term) => Enumerable.Range(1, 400).Sum(term);

@@ -268,7 +268,7 @@ namespace Rill.Tests
             }
         }
 
-        // What does not change how particles at rest move: who else looks at them, and what wakes regions by itself.
+        // Inputs that do not change how particles at rest move: readers of them, and what wakes regions by itself.
         // those that are removed wake what is around them, and a connected fluid does not sleep
         static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed",
             "removesKilled", "tracksPhases", "connections", "takesParticles" };
@@ -308,14 +308,14 @@ namespace Rill.Tests
         static ParticleState Jittering(float3 box, int3 counts, int each)
         {
             var random = new Unity.Mathematics.Random(99u);
-            var places = new List<float3>();
+            var positions = new List<float3>();
             for (int i = 0; i < counts.x * counts.y * counts.z; i++)
             {
                 float3 low = 8f * new float3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y));
                 for (int k = 0; k < each; k++)
-                    places.Add(random.NextFloat3(low, math.min(low + 8f, box)));
+                    positions.Add(random.NextFloat3(low, math.min(low + 8f, box)));
             }
-            var state = new ParticleState(box, places.ToArray());
+            var state = new ParticleState(box, positions.ToArray());
             for (int i = 0; i < state.Count; i += 2)
             {
                 float3 velocity = random.NextFloat3Direction() * (0.5f * JitterRatio * SleepDisplacement / TimeStep);
@@ -373,7 +373,7 @@ namespace Rill.Tests
 
             public void Set(ParticleState state) => state.WriteTo(particles);
 
-            /// <summary>Of the next steps.</summary>
+            /// <summary>Input of the next steps.</summary>
             public StepInput Input { get => input; set => input = value; }
 
             public uint[] Run(int steps)

@@ -60,9 +60,9 @@ namespace Rill.Tests
                 settings.substeps = substeps;
                 scene.Fluid.Settings = settings;
                 var random = new Unity.Mathematics.Random(9u);
-                float3[] places = Enumerable.Range(0, 512).Select(i => (new float3(i % 8, i / 8 % 8, i / 64) - 3.5f) * 0.22f).ToArray();
-                using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
-                using (var velocities = new Unity.Collections.NativeArray<float3>(places.Select(_ => 20f * random.NextFloat3Direction())
+                float3[] points = Enumerable.Range(0, 512).Select(i => (new float3(i % 8, i / 8 % 8, i / 64) - 3.5f) * 0.22f).ToArray();
+                using (var positions = new Unity.Collections.NativeArray<float3>(points, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(points.Select(_ => 20f * random.NextFloat3Direction())
                     .ToArray(), Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);
                 FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0f, 5f, 0f), new Vector3(1f, 0.3f, 0.5f), d =>
@@ -97,7 +97,7 @@ namespace Rill.Tests
             }
         }
 
-        // What bounced counts as come from behind the surface, no deeper than its way of a step: 0.17 m.
+        // Bounced particles count as coming from beyond the surface, no deeper than their path of a step: 0.17 m.
         [Test]
         public void A_drain_behind_a_plate_takes_what_bounced_no_further_behind_it_than_the_way_of_a_step(
             [Values(0f, 0.8f)] float bounciness, [Values(0.03f, 0.2f)] float depth)
@@ -230,7 +230,7 @@ namespace Rill.Tests
                 for (int i = 1; i <= 40; i++)
                 {
                     scene.Step();
-                    // What came past it in this step goes at the start of the next.
+                    // Particles that passed it in this step are removed at the start of the next.
                     past = scene.Read().positions.Count(p => p.x * Spacing - 1f > speed / 60f + 0.05f);
                     if (limit == 0f)
                         Assert.That(past, Is.Zero, $"step {i}");
@@ -422,9 +422,9 @@ namespace Rill.Tests
                     emitter.Lifetime = 0.1f;
                 });
                 scene.Step(30);
-                using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(0f, -0.8f, 0f),
+                using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(0f, -0.8f, 0f),
                     new float3(0.2f, -0.8f, 0f) }, Unity.Collections.Allocator.Persistent))
-                    scene.Fluid.AddParticles(places, places);
+                    scene.Fluid.AddParticles(positions, positions);
                 scene.Step(20);
                 ParticleState state = scene.Read();
                 uint[] tags = GpuTest.Read<uint>(scene.Fluid.Solver.Tags, state.Count);
@@ -469,10 +469,10 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(new Vector3(0.5f, 0.5f, 0.5f), Spacing, 1500, deepWater))
             {
-                float3[] places = Enumerable.Range(0, 1250)
+                float3[] points = Enumerable.Range(0, 1250)
                     .Select(i => (new float3(i % 10, i / 10 % 10, i / 100 * 0.8f) + 0.5f) * Spacing - 0.25f).ToArray();
-                using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
-                using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
+                using (var positions = new Unity.Collections.NativeArray<float3>(points, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(points.Length, Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);
                 FluidStatistics full = scene.Step(60).AssertConserved();
                 Assert.That(full.densityError, Is.InRange(0.2f, 0.32f));

@@ -96,9 +96,9 @@ namespace Rill.Tests
                 {
                     double instant = (state.ids[i] + 1) * scene.ParticleVolume / rate;
                     float fraction = (float)math.saturate((instant - before) / (all - before));
-                    Vector3 place = new Vector3(-0.8f + (turns ? 0f : moved * fraction), turns ? 0f : -0.9f, 0f);
+                    Vector3 position = new Vector3(-0.8f + (turns ? 0f : moved * fraction), turns ? 0f : -0.9f, 0f);
                     Vector3 direction = turns ? Quaternion.Euler(0f, 0f, -70f * fraction) * Vector3.up : Vector3.up;
-                    float3 expected = place + direction * (0.5f * Spacing + speed * (float)(all - instant));
+                    float3 expected = position + direction * (0.5f * Spacing + speed * (float)(all - instant));
                     Assert.That(math.distance(state.positions[i].xyz * Spacing - (float3)Box * 0.5f, expected),
                         Is.LessThan(0.25f * Spacing), $"particle {state.ids[i]}, let in at {instant} s of {all} s");
                 }
@@ -107,7 +107,7 @@ namespace Rill.Tests
         }
 
         // Without gravity each goes straight from where the nozzle was, with the nozzle's velocity then besides its own. The nozzle
-        // sits on an arm that turns while its foot moves, and turns with it; places off its axis go round it.
+        // sits on an arm that turns while its foot moves, and turns with it; points off its axis go round it.
         [Test]
         public void What_leaves_a_moving_emitter_takes_its_velocity_along([Values(1, 4)] int stepsInAFrame, [Values(0f, 0.4f, 1f)] float fraction)
         {
@@ -151,10 +151,10 @@ namespace Rill.Tests
                     float3 spin = angle > 180f ? -math.radians(360f - angle) / duration * (float3)around
                         : math.radians(angle) / duration * (float3)around;
 
-                    // Where on the outlet it left follows from where it has got to: offset = arm + fraction age (spin x arm).
+                    // The point of the outlet at which it left follows from where it has got to: offset = arm + fraction age (spin x arm).
                     float age = (float)(time - instant);
-                    float3 velocity = state.velocities[i].xyz * Spacing, place = state.positions[i].xyz * Spacing - (float3)Box;
-                    float3 offset = place - (float3)position - axis * (0.5f * Spacing + speed * age) - fraction * linear * age;
+                    float3 velocity = state.velocities[i].xyz * Spacing, point = state.positions[i].xyz * Spacing - (float3)Box;
+                    float3 offset = point - (float3)position - axis * (0.5f * Spacing + speed * age) - fraction * linear * age;
                     float3 turned = fraction * age * spin;
                     float3 arm = (offset - math.cross(turned, offset) + turned * math.dot(turned, offset)) / (1f + math.lengthsq(turned));
                     float3 expected = axis * speed + fraction * (linear + math.cross(spin, arm));
@@ -388,7 +388,7 @@ namespace Rill.Tests
             }
         }
 
-        // Of the last ones of a state, those nearer to any other than is allowed.
+        // Counts the last ones of a state that are nearer to any other than is allowed.
         static int CountTooNear(ParticleState state, int fresh, float clearance) => Enumerable.Range(state.Count - fresh, fresh)
             .Count(i => Enumerable.Range(0, state.Count)
                 .Any(j => j != i && math.distance(state.positions[i].xyz, state.positions[j].xyz) < clearance - 1e-3f));
@@ -648,7 +648,7 @@ namespace Rill.Tests
             }
         }
 
-        // As into a domain of that size: see A_volume_is_filled_once.
+        // Fills like a domain of that size: see A_volume_is_filled_once.
         [Test]
         public void A_volume_between_colliders_is_filled_to_rest_density_and_no_more()
         {
@@ -708,7 +708,7 @@ namespace Rill.Tests
                 FluidEmitter emitter = scene.Add(new Vector3(0f, 0.3f, 0f), Vector3.down, Jet(0.01f, 2f, 0.15f));
                 scene.Step(20);
                 int waiting = scene.Count(ParticleCounter.Waiting);
-                Assert.That(waiting, Is.GreaterThan(15), "under water there is no room");
+                Assert.That(waiting, Is.GreaterThan(15), "no room under water");
                 scene.Add<FluidDrain>(Vector3.zero, Vector3.forward, drain => drain.Size = Box * 1.1f).gameObject.AddComponent<OneStep>();
                 scene.Step();
                 Object.DestroyImmediate(scene.Fluid.GetComponentInChildren<OneStep>().gameObject);
@@ -843,13 +843,13 @@ namespace Rill.Tests
                 });
                 scene.Step(10);
                 ParticleState state = scene.Read();
-                float3[] places = state.positions.Select(p => p.xyz * Spacing - 1f - new float3(0.1f, 0f, 0f)).ToArray();
+                float3[] positions = state.positions.Select(p => p.xyz * Spacing - 1f - new float3(0.1f, 0f, 0f)).ToArray();
                 Assert.That(state.Count, Is.EqualTo((int)(0.1 / 6 / scene.ParticleVolume)));
-                for (int i = 0; i < places.Length; i++)
-                    Assert.That(math.dot(math.normalize(places[i]), math.normalize(state.velocities[i].xyz)), Is.GreaterThan(0.9f));
-                Assert.That(places.Select(p => math.length(p)).Min(), Is.GreaterThan(0.47f));
+                for (int i = 0; i < positions.Length; i++)
+                    Assert.That(math.dot(math.normalize(positions[i]), math.normalize(state.velocities[i].xyz)), Is.GreaterThan(0.9f));
+                Assert.That(positions.Select(p => math.length(p)).Min(), Is.GreaterThan(0.47f));
                 for (int axis = 0; axis < 3; axis++)
-                    Assert.That(math.abs(places.Average(p => p[axis])), Is.LessThan(0.1f), "evenly over the sphere");
+                    Assert.That(math.abs(positions.Average(p => p[axis])), Is.LessThan(0.1f), "evenly over the sphere");
             }
         }
 

@@ -10,7 +10,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Emitters under water let water in at their rate and press away what is there, or say why they cannot.</summary>
+    /// <summary>Emitters under water let water in at their rate and press away the water there, or say why they cannot.</summary>
     public class InletTests
     {
         const float Spacing = 0.05f;
@@ -33,7 +33,8 @@ namespace Rill.Tests
                 }
                 FluidStatistics statistics = scene.AssertConserved();
                 double due = emitter.DueVolume / scene.ParticleVolume;
-                TestContext.Out.WriteLine($"{statistics.emitted} of {due:0.0} let in, C+ {densest:0.000}, fastest {fastest:0.00} m/s, before {before:0.00}");
+                TestContext.Out.WriteLine($"{statistics.emitted} of {due:0.0} let in, C+ {densest:0.000}, fastest {fastest:0.00} m/s, before " +
+                    $"{before:0.00}");
                 Assert.That(statistics.emitted, Is.EqualTo(due).Within(0.01 * due + 1.0));
                 Assert.That(statistics.blocked, Is.Zero);
                 Assert.That(densest, Is.LessThan(0.04f), "mean error of the density");
@@ -49,8 +50,8 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 20000, DeepWater.On).Fill(0.4f))
             {
                 scene.Step(30);
-                Vector3 place = direction == "up" ? new Vector3(0.1f, -0.5f, 0f) : new Vector3(-0.5f, -0.3f, 0f);
-                FluidEmitter emitter = scene.Add<FluidEmitter>(place, direction == "up" ? Vector3.up : Vector3.right, e =>
+                Vector3 position = direction == "up" ? new Vector3(0.1f, -0.5f, 0f) : new Vector3(-0.5f, -0.3f, 0f);
+                FluidEmitter emitter = scene.Add<FluidEmitter>(position, direction == "up" ? Vector3.up : Vector3.right, e =>
                 {
                     e.Shape = shape;
                     e.Mode = mode;
@@ -100,7 +101,7 @@ namespace Rill.Tests
                     scene.Fill(cause == "full box" ? 1f : 0.6f);
                 scene.Step(20);
                 LogAssert.Expect(LogType.Warning, new Regex(cause == "full box" ? "box of FluidSimulation 'Fluid' is full.*Drain the fluid"
-                    : cause == "closed vessel" ? "water before it cannot give way.*Give the water a way out"
+                    : cause == "closed vessel" ? "water before it cannot give way.*Give the water an outlet"
                     : cause == "outside" ? "lies outside the box of FluidSimulation 'Fluid'.*Move it into the box"
                     : "water fills its shape.*Move it out of the water, or choose a Jet"));
                 FluidEmitter emitter = Inlet(scene, cause == "outside" ? 3f : cause == "closed vessel" ? -0.2f : -0.3f, 1f, e =>
@@ -144,7 +145,8 @@ namespace Rill.Tests
                 for (int i = 0; i < 60; i++)
                     fastest = math.max(fastest, Fastest(scene.Step()));
                 FluidStatistics statistics = scene.AssertConserved();
-                TestContext.Out.WriteLine($"{statistics.emitted} let in, {statistics.waiting} wait, C+ {statistics.densityError:0.000}, {fastest:0.00} m/s");
+                TestContext.Out.WriteLine($"{statistics.emitted} let in, {statistics.waiting} wait, C+ {statistics.densityError:0.000}, " +
+                    $"{fastest:0.00} m/s");
                 Assert.That(statistics.emitted, Is.GreaterThan(100));
                 Assert.That(fastest, Is.LessThan(6f));
                 Assert.That(statistics.densityError, Is.LessThan(0.1f));

@@ -44,7 +44,7 @@ namespace Rill.Tests
             Compare.Same("velocities", GpuTest.Read<float4>(particles.Velocities, count), batch.velocities);
             Compare.Same("ids", GpuTest.Read<uint>(particles.Ids, count), batch.ids);
             Assert.That(Counter(ParticleCounter.Alive), Is.EqualTo(count));
-            // Clearing wrote the first place.
+            // Clearing wrote the first slot.
             Assert.That(GpuTest.Read<float4>(particles.Positions, Capacity).Skip(Math.Max(count, 1)).All(GpuTest.IsGarbage),
                 "places behind the batch are left alone");
         }
@@ -140,13 +140,13 @@ namespace Rill.Tests
         {
             const int count = (1 << 20) + 3;
             using (var many = new ParticleBuffers(count))
-            using (var places = new NativeArray<float4>(count, Allocator.Persistent))
+            using (var points = new NativeArray<float4>(count, Allocator.Persistent))
             {
                 GpuTest.Run(cmd => emission.Clear(cmd, many));
-                NativeArray<float4> numbered = places;
+                NativeArray<float4> numbered = points;
                 for (int i = 0; i < count; i++)
                     numbered[i] = new float4(i, 0f, 0f, 0f);
-                emission.Append(many, count, places, places);
+                emission.Append(many, count, points, points);
 
                 float4[] positions = GpuTest.Read<float4>(many.Positions, count);
                 uint[] ids = GpuTest.Read<uint>(many.Ids, count);
@@ -159,10 +159,10 @@ namespace Rill.Tests
         [Test]
         public void Positions_without_velocities_are_refused_by_number()
         {
-            using (var places = new NativeArray<float4>(3, Allocator.Persistent))
+            using (var positions = new NativeArray<float4>(3, Allocator.Persistent))
             using (var velocities = new NativeArray<float4>(2, Allocator.Persistent))
             {
-                var error = Assert.Throws<ArgumentException>(() => emission.Append(particles, Capacity, places, velocities));
+                var error = Assert.Throws<ArgumentException>(() => emission.Append(particles, Capacity, positions, velocities));
                 Assert.That(error.Message, Does.Contain("3 positions with 2 velocities"));
             }
         }

@@ -12,7 +12,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What is shown of a recording: the particles that were recorded, at any time, in any order.</summary>
+    /// <summary>Playback of a recording: the particles that were recorded, at any time, in any order.</summary>
     public class FluidPlaybackTests
     {
         const float Step60 = 1f / 60f;

@@ -11,7 +11,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What is recorded, when it stops, and that the fluid knows nothing of it.</summary>
+    /// <summary>Content of a recording, its end, and that it does not affect the fluid.</summary>
     public class FluidRecorderTests
     {
         static void Expect(string message) => LogAssert.Expect(LogType.Error, new Regex(Regex.Escape(message)));

@@ -38,8 +38,9 @@ namespace Rill.Tests
             var layout = new FrameLayout(RecordingFields.Velocities, false);
             using (var fluid = new TestFluid(new float3(10f), 1f, 100))
             {
-                float3[] places = { new float3(float.NaN, 1f, 1f), new float3(float.PositiveInfinity, 1f, 1f), new float3(-3f, 12f, 2.5f), 5f, 6f };
-                fluid.Add(places, p => p.x == 5f ? new float3(float.NaN, 0f, 0f) : p.x == 6f ? new float3(1e9f, -1e9f, 1f) : 0f);
+                float3[] positions =
+                    { new float3(float.NaN, 1f, 1f), new float3(float.PositiveInfinity, 1f, 1f), new float3(-3f, 12f, 2.5f), 5f, 6f };
+                fluid.Add(positions, p => p.x == 5f ? new float3(float.NaN, 0f, 0f) : p.x == 6f ? new float3(1e9f, -1e9f, 1f) : 0f);
                 uint[] words = Pack(fluid, layout).Skip(FrameLayout.PackedHeader).ToArray();
                 Assert.That(Unpack(words, layout, 5, 0).steps, Is.EqualTo(new uint3(0, 0, 0)));
                 Assert.That(Unpack(words, layout, 5, 1).steps, Is.EqualTo(new uint3(0, 0, 0)));

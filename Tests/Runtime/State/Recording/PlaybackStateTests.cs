@@ -6,7 +6,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>What a playback knows from frame to frame, and that a second recording knows nothing of the first.</summary>
+    /// <summary>State of a playback from frame to frame, and that a second recording is independent of the first.</summary>
     public class PlaybackStateTests
     {
         const double Step = 1.0 / 60.0;
@@ -148,7 +148,7 @@ namespace Rill.Tests
             LogAssert.NoUnexpectedReceived();
         }
 
-        // What follows has the surface of the frame before to go on from, and particles that moved; what jumps has not.
+        // A frame that follows continues the surface of the frame before and has moved particles; a jump does not.
         [Test]
         public void Playing_follows_and_jumping_does_not()
         {
@@ -177,14 +177,14 @@ namespace Rill.Tests
             Assert.That(Follows((float)Step), "and on");
             playback.Pause();
             playback.Drive(playback.Time + 0.05);
-            Assert.That(Follows(0f), "driven by a short way");
+            Assert.That(Follows(0f), "driven by a short step");
             playback.Drive(0.0);
             Assert.That(Follows(0f), "and back");
             playback.Drive(0.11);
-            Assert.That(Follows(0f), Is.False, "by a long way");
+            Assert.That(Follows(0f), Is.False, "by a long step");
             playback.Drive(0.0);
             playback.Drive(0.01);
-            Assert.That(Follows(0f), Is.False, "by a long way and a short one before the next frame");
+            Assert.That(Follows(0f), Is.False, "by a long step and a short one before the next frame");
             playback.LetGo();
             playback.Play();
             Assert.That(Follows((float)Step), "and let go");

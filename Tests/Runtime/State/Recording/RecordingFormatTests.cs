@@ -9,7 +9,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>Recordings as bytes: what is whole comes back in any order, and what is no recording is refused in words.</summary>
+    /// <summary>Recordings as bytes: what is whole comes back in any order, and what is not a recording is refused in words.</summary>
     public class RecordingFormatTests
     {
         static readonly RecordingHeader Header = new RecordingHeader(new FrameLayout(RecordingFields.All, false), 500, 0.05f,
@@ -353,7 +353,7 @@ namespace Rill.Tests
             return changed;
         }
 
-        // Where each frame ends.
+        // Positions at which frames end.
         static long[] Ends()
         {
             long at = RecordingFormat.HeaderBytes;
@@ -395,7 +395,7 @@ namespace Rill.Tests
                 return reader.FrameCount;
         }
 
-        // Of the file or any of its frames; null where all are taken, and as many as there were.
+        // Refusal of the file or any of its frames; null where all are taken, and as many as there were.
         static string Refusal(byte[] given)
         {
             try

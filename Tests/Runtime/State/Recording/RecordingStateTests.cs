@@ -12,7 +12,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Recordings under way: what comes between their frames, and that a second one knows nothing of the first.</summary>
+    /// <summary>Running recordings: what comes between their frames, and that a second one knows nothing of the first.</summary>
     public class RecordingStateTests
     {
         const double Step = 1.0 / 60.0;
@@ -130,7 +130,7 @@ namespace Rill.Tests
             }
         }
 
-        // What a player does: the frames are yet to come from the GPU.
+        // Works like a player: the frames are yet to come from the GPU.
         [Test]
         public void A_recorder_that_is_disabled_waits_for_what_the_GPU_has()
         {

@@ -34,7 +34,7 @@ namespace Host.Report.ErrorTime
             int rows = (count + Across - 1) / Across, column = index % Across, row = index / Across;
             double width = (1 - Left) / Across, height = (1 - Bottom) / rows;
             double left = Left + column * width, top = 1 - row * height;
-            string place = FormattableString.Invariant(
+            string position = FormattableString.Invariant(
                 $"set lmargin at screen {left:0.####}\nset rmargin at screen {left + width - Gap:0.####}\nset tmargin at screen {top - Top:0.####}\nset bmargin at screen {top - height + Gap:0.####}\n");
             bool isLast = index + Across >= count;
             var data = new PlotData();
@@ -53,7 +53,7 @@ namespace Host.Report.ErrorTime
                 ? FormattableString.Invariant(
                 $"set key at screen {left + width + 0.02:0.###},{top - Top - 0.05:0.###} left top vertical noenhanced reverse Left\n")
                 : "set key off\n";
-            return data.Script(axes + place + key + $"set title \"{ErrorTimePage.Title(scene[0])}\" noenhanced\nset xlabel " +
+            return data.Script(axes + position + key + $"set title \"{ErrorTimePage.Title(scene[0])}\" noenhanced\nset xlabel " +
                 $"'{(isLast ? "ms a step" : "")}'\nset ylabel '{(column == 0 ? "C+, %" : "")}'\n");
         }
 

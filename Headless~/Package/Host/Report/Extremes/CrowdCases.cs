@@ -50,8 +50,8 @@ namespace Host.Report.Extremes
 
         static ExtremeCase PairsInTheAir() => new(Subject, "200 pairs at distance 0 far from all others; no gravity; 1 s", (setting, check) =>
         {
-            IEnumerable<float3> places = Enumerable.Range(0, 200).Select(i => 3f + 3f * new float3(i % 6, i / 6 % 6, i / 36));
-            using var fluid = new ExtremeFluid(24f, Spacing, 400, setting.Solver).Add(places.Concat(places));
+            IEnumerable<float3> positions = Enumerable.Range(0, 200).Select(i => 3f + 3f * new float3(i % 6, i / 6 % 6, i / 36));
+            using var fluid = new ExtremeFluid(24f, Spacing, 400, setting.Solver).Add(positions.Concat(positions));
             fluid.Input.gravity = 0f;
             fluid.Step(60, 5);
             check.Exactly("closer than 0.05 d", fluid.Last.coincident, 0);
@@ -106,8 +106,8 @@ namespace Host.Report.Extremes
             => new(Subject, $"closed box of {side} x 50 x {side} d filled with {layers} layers; {seconds:0} s", (setting, check) =>
         {
             double excess = layers / 50.0 - 1;
-            IEnumerable<float3> places = ExtremeFluid.Lattice(0f, new int3(side, layers, side)).Select(p => p * new float3(1f, 50f / layers, 1f));
-            using var fluid = new ExtremeFluid(new float3(side, 50f, side), Spacing, side * layers * side, setting.Solver).Add(places);
+            IEnumerable<float3> positions = ExtremeFluid.Lattice(0f, new int3(side, layers, side)).Select(p => p * new float3(1f, 50f / layers, 1f));
+            using var fluid = new ExtremeFluid(new float3(side, 50f, side), Spacing, side * layers * side, setting.Solver).Add(positions);
             fluid.Seconds(seconds);
             check.Between("C+ settled", fluid.Settled(s => s.densityError, 1), 0.5 * excess, 1.3 * excess, "%");
             check.AtMost("p99.9 of C+ over its mean", fluid.Settled(s => s.densityError999, 1) / fluid.Settled(s => s.densityError, 1), 3);

@@ -64,11 +64,11 @@ namespace Host.Report.Extremes
             return tap;
         }
 
-        static Transform Below(Transform parent, string name, Vector3 place)
+        static Transform Below(Transform parent, string name, Vector3 position)
         {
             Transform thing = new GameObject(name).transform;
             thing.SetParent(parent, false);
-            thing.localPosition = place;
+            thing.localPosition = position;
             return thing;
         }
     }

@@ -43,9 +43,9 @@ namespace Host.Report.Extremes
         public FluidStatistics Last => Samples[^1];
 
         /// <param name="velocity">m/s.</param>
-        public ExtremeFluid Add(IEnumerable<float3> places, float3 velocity = default)
+        public ExtremeFluid Add(IEnumerable<float3> points, float3 velocity = default)
         {
-            using var positions = new NativeArray<float4>(places.Select(p => new float4(p * Spacing, 0f)).ToArray(), Allocator.Persistent);
+            using var positions = new NativeArray<float4>(points.Select(p => new float4(p * Spacing, 0f)).ToArray(), Allocator.Persistent);
             using var velocities = new NativeArray<float4>(Enumerable.Repeat(new float4(velocity, 0f), positions.Length).ToArray(),
                 Allocator.Persistent);
             Solver.Add(positions, velocities);
@@ -61,12 +61,12 @@ namespace Host.Report.Extremes
         public static IEnumerable<float3> Lattice(float3 corner, int3 counts, float pitch = 1f)
         {
             var random = new Random(7);
-            var places = new List<float3>();
+            var positions = new List<float3>();
             for (int z = 0; z < counts.z; z++)
                 for (int y = 0; y < counts.y; y++)
                     for (int x = 0; x < counts.x; x++)
-                        places.Add(corner + (new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f)) * pitch);
-            return places;
+                        positions.Add(corner + (new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f)) * pitch);
+            return positions;
         }
 
         /// <param name="every">Steps between measurements; the last step is always measured.</param>

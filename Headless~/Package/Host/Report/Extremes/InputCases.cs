@@ -115,9 +115,9 @@ namespace Host.Report.Extremes
         static ExtremeCase Count(int added) => Case(Sizes, $"{added} particles where {Dam} fit; 1 s", check =>
         {
             using var fluid = new ExtremeComponent(Box(Spacing), Spacing, Dam, Vector3.zero);
-            float3[] places = ExtremeFluid.Lattice(-0.5f * (float3)(Box(1f)), new int3(10, 8, 7)).Take(added).ToArray();
-            foreach (float3 place in places)
-                fluid.Add(place * Spacing, 0f);
+            float3[] positions = ExtremeFluid.Lattice(-0.5f * (float3)(Box(1f)), new int3(10, 8, 7)).Take(added).ToArray();
+            foreach (float3 position in positions)
+                fluid.Add(position * Spacing, 0f);
             fluid.Frames(60).Measure();
             check.Exactly("alive", fluid.Samples[^1].particles, math.min(added, Dam));
             check.Exactly("refused and counted", fluid.Samples[^1].refused, math.max(added - Dam, 0));

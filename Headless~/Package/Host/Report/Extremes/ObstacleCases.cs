@@ -129,7 +129,7 @@ namespace Host.Report.Extremes
             /// <param name="mesh">d.</param>
             public BakedMesh(TriangleMesh mesh, in MeshSdfSettings settings) => baked = SignedDistanceField.Create(MeshSdfBaker.Bake(mesh, settings));
 
-            /// <summary>Its field's middle is the mesh's.</summary>
+            /// <summary>Its field's center is the mesh's.</summary>
             public ColliderMotion Obstacle
             {
                 get

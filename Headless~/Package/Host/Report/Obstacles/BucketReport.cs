@@ -63,7 +63,7 @@ namespace Host.Report.Obstacles
             page.Line("Water in a cylinder turns with it. The cylinder is an inside-out capsule; the floor is the domain's, which slips. The water " +
                 "begins level or as the parabola, turning as fast as the wall, which alone would take minutes. Theory: z = z0 + Ω² r² / 2 g " +
                 "(Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², over the theory's. Largest: distance " +
-                "of a ring from the theory's surface over the rise from the middle to the wall.");
+                "of a ring from the theory's surface over the rise from the center to the wall.");
             page.Line();
             page.Line("A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's end. So water held " +
                 "on a circle loses Ω² Δt of its turning in a second (Δt the substep). That alone leaves 1 / √(1 + 2 Ω0² Δt t) after a time t, " +

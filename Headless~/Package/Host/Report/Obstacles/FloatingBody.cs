@@ -31,7 +31,7 @@ namespace Host.Report.Obstacles
         const double FittedSwings = 2.2;                        // of the theory's
         const float CalmSeconds = 2f;                           // s after them, with FluidBuoyancy's damping; the last is measured
 
-        /// <summary>Since it was let go, s; its middle over the floor, m.</summary>
+        /// <summary>Since it was let go, s; its center over the floor, m.</summary>
         public readonly List<(double Time, double Value)> Heights = new();
         /// <summary>By Archimedes, m; how deep the body lies under the level measured, m; both in the last second.</summary>
         public double TheoryDraft { get; private set; }
@@ -175,9 +175,9 @@ namespace Host.Report.Obstacles
         {
             PbfSolver solver = fluid.Solver;
             int alive = (int)FluidRun.Read<uint>(solver.Counters, solver.Counters.count)[(int)ParticleCounter.Alive];
-            float2 middle = solver.Layout.DomainSize.xz / 2f + new float2(body.x, body.z) / Spacing;
+            float2 center = solver.Layout.DomainSize.xz / 2f + new float2(body.x, body.z) / Spacing;
             float beside = size / (2f * Spacing) + 2f;
-            return 2 * Spacing * FluidRun.Read<float4>(solver.Positions, alive).Where(p => math.cmax(math.abs(p.xz - middle)) > beside)
+            return 2 * Spacing * FluidRun.Read<float4>(solver.Positions, alive).Where(p => math.cmax(math.abs(p.xz - center)) > beside)
                 .Average(p => p.y);
         }
     }

@@ -50,7 +50,7 @@ namespace Host.Report.Obstacles
                 $"cuts out of the surface. m_a is half of the water displaced for the ball (Lamb, §92: half of that of the whole ball in " +
                 $"endless water) and 0.68 of it for the cube (DNV-RP-C205, appendix D). That is the added mass of fast heave. At this " +
                 $"period a ball makes waves and has less of it, which shortens the period by about 3 % (Havelock 1955); the floor, a " +
-                $"body's width away, lengthens it. In a tank three bodies wide the first wave that is even about the middle (a wave as " +
+                $"body's width away, lengthens it. In a tank three bodies wide the first wave that is even about the center (a wave as " +
                 $"long as the tank is wide) has 0.98 of the ball's period, 0.75 of the cube's: what is measured there is the two " +
                 $"together. New measurements are made in tanks {FloatingBody.WidthsAcross} bodies wide, in which the walls' waves come " +
                 $"back after the fit. Damping: as measured while *Damping* is 0, as a fraction of the critical; negative where the late " +
@@ -90,7 +90,7 @@ namespace Host.Report.Obstacles
                 };
             });
             page.Plot("obstacles-heave", "Height of floating bodies over time after they were let go, with the fitted cosines",
-                "set xlabel 't, s'\nset ylabel 'middle of the body over the floor, m'\nplot " + string.Join(", \\\n", lines));
+                "set xlabel 't, s'\nset ylabel 'center of the body over the floor, m'\nplot " + string.Join(", \\\n", lines));
         }
     }
 }

@@ -33,16 +33,16 @@ namespace Host.Report.Obstacles
             float3 box = math.ceil(first + along * path + margin + 8f);
             box.y = Rim + wall + 8f;
 
-            // In the cup's frame, whose origin is the middle of the floor's upper side.
+            // In the cup's frame, whose origin is the center of the floor's upper side.
             var random = new Random(7);
-            var places = new List<float3>();
-            FluidRun.AddBlock(places, new float3(-Inside / 2f, 0f, -Inside / 2f), new int3(Inside, Layers, Inside), ref random);
+            var positions = new List<float3>();
+            FluidRun.AddBlock(positions, new float3(-Inside / 2f, 0f, -Inside / 2f), new int3(Inside, Layers, Inside), ref random);
             ColliderMotion[] walls = Walls(wall, reach);
-            float3[] middles = walls.Select(w => w.start.position).ToArray();
+            float3[] centers = walls.Select(w => w.start.position).ToArray();
             for (int i = 0; i < walls.Length; i++)
-                walls[i].end = new RigidPose(first + math.rotate(turn, middles[i]), turn);
+                walls[i].end = new RigidPose(first + math.rotate(turn, centers[i]), turn);
 
-            using var run = new FluidRun("cup", box, Spacing, places.Select(p => math.rotate(turn, p) + first).ToList(), _ => 0f, input);
+            using var run = new FluidRun("cup", box, Spacing, positions.Select(p => math.rotate(turn, p) + first).ToList(), _ => 0f, input);
             double slopes = 0;
             int samples = 0;
             while (run.Time < Settle + Period)
@@ -52,13 +52,13 @@ namespace Host.Report.Obstacles
                 for (int i = 0; i < walls.Length; i++)
                 {
                     walls[i].start = walls[i].end;
-                    walls[i].end.position = origin + math.rotate(turn, middles[i]);
+                    walls[i].end.position = origin + math.rotate(turn, centers[i]);
                 }
                 run.Use(walls);
                 run.Step();
                 if (run.Time <= Settle)
                     continue;
-                // Of a plane surface over a square floor the center of mass lies slope L² / 12 h off the middle.
+                // Of a plane surface over a square floor the center of mass lies slope L² / 12 h off the center.
                 slopes -= 12.0 * Layers / (Inside * Inside) * run.ReadPositions().Average(p => math.dot(p.xyz - origin, along));
                 samples++;
             }

@@ -43,17 +43,17 @@ namespace Host.Report.Obstacles
         {
             float spacing = (float)(Hole / across);
             int side = 4 * across, layers = (int)Math.Round(Level / spacing);
-            float plate = across / 6f, top = (float)(Fall / spacing) + plate, middle = side / 2f, half = across / 2f, beyond = side;
-            float3[] places = ExtremeFluid.Lattice(new float3(0f, top, 0f), new int3(side, layers, side)).ToArray();
-            using var run = new FluidRun("orifice", new float3(side, top + layers + across, side), spacing, places, _ => 0f, input);
+            float plate = across / 6f, top = (float)(Fall / spacing) + plate, center = side / 2f, half = across / 2f, beyond = side;
+            float3[] points = ExtremeFluid.Lattice(new float3(0f, top, 0f), new int3(side, layers, side)).ToArray();
+            using var run = new FluidRun("orifice", new float3(side, top + layers + across, side), spacing, points, _ => 0f, input);
             ColliderMotion Slab(float x0, float x1, float z0, float z1) => Solids.Box(new float3(x0, top - plate, z0), new float3(x1, top, z1));
             run.Use(Slab(-beyond, side + beyond, -beyond, side + beyond));
             while (run.Time < Settle)
                 run.Step();
 
-            run.Use(Slab(-beyond, middle - half, -beyond, side + beyond), Slab(middle + half, side + beyond, -beyond, side + beyond),
-                Slab(middle - half, middle + half, -beyond, middle - half), Slab(middle - half, middle + half, middle + half, side + beyond));
-            var flow = new OrificeFlow { Particles = places.Length };
+            run.Use(Slab(-beyond, center - half, -beyond, side + beyond), Slab(center + half, side + beyond, -beyond, side + beyond),
+                Slab(center - half, center + half, -beyond, center - half), Slab(center - half, center + half, center + half, side + beyond));
+            var flow = new OrificeFlow { Particles = points.Length };
             double ratios = 0;
             long jet = 0;
             while (run.Time < Settle + seconds)
@@ -67,7 +67,7 @@ namespace Host.Report.Obstacles
                 flow.Levels.Add((time, level));
                 flow.Leaked = Math.Max(flow.Leaked,
                     positions.Count(p => p.y < top - 0.5f * plate && p.y > top - plate
-                    && math.cmax(math.abs(p.xz - middle)) > half + 0.1f));
+                    && math.cmax(math.abs(p.xz - center)) > half + 0.1f));
                 if (time < Warm)
                     continue;
                 // Half to one width below the hole, where the jet has drawn together and its pressure is that of the air.
@@ -75,7 +75,7 @@ namespace Host.Report.Obstacles
                 for (int i = 0; i < positions.Length; i++)
                 {
                     double below = (top - plate - positions[i].y) / across;
-                    if (below < 0.5 || below > 1 || math.cmax(math.abs(positions[i].xz - middle)) > half)
+                    if (below < 0.5 || below > 1 || math.cmax(math.abs(positions[i].xz - center)) > half)
                         continue;
                     ratios += math.length(velocities[i].xyz) * spacing
                         / Math.Sqrt(2 * FluidRun.Gravity * (surface + (top - positions[i].y) * spacing));

@@ -33,13 +33,13 @@ namespace Host.Report.Obstacles
         /// <summary>Slope of the height over r², over the theory's for the bucket's Ω, and for the turning seen.</summary>
         public double Steepness { get; private set; }
         public double OwnSteepness { get; private set; }
-        /// <summary>Largest distance of a ring's height from the theory's, over the theory's rise from the middle to the wall.</summary>
+        /// <summary>Largest distance of a ring's height from the theory's, over the theory's rise from the center to the wall.</summary>
         public double MaxError { get; private set; }
         public int Particles { get; private set; }
         /// <summary>Depth of as much water at rest, m.</summary>
         public double RestDepth { get; init; }
 
-        /// <summary>Of the surface from the middle to the wall, m.</summary>
+        /// <summary>Of the surface from the center to the wall, m.</summary>
         public static double Rise(double speed) => speed * speed * Radius * Radius / (2 * FluidRun.Gravity);
 
         /// <summary>Height of the theory's surface, m.</summary>
@@ -72,11 +72,11 @@ namespace Host.Report.Obstacles
             double[] heights = new double[Rings], counts = new double[Rings], momenta = new double[Rings], moments = new double[Rings];
             for (int number = 0; number < runs; number++)
             {
-                float2 shift = CellSide * math.frac(number * new float2(0.7549f, 0.5698f)), middle = across + 1f + shift;
-                float3 Velocity(float3 at) => (still ? 0f : (float)speed) * spacing * new float3(at.z - middle.y, 0f, middle.x - at.x);
+                float2 shift = CellSide * math.frac(number * new float2(0.7549f, 0.5698f)), center = across + 1f + shift;
+                float3 Velocity(float3 at) => (still ? 0f : (float)speed) * spacing * new float3(at.z - center.y, 0f, center.x - at.x);
                 using var run = new FluidRun("bucket", new float3(side, height, side), spacing,
                     lattice.Select(at => at + new float3(shift.x, 0f, shift.y)).ToList(), Velocity, input);
-                ColliderMotion wall = Solids.RoundTank(across, height, new float3(middle.x, height / 2f, middle.y));
+                ColliderMotion wall = Solids.RoundTank(across, height, new float3(center.x, height / 2f, center.y));
                 wall.friction = friction;
                 while (run.Time < settle + seconds)
                 {
@@ -89,7 +89,7 @@ namespace Host.Report.Obstacles
                     float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
                     for (int p = 0; p < positions.Length; p++)
                     {
-                        float2 arm = positions[p].xz - middle;
+                        float2 arm = positions[p].xz - center;
                         int ring = math.min((int)(math.length(arm) / across * Rings), Rings - 1);
                         counts[ring]++;
                         heights[ring] += 2 * positions[p].y * spacing;

@@ -18,7 +18,7 @@ namespace Host.Report
 
         /// <summary>After every step.</summary>
         public FrontSeries Front { get; private set; }
-        /// <summary>The same states said to be half a substep later: velocities of the solver are those of the middle of a substep.</summary>
+        /// <summary>The same states said to be half a substep later: velocities of the solver are those of the center of a substep.</summary>
         public FrontSeries FrontOfMiddle { get; private set; }
         /// <summary>Kinetic and potential energy at the end over that at the start.</summary>
         public double EnergyRatio { get; private set; }
@@ -41,11 +41,11 @@ namespace Host.Report
                 run.Step();
                 points.Add((run.Time * TimeScale, FrontOf(run, across)));
             }
-            double middle = 0.5 * run.Substep * TimeScale;
+            double center = 0.5 * run.Substep * TimeScale;
             return new DamBreakFront
             {
                 Front = new FrontSeries("front", points),
-                FrontOfMiddle = new FrontSeries("front", points.Select(point => (point.T + middle, point.Z)).Prepend(points[0])),
+                FrontOfMiddle = new FrontSeries("front", points.Select(point => (point.T + center, point.Z)).Prepend(points[0])),
                 EnergyRatio = run.Measure().Energy / start,
             };
         }

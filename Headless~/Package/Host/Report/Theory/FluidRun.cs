@@ -27,11 +27,11 @@ namespace Host.Report
         /// <param name="box">d.</param>
         /// <param name="places">d.</param>
         /// <param name="velocity">Of what is at a place, m/s.</param>
-        public FluidRun(string name, float3 box, float spacing, IReadOnlyList<float3> places, Func<float3, float3> velocity,
-            in StepInput input) : this(name, box * spacing, spacing, places.Count, input)
+        public FluidRun(string name, float3 box, float spacing, IReadOnlyList<float3> points, Func<float3, float3> velocity,
+            in StepInput input) : this(name, box * spacing, spacing, points.Count, input)
         {
-            using var positions = new NativeArray<float4>(places.Select(p => new float4(p * spacing, 0f)).ToArray(), Allocator.Persistent);
-            using var velocities = new NativeArray<float4>(places.Select(p => new float4(velocity(p), 0f)).ToArray(), Allocator.Persistent);
+            using var positions = new NativeArray<float4>(points.Select(p => new float4(p * spacing, 0f)).ToArray(), Allocator.Persistent);
+            using var velocities = new NativeArray<float4>(points.Select(p => new float4(velocity(p), 0f)).ToArray(), Allocator.Persistent);
             Solver.Add(positions, velocities);
         }
 
@@ -55,12 +55,12 @@ namespace Host.Report
 
         /// <summary>Adds a block of particles on a lattice, with the small offsets with which fluid is filled in.</summary>
         /// <param name="corner">Lowest coordinates of the block, d.</param>
-        public static void AddBlock(List<float3> places, float3 corner, int3 counts, ref Unity.Mathematics.Random random)
+        public static void AddBlock(List<float3> positions, float3 corner, int3 counts, ref Unity.Mathematics.Random random)
         {
             for (int x = 0; x < counts.x; x++)
                 for (int y = 0; y < counts.y; y++)
                     for (int z = 0; z < counts.z; z++)
-                        places.Add(corner + new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
+                        positions.Add(corner + new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
         }
 
         /// <summary>What a first-order step alone takes of a wave or a swing: ω² Δt / 2, 1/s.</summary>

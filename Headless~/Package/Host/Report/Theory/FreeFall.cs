@@ -48,9 +48,9 @@ namespace Host.Report
 
         static (double3 center, double radius) Shape(FluidRun run)
         {
-            double3[] places = run.ReadPositions().Select(p => (double3)p.xyz).ToArray();
-            double3 center = places.Aggregate((a, b) => a + b) / places.Length;
-            return (center, Math.Sqrt(places.Average(p => math.lengthsq(p - center))));
+            double3[] positions = run.ReadPositions().Select(p => (double3)p.xyz).ToArray();
+            double3 center = positions.Aggregate((a, b) => a + b) / positions.Length;
+            return (center, Math.Sqrt(positions.Average(p => math.lengthsq(p - center))));
         }
     }
 }

@@ -34,8 +34,8 @@ namespace Host.Report
                     new FrontDeviation(dam.FrontOfMiddle, experiments).Mean, new FrontDeviation(dam.FrontOfMiddle, new[] { inviscid }).Mean,
                         dam.EnergyRatio);
                 if (change == "")
-                    foreach ((double time, double place) in dam.Front.Points)
-                        curves.Add(across, substeps, iterations, time, place);
+                    foreach ((double time, double position) in dam.Front.Points)
+                        curves.Add(across, substeps, iterations, time, position);
                 run.Log($"  front a/d {across}, {substeps} x {iterations} {change}: {100 * deviation.Min:0.0} to {100 * deviation.Max:0.0} %");
             }
             const string settings = "a = 1 m, 8 d thick, 60 steps a second, deep water on, water";
@@ -63,8 +63,8 @@ namespace Host.Report
         {
             var table = new ReportTable("series", "T", "Z");
             foreach (FrontSeries front in fronts)
-                foreach ((double time, double place) in front.Points)
-                    table.Add(front.Name, time, place);
+                foreach ((double time, double position) in front.Points)
+                    table.Add(front.Name, time, position);
             run.Save(name, table, "see Headless~/Package/data/dam-break-front.csv");
         }
 
@@ -85,7 +85,7 @@ namespace Host.Report
                 $"laboratory leaves behind a gate that takes time to open and drags along a boundary layer at the floor. The solver " +
                 $"has neither, so that is what it should converge to, not 0. That is why a finer front is faster: it loses less energy " +
                 $"and comes nearer to inviscid flow. Beside it each state is half a substep later than the clock says, since " +
-                $"velocities are those of the middle of a substep (see free fall). With more substeps the front is slower, as waves " +
+                $"velocities are those of the center of a substep (see free fall). With more substeps the front is slower, as waves " +
                 $"are damped more: every substep takes velocities again from corrected positions."));
             page.Line();
             page.Table(new[] { "a/d", "substeps x iterations", "", "ahead, least", "most", "mean ahead", "in the bar",

@@ -8,18 +8,18 @@ namespace Host.Report
     /// <summary>A front's position Z over time T, as points with straight lines between them; both without units.</summary>
     sealed class FrontSeries
     {
-        readonly double[] times, places;
+        readonly double[] times, positions;
 
         public FrontSeries(string name, IEnumerable<(double T, double Z)> points)
         {
             Name = name;
             (double T, double Z)[] sorted = points.OrderBy(point => point.T).ToArray();
             times = sorted.Select(point => point.T).ToArray();
-            places = sorted.Select(point => point.Z).ToArray();
+            positions = sorted.Select(point => point.Z).ToArray();
         }
 
         public string Name { get; }
-        public IEnumerable<(double T, double Z)> Points => times.Zip(places);
+        public IEnumerable<(double T, double Z)> Points => times.Zip(positions);
         public double First => times[0];
         public double Last => times[^1];
 
@@ -30,7 +30,7 @@ namespace Host.Report
                 return double.NaN;
             int next = Math.Max(1, Array.FindIndex(times, t => t >= time));
             double fraction = (time - times[next - 1]) / (times[next] - times[next - 1]);
-            return places[next - 1] + fraction * (places[next] - places[next - 1]);
+            return positions[next - 1] + fraction * (positions[next] - positions[next - 1]);
         }
 
         /// <summary>The experiments: Headless~/Package/data/dam-break-front.csv of the package.</summary>

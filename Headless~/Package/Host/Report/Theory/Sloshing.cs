@@ -25,12 +25,12 @@ namespace Host.Report
         }
 
         /// <summary>Of the box, m.</summary>
-        public const double Middle = Length / 2;
+        public const double Center = Length / 2;
 
-        /// <summary>How far from the middle the center of mass lies under a surface that is level to leaning gravity, m.</summary>
+        /// <summary>How far from the center the center of mass lies under a surface that is level to leaning gravity, m.</summary>
         public static double Offset(double depth, double lean) => Length * Length * Math.Tan(lean) / (12 * depth);
 
-        /// <summary>Height of the wave at the wall, from its middle, m.</summary>
+        /// <summary>Height of the wave at the wall, from its center, m.</summary>
         public static double Wave(double lean) => Length / 2 * Math.Tan(lean);
 
         /// <summary>Layers of water that come nearest to a depth, which is a whole number of them.</summary>

@@ -28,7 +28,7 @@ namespace Host.Report
                 List<(double Time, double Value)> samples = Sloshing.Run(along, depth, lean, FluidRun.Water(substeps, iterations), swings * theory);
                 DampedCosine fit = DampedCosine.Fit(samples);
                 periods.Add(along, depth, depth * along, lean, substeps, iterations, fit.Period, theory, fit.Period / theory - 1,
-                    (fit.Offset - Sloshing.Middle) / Sloshing.Offset(depth, lean), fit.Damping * fit.Period, fit.Misfit);
+                    (fit.Offset - Sloshing.Center) / Sloshing.Offset(depth, lean), fit.Damping * fit.Period, fit.Misfit);
                 foreach ((double time, double value) in samples)
                     curves.Add(along, depth, lean, substeps, iterations, time, value, fit.At(time));
                 run.Log($"  sloshing {depth:0.000} m, L/d {along}, lean {lean}, {substeps} x {iterations}: {fit.Period:0.000} s, " +
@@ -86,7 +86,7 @@ namespace Host.Report
                 };
             });
             page.Plot("experiment-sloshing", "The center of mass of sloshing water over time at three depths, with the fitted cosines",
-                "set xlabel 't, s'\nset ylabel 'center of mass from the middle, cm'\nplot " + string.Join(", \\\n", lines));
+                "set xlabel 't, s'\nset ylabel 'center of mass from the center, cm'\nplot " + string.Join(", \\\n", lines));
         }
 
         // A fitted period that is longer than the run is no period.

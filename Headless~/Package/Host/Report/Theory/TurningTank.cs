@@ -32,19 +32,19 @@ namespace Host.Report
         /// <param name="speed">Ω, rad/s.</param>
         public static TurningTank Run(int radius, int layers, double speed, in StepInput input, double seconds)
         {
-            float middle = radius + 1f;
+            float center = radius + 1f;
             double Surface(double r) => layers + speed * speed / (2 * FluidRun.Gravity) * (r * r - radius * radius / 2.0) * Spacing;
             float height = (float)Surface(radius) + radius;
-            using var run = new FluidRun("tank", new float3(2f * middle, height, 2f * middle), Spacing, Lattice(radius, Surface),
-                p => (float)speed * Spacing * new float3(p.z - middle, 0f, middle - p.x), input);
-            run.Use(Solids.RoundTank(radius, height, new float3(middle, height / 2f, middle)));
+            using var run = new FluidRun("tank", new float3(2f * center, height, 2f * center), Spacing, Lattice(radius, Surface),
+                p => (float)speed * Spacing * new float3(p.z - center, 0f, center - p.x), input);
+            run.Use(Solids.RoundTank(radius, height, new float3(center, height / 2f, center)));
             while (run.Time < seconds)
                 run.Step();
             float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
             double momentum = 0, moment = 0;
             for (int i = 0; i < positions.Length; i++)
             {
-                float2 arm = positions[i].xz - middle;
+                float2 arm = positions[i].xz - center;
                 momentum += arm.y * velocities[i].x - arm.x * velocities[i].z;
                 moment += math.lengthsq(arm);
             }

@@ -21,11 +21,11 @@ namespace Host.Report
         /// </summary>
         /// <remarks>
         /// A flow that starts from rest is a potential flow, and its inertia over a length is the drop of the potential at a flux of 1: the
-        /// resistance of a conducting sheet of that shape, of which a corner square is 0.559 of a square (Hall 1967). The middle line counts 1.
+        /// resistance of a conducting sheet of that shape, of which a corner square is 0.559 of a square (Hall 1967). The center line counts 1.
         /// </remarks>
         public static readonly double CornerFraction = 1 - 2 * Math.Log(2) / Math.PI;
 
-        /// <summary>Of the water along the middle line, d.</summary>
+        /// <summary>Of the water along the center line, d.</summary>
         /// <param name="width">Of the legs and of the passage, d.</param>
         /// <param name="gap">Between the legs, d.</param>
         /// <param name="depth">In the legs where both are level, from the floor, d.</param>
@@ -54,14 +54,14 @@ namespace Host.Report
             float top = depth + 2 * height + width;
             using var run = new FluidRun("U-tube", new float3(length, top, Thickness), spacing, positions, _ => 0f, input);
             run.Use(Solids.Box(new float3(width, width, -width), new float3(width + gap, top + width, Thickness + width)));
-            // What left one leg is in the other, as far away as their middles: that moves the center of mass.
-            double perLevel = (double)width * Thickness * (width + gap) / positions.Count * spacing, middle = length / 2.0 * spacing;
+            // What left one leg is in the other, as far away as their centers: that moves the center of mass.
+            double perLevel = (double)width * Thickness * (width + gap) / positions.Count * spacing, center = length / 2.0 * spacing;
             var samples = new List<(double, double)>();
             while (run.Time < seconds)
             {
                 run.Step();
                 if (run.Steps % 2 == 0)
-                    samples.Add((run.Time, (run.Measure().centerOfMass.x - middle) / perLevel));
+                    samples.Add((run.Time, (run.Measure().centerOfMass.x - center) / perLevel));
             }
             return samples;
         }

@@ -72,16 +72,16 @@ namespace Host.Report
                 run.Step();
                 if (run.Time <= FirstPeriod * period)
                     continue;
-                float4[] places = run.ReadPositions();
+                float4[] points = run.ReadPositions();
                 Complex turn = Complex.FromPolarCoordinates(weight, frequency * run.Time);
                 for (int i = 0; i < stations.Length; i++)
-                    harmonics[i] += HeightAt(places, (float)stations[i]) * turn;
+                    harmonics[i] += HeightAt(points, (float)stations[i]) * turn;
             }
             return harmonics;
         }
 
         // Of the water by its volume, d: a weighted mean that falls to both sides.
-        static double HeightAt(float4[] places, float x)
-            => places.Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
+        static double HeightAt(float4[] positions, float x)
+            => positions.Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
     }
 }

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>The water around a body, asked of one fluid at points beside it: levels and motion of the surface, a few frames old.</summary>
-    sealed class WaterBeside : IDisposable
+    sealed class SurroundingWater : IDisposable
     {
         public const int MaxPoints = 8;
 
@@ -14,7 +14,7 @@ namespace Rill
         readonly float[] levels = new float[MaxPoints];
         int asked, wet, dry;
 
-        public WaterBeside(FluidSimulation fluid)
+        public SurroundingWater(FluidSimulation fluid)
         {
             Fluid = fluid;
             batch = new FluidQueryBatch(fluid, MaxPoints);
@@ -78,7 +78,7 @@ namespace Rill
         /// <param name="moved">How far the fluid is from where it was, m.</param>
         public void Load(SnapshotWater from, Vector3 moved) => batch.Load(from, moved);
 
-        /// <summary>Mean depth of a height under the surface, m: 0 over it, and where there is no water.</summary>
+        /// <summary>Mean depth of a height under the surface, m: 0 over it, and without water.</summary>
         public float DepthOf(float height)
         {
             float sum = 0f;

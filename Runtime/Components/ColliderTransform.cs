@@ -4,8 +4,8 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>Where a collider's object is: its last finite position, rotation and scale.</summary>
-    struct ColliderPlace
+    /// <summary>Pose of a collider's object: its last finite position, rotation and scale.</summary>
+    struct ColliderTransform
     {
         /// <summary>World space, m.</summary>
         public float3 position;
@@ -15,21 +15,21 @@ namespace Rill
         /// <summary>Axes of the object's frame along which its scale is negative.</summary>
         public bool3 mirrored;
 
-        public static ColliderPlace Origin => new ColliderPlace { rotation = quaternion.identity, scale = 1f };
+        public static ColliderTransform Origin => new ColliderTransform { rotation = quaternion.identity, scale = 1f };
 
         /// <summary>Largest of the three scales.</summary>
         public float EvenScale => math.cmax(scale);
 
-        /// <summary>Follows an object; stays where it last was while that is no place.</summary>
-        /// <returns>Why it is no place; null where it is one.</returns>
+        /// <summary>Follows an object; stays at the last valid pose while the new one is invalid.</summary>
+        /// <returns>Why the pose is invalid; null if it is valid.</returns>
         public string Follow(Transform transform)
         {
-            Vector3 place = transform.position, lossyScale = transform.lossyScale;
+            Vector3 point = transform.position, lossyScale = transform.lossyScale;
             Quaternion turn = transform.rotation;
-            if (!Limit.IsPose(place, turn) || !math.all(math.isfinite((float3)lossyScale)))
-                return Invariant($"its transform is not finite (position {place}, rotation {turn}, scale {lossyScale}). Set them to ") +
+            if (!Limit.IsPose(point, turn) || !math.all(math.isfinite((float3)lossyScale)))
+                return Invariant($"its transform is not finite (position {point}, rotation {turn}, scale {lossyScale}). Set them to ") +
                     "numbers.";
-            position = place;
+            position = point;
             rotation = turn;
             scale = math.abs((float3)lossyScale);
             mirrored = (float3)lossyScale < 0f;
@@ -41,7 +41,7 @@ namespace Rill
 
         /// <summary>Makes a motion that of a mesh with this field.</summary>
         /// <param name="field">Not null.</param>
-        /// <returns>Why it is no collider; null where it is one.</returns>
+        /// <returns>Why it is not a collider; null if it is one.</returns>
         public string DescribeField(SignedDistanceField field, ref ColliderMotion motion, ref RigidPose pose)
         {
             if (!field.Validate(out string problem))
