@@ -28,7 +28,7 @@ namespace Host.Assets
         /// <summary>Components that a file has and the loaded scene has not, for want of their script.</summary>
         public int MissingScripts { get; private set; }
         readonly IForeignTypes foreign;
-        /// <summary>What Unity passes over in silence: keys without a field, overrides without a target, classes that the host lacks.</summary>
+        /// <summary>Faults that Unity ignores silently: keys without a field, overrides without a target, classes that the host lacks.</summary>
         public readonly List<string> Warnings = new List<string>();
 
         /// <param name="scripts">The assemblies in which the project's scripts were compiled.</param>
@@ -91,7 +91,7 @@ namespace Host.Assets
         public string ResolvePath(string assetPath)
         {
             if (Index.ByPath(assetPath) is AssetEntry entry) return entry.File;
-            // A mount's own root is no entry of it.
+            // A mount's own root is not an entry of it.
             return Index.Mounts.Where(m => m.AssetPath == assetPath).Select(m => m.Folder).FirstOrDefault();
         }
 
@@ -137,7 +137,7 @@ namespace Host.Assets
             return shaders.TryGetValue(name, out var entry) ? (Shader)Load(entry).Main : BuiltInAssets.Resource(typeof(Shader), name) as Shader;
         }
 
-        /// <summary>As AssetDatabase.LoadAssetAtPath: null when there is no such file or no object of that type in it.</summary>
+        /// <summary>Works like AssetDatabase.LoadAssetAtPath: null without the file or an object of that type in it.</summary>
         public Object LoadAtPath(string assetPath, Type type) => Index.ByPath(assetPath) is AssetEntry entry ? Load(entry)?.Find(type) : null;
         public T LoadAtPath<T>(string assetPath) where T : Object => (T)LoadAtPath(assetPath, typeof(T));
 

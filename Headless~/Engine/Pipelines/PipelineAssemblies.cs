@@ -16,7 +16,7 @@ namespace Host.Pipelines
     /// <summary>The stand-ins of one version, compiled, and what is compiled against them.</summary>
     sealed class PipelineAssemblies
     {
-        /// <summary>Of the names of the pipelines' assemblies.</summary>
+        /// <summary>Prefix of the names of the pipelines' assemblies.</summary>
         public const string Prefix = "Unity.RenderPipelines.";
 
         const string Core = Prefix + "Core.Runtime";
@@ -28,7 +28,7 @@ namespace Host.Pipelines
 
         public PipelineVersion Version { get; }
 
-        /// <summary>Of the stand-ins, by name.</summary>
+        /// <summary>Images of the stand-ins, by name.</summary>
         public IReadOnlyDictionary<string, byte[]> Images => images;
 
         PipelineAssemblies(PipelineVersion version)
@@ -70,7 +70,7 @@ namespace Host.Pipelines
             ? string.Concat(PipelineKind.All.Select(kind =>
             $"[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"{kind.Assembly}\")]")) : "";
 
-        // What an adapter refers to beside the pipeline.
+        // References of an adapter beside the pipeline.
         static IEnumerable<MetadataReference> OfPackage(AdapterDefinition adapter, bool editor)
             => adapter.References.Append("Unity.Mathematics").Concat(editor ? new[] { "UnityEditor" } : Array.Empty<string>()).Distinct()
             .Select(name => MetadataReference.CreateFromFile(FileOf(name)));
@@ -85,7 +85,7 @@ namespace Host.Pipelines
                     $"{name}.dll is not in {here} nor where the build puts it: build Headless~/Headless.proj, or run through Headless~/rill");
         }
 
-        /// <summary>What an adapter is compiled against.</summary>
+        /// <summary>References that an adapter is compiled against.</summary>
         public IReadOnlyList<MetadataReference> ReferencesOf(AdapterDefinition adapter, bool editor)
             => references.Concat(OfPackage(adapter, editor)).ToList();
 
@@ -108,7 +108,7 @@ namespace Host.Pipelines
         {
             var language = new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: defines);
             var trees = sources.Select(source => CSharpSyntaxTree.ParseText(SourceText.From(source.Text, Encoding.UTF8), language, source.File));
-            // As in Unity, where a warning of the compiler stands in the user's console: the package has none.
+            // Warns like Unity, where a warning of the compiler stands in the user's console: the package has none.
             var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release,
                 deterministic: true, warningLevel: 4,
                 specificDiagnosticOptions: new Dictionary<string,

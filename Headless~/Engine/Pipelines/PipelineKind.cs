@@ -21,14 +21,14 @@ namespace Host.Pipelines
 
         public static IReadOnlyList<PipelineKind> All { get; } = new[] { Universal, HighDefinition };
 
-        /// <summary>As the command line has it.</summary>
+        /// <summary>Name on the command line.</summary>
         public string Name { get; private init; }
-        /// <summary>Of SubShaders.</summary>
+        /// <summary>Tag of SubShaders.</summary>
         public string Tag { get; private init; }
         public string Package { get; private init; }
-        /// <summary>Of the stand-in, whose name is that of the pipeline's.</summary>
+        /// <summary>Name of the stand-in's assembly, which is that of the pipeline's.</summary>
         public string Assembly { get; private init; }
-        /// <summary>Of the stand-in's sources.</summary>
+        /// <summary>Folder of the stand-in's sources.</summary>
         public string Folder { get; private init; }
         /// <summary>Full name of the type of its asset.</summary>
         public string Asset { get; private init; }

@@ -14,7 +14,7 @@ namespace Host.Pipelines
         public string Unity { get; private init; }
         /// <summary>The editor whose API lists count: there are none of 6000.4.</summary>
         public string ListedAs { get; private init; }
-        /// <summary>Of URP's package; HDRP's differs in its last number at most.</summary>
+        /// <summary>Version of URP's package; HDRP's differs in its last number at most.</summary>
         public string Package { get; private init; }
         /// <summary>Whether passes that are executed, not recorded, can be compiled.</summary>
         public bool HasCompatibilityPath { get; private init; }
@@ -40,9 +40,9 @@ namespace Host.Pipelines
         /// <exception cref="ArgumentException">There is none of that name.</exception>
         public static PipelineVersion Find(string name) => All.FirstOrDefault(version => version.Name == (name == "17" ? "17.0" : name))
             ?? throw new ArgumentException(
-                $"there is no render pipeline {name} here; there are {string.Join(", ", All.Select(version => version.Name))}");
+                $"the host has no render pipeline {name}; it has {string.Join(", ", All.Select(version => version.Name))}");
 
-        /// <summary>What that editor defines for scripts of a player or of the editor.</summary>
+        /// <summary>Symbols that the editor defines for scripts of a player or of the editor.</summary>
         public IEnumerable<string> Defines(bool editor)
         {
             yield return "UNITY_5_3_OR_NEWER";

@@ -26,10 +26,10 @@ namespace Host
         /// <summary>Called as a session begins. What it returns is disposed of as the session ends; may be null.</summary>
         public virtual IDisposable Begin() => null;
 
-        /// <summary>What is played is a built player: what only the editor finds is not there.</summary>
+        /// <summary>Enters a built player: assets that only the editor finds are missing.</summary>
         public virtual void EnterPlayer() { }
 
-        /// <summary>What a run measures of the loaded scene.</summary>
+        /// <summary>Measurements of a run on the loaded scene.</summary>
         public virtual List<IRunProbe> Probes() => new();
 
         /// <summary>One number for the state of the loaded scene; null: that of all buffers.</summary>

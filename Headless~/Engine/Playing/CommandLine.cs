@@ -16,7 +16,7 @@ namespace Host
     /// could not be done, 3 GPU objects were left.</summary>
     static class CommandLine
     {
-        /// <summary>Of the program, as the user calls it.</summary>
+        /// <summary>Name of the program, as the user calls it.</summary>
         public static string Name { get; private set; } = "headless";
 
         public static int Run(string name, string description, string[] arguments, params Command[] commands)

@@ -66,7 +66,8 @@ namespace Host
                     Statistics = statistics,
                     Plots = new List<Plot> { new("step-time", "Time of a step", "ms", "step_ms",
                         "gpu_ms") }.Concat(probes.SelectMany(probe => probe.Plots)).ToList(),
-                    Stages = stageTimes.Select(stage => (stage.Key, stage.Value / Math.Max(statistics.Rows.Count - compilingSteps.Count, 1))).ToList(),
+                    Stages = stageTimes.Select(stage => (stage.Key,
+                    stage.Value / Math.Max(statistics.Rows.Count - compilingSteps.Count, 1))).ToList(),
                     Settings = OwnSettings(scene, session).Concat(probes.SelectMany(probe => probe.Settings)).ToList(),
                 }, frames);
                 foreach (string line in probes.SelectMany(probe => probe.Summary))
@@ -176,7 +177,7 @@ namespace Host
                 $"{StatisticsPage.Percentile(steps, 0.999):0.0} ms at the 99.9th percentile") + (compiled == "" ? "" : $"; beside them {compiled}");
         }
 
-        // What a tool would have made is left out where it is not there or fails; the rest is written before the failure is told.
+        // The output of a missing or failed tool is left out; the rest is written before the failure is reported.
         bool IsMade(Tool tool, Action make)
         {
             if (!tool.IsInstalled)

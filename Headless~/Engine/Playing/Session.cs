@@ -122,7 +122,7 @@ namespace Host
             ThrowFault();
         }
 
-        /// <summary>What came up since the last call.</summary>
+        /// <summary>Prints the warnings since the last call.</summary>
         public void PrintWarnings()
         {
             for (; warned < assets.Warnings.Count; warned++)

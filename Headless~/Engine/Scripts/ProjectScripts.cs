@@ -72,7 +72,7 @@ namespace Host.Scripts
 
         public bool IsStub(Type type) => type.Assembly == stubCode || type.Assembly.GetName().Name == StubAssembly.UserInterface;
 
-        /// <summary>What scripts called that is not there, and how often.</summary>
+        /// <summary>Missing members that scripts called, and how often.</summary>
         public IReadOnlyList<KeyValuePair<string, int>> StubCalls =>
             ((IEnumerable<KeyValuePair<string, int>>)stubCode.GetType("UnityEngine.Headless.StubCalls")
             .GetField("Called", BindingFlags.Static | BindingFlags.NonPublic).GetValue(null)).ToList();

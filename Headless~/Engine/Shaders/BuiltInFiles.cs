@@ -7,12 +7,12 @@ namespace Host.Shaders
     {
         static readonly string folder = Path.GetDirectoryName(typeof(BuiltInFiles).Assembly.Location);
 
-        /// <summary>Where UnityCG.cginc and its kin lie.</summary>
+        /// <summary>Folder of UnityCG.cginc and its kin.</summary>
         public static string Includes { get; } = Path.Combine(folder, "CGIncludes");
         /// <summary>Standard, Unlit/Color ... as .shader files.</summary>
         public static string Shaders { get; } = Path.Combine(folder, "BuiltInShaders");
 
-        /// <summary>Null when there is no such include file.</summary>
+        /// <summary>Returns an include file; null if it does not exist.</summary>
         public static string FindInclude(string path)
         {
             string file = Path.Combine(Includes, path);

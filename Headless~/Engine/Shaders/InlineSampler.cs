@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 namespace Host.Shaders
 {
     /// <summary>
-    /// What Unity reads from a sampler's name (manual, "Using sampler states"): samplerX and sampler_X take texture X's own
+    /// Settings that Unity reads from a sampler's name (manual, "Using sampler states"): samplerX and sampler_X take texture X's own
     /// settings; a name with a filter and a wrap mode in it is an inline sampler.
     /// </summary>
     static class InlineSampler

@@ -41,7 +41,7 @@ namespace Host.Shaders
                 Match match = LineName.Match(words[0]);
                 if (words[0] == "multi_compile_instancing")
                     lines.Add(new Line { Names = procedural ? new[] { "", Instancing, ProceduralInstancing } : new[] { "", Instancing } });
-                // Of the lines that name keywords of the render pipeline (multi_compile_fog ...) only the directional light and its shadow
+                // In lines that name keywords of the render pipeline (multi_compile_fog ...) only the directional light and its shadow
                 // are on here.
                 if (words[0] == "multi_compile_fwdbase" || words[0] == "multi_compile_fwdbasealpha")
                 {

@@ -8,7 +8,7 @@ namespace Host.Shaders
 {
     /// <summary>
     /// Compiled programs on disk, a file each, named by the hash of all that went into it. Any number of threads and
-    /// processes may share a folder.
+    /// processes may use one folder.
     /// </summary>
     internal sealed class ShaderCache
     {

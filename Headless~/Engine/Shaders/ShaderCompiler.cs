@@ -11,10 +11,10 @@ namespace Host.Shaders
         /// <summary>For messages: "Shaders/Gpu/PrefixSum.compute (SumTiles)".</summary>
         public string Name;
         public ShaderStage Stage;
-        /// <summary>As in #pragma target: 50 for shader model 5.0.</summary>
+        /// <summary>Value of #pragma target: 50 for shader model 5.0.</summary>
         public int Target;
         public string EntryPoint;
-        /// <summary>Where the entry point is named, for faults that have no line of their own.</summary>
+        /// <summary>Line that names the entry point, for faults without a line of their own.</summary>
         public SourceLine EntryLine;
         public List<SourceSegment> Segments;
         public List<KeyValuePair<string, string>> Defines = new List<KeyValuePair<string, string>>();
@@ -43,7 +43,7 @@ namespace Host.Shaders
             this.backend = backend ?? ShaderBackend.Current;
         }
 
-        /// <summary>What Unity's compiler for Direct3D 11 defines.</summary>
+        /// <summary>Symbols that Unity's compiler for Direct3D 11 defines.</summary>
         /// <param name="target">SHADER_TARGET: 50 for shader model 5.0.</param>
         public static List<KeyValuePair<string, string>> PlatformDefines(ShaderStage stage, int target)
         {
@@ -93,7 +93,7 @@ namespace Host.Shaders
             return compiled;
         }
 
-        /// <summary>The same for FXC. Fast: only preprocesses.</summary>
+        /// <summary>Creates the request for FXC. Fast: only preprocesses.</summary>
         /// <exception cref="ShaderCompileException"/>
         public FxcRequest ForFxc(CompileRequest request) => FxcRequest.Of(request, resolver);
 

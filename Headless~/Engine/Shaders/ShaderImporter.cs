@@ -19,7 +19,7 @@ namespace Host.Shaders
         public static ShaderSource ImportShader(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache)
             => ImportShader(filePath, displayPath, resolver, cache, "");
 
-        /// <summary>As above, where a scriptable render pipeline of that RenderPipeline tag runs.</summary>
+        /// <summary>Imports for a scriptable render pipeline of that RenderPipeline tag.</summary>
         public static ShaderSource ImportShader(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache, string pipeline)
             => new ShaderFile(filePath, displayPath, resolver, new ShaderCompiler(resolver, cache), pipeline);
 

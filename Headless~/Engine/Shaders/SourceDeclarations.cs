@@ -5,7 +5,7 @@ using System.Linq;
 namespace Host.Shaders
 {
     /// <summary>
-    /// What only the source tells: glslang's module has the same type for a ByteAddressBuffer and a StructuredBuffer of uint,
+    /// Facts that only the source tells: glslang's module has the same type for a ByteAddressBuffer and a StructuredBuffer of uint,
     /// for an append buffer and one that counts.
     /// </summary>
     sealed class SourceDeclarations

@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
-    /// <summary>What is wrong with a file is reported with file, line, object, field and remedy.</summary>
+    /// <summary>Faults of a file are reported with file, line, object, field and remedy.</summary>
     public class AssetFaultTests : AssetFixture
     {
         const string Missing = "dddddddddddddddddddddddddddddddd";

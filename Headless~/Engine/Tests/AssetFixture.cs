@@ -63,7 +63,7 @@ namespace Host.Tests
             return project;
         }
 
-        /// <summary>As a session of the host does when it starts.</summary>
+        /// <summary>Plays like a session of the host when it starts.</summary>
         internal static void Play(ProjectAssets project, string root)
         {
             opened.Add(project);

@@ -158,7 +158,7 @@ namespace Host.Tests
             Open();
             Assert.That(Resources.Load<Recipe>("Fluid/Absent"), Is.Null);
             Assert.That(Resources.Load<Recipe>("Fluid/Notes"), Is.Null, "another type");
-            Assert.That(Resources.Load<TextAsset>("Fluid/Notes.txt"), Is.Null, "an extension is no part of the name");
+            Assert.That(Resources.Load<TextAsset>("Fluid/Notes.txt"), Is.Null, "an extension is not a part of the name");
             Assert.That(Resources.Load<Material>("Water"), Is.Null, "not below a Resources folder");
         }
 

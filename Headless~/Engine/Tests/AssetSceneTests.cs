@@ -285,7 +285,8 @@ namespace Host.Tests
             Assert.That(PrefabUtility.IsAddedGameObjectOverride(added));
             Assert.That(() => Object.DestroyImmediate(tip), Throws.InvalidOperationException.With.Message.EqualTo(refusal));
             Assert.That(() => Undo.DestroyObjectImmediate(tip.transform.parent.gameObject), Throws.InvalidOperationException);
-            LogAssert.Expect(LogType.Error, "Setting the parent of a transform which resides in a Prefab instance is not possible (GameObject: 'Tip').");
+            LogAssert.Expect(LogType.Error, "Setting the parent of a transform which resides in a Prefab instance is not possible " +
+                "(GameObject: 'Tip').");
             tip.transform.SetParent(null);
             Assert.That(tip.transform.parent != null);
             Object.DestroyImmediate(tip.GetComponent<Part>());

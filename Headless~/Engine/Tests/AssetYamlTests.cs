@@ -111,7 +111,7 @@ namespace Host.Tests
         [TestCase("%YAML 1.1\n--- !u!1 &1\nGameObject:\n  m_Name: A\n<<<<<<< HEAD\n", "Assets/X.unity(5): a merge conflict")]
         [TestCase("%YAML 1.1\n--- !u!1 &1\nGameObject:\n  m_Name: A\n--- !u!1 &1\nGameObject:\n  m_Name: B\n",
             "file id 1 is that of the document in line 2 too")]
-        [TestCase("%YAML 1.1\n--- !u!one &1\nGameObject:\n  m_Name: A\n", "Assets/X.unity(2): '--- !u!one &1' is no document header")]
+        [TestCase("%YAML 1.1\n--- !u!one &1\nGameObject:\n  m_Name: A\n", "Assets/X.unity(2): '--- !u!one &1' is not a document header")]
         [TestCase("%YAML 1.1\n--- !u!1 &1\nGameObject:\n  m_Name: {a: 1\n", "Assets/X.unity(")]
         public void Damaged_files_are_refused_with_their_line(string text, string expected) =>
             Assert.That(Assert.Throws<AssetException>(() => UnityYaml.Parse(text, "Assets/X.unity")).Message, Does.Contain(expected));

@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 namespace Host.Tests
 {
     /// <summary>
-    /// What a renderer records beside a camera: depth-only targets and their slices, targets that add up, kernels on textures, and what
+    /// Commands of a renderer beside a camera: depth-only targets and their slices, targets that add up, kernels on textures, and what
     /// it hooks into one camera's frame. Pictures of 64 x 32.
     /// </summary>
     public class CameraCommandTests : ShaderTextFixture
@@ -155,7 +155,8 @@ ENDHLSL
         {
             RenderTexture first = Target(format, GraphicsFormat.None, slices, true), second = Target(format, GraphicsFormat.None, slices, true);
             string type = format == GraphicsFormat.R16G16B16A16_SFloat ? "float4" : "float", suffix = slices > 1 ? "Array" : "";
-            string parameter = slices > 1 ? "uint3 at" : "uint2 at", load = slices > 1 ? "int4(at, 0)" : "int3(at, 0)", slice = slices > 1 ? "at.z" : "0";
+            string parameter = slices > 1 ? "uint3 at" : "uint2 at", load = slices > 1 ? "int4(at, 0)" : "int3(at, 0)", slice = slices > 1 ? "at.z"
+                : "0";
             ComputeShader kernels = ComputeOf(
                 $"#pragma kernel Write\n#pragma kernel Double\nRWTexture2D{suffix}<{type}> _Out; Texture2D{suffix}<{type}> _In;\n" +
                 $"[numthreads(8, 8, 1)] void Write({parameter} : SV_DispatchThreadID) {{ _Out[at] = at.x + 100 * {slice}; " +
@@ -185,7 +186,8 @@ ENDHLSL
         {
             RenderTexture source = Target(format), target = Target(GraphicsFormat.R16G16B16A16_SFloat, write: true);
             source.filterMode = sampler == "own linear" ? FilterMode.Bilinear : FilterMode.Point;
-            string name = sampler.StartsWith("own") ? "sampler_Seen" : sampler == "inline point" ? "my_point_clamp_sampler" : "my_linear_clamp_sampler";
+            string name = sampler.StartsWith("own") ? "sampler_Seen" : sampler == "inline point" ? "my_point_clamp_sampler"
+                : "my_linear_clamp_sampler";
             string code = $"Texture2D _Seen; Texture2D _Other; SamplerState {name};\n" + "float4 Read(Texture2D t, SamplerState s) " +
                 "{ return t.SampleLevel(s, float2(0.3, 0.3), 0); }\n", read = sampler == "handed on" ? $"Read(_Seen, {name})"
                 : $"_Seen.SampleLevel({name}, float2(0.3, 0.3), 0)";
@@ -284,18 +286,18 @@ ENDHLSL
             }
         }
 
-        // As Direct3D has it: a texture's picture is flipped, and that of the back buffer is not.
+        // Like Direct3D: a texture's picture is flipped, and that of the back buffer is not.
         [Test]
         public void A_copy_of_the_back_buffer_is_upside_down_and_its_picture_is_not(
-            [Values("", "allowHDR", "forced", "antialiased", "effect")] string way, [Values] bool part)
+            [Values("", "allowHDR", "forced", "antialiased", "effect")] string path, [Values] bool part)
         {
             var camera = new GameObject("Camera").AddComponent<Camera>();
             camera.clearFlags = CameraClearFlags.SolidColor;
             camera.backgroundColor = Color.black;
             camera.rect = new Rect(0, part ? 0.5f : 0, 1, part ? 0.5f : 1);
-            camera.allowHDR = way == "allowHDR";
-            camera.forceIntoRenderTexture = way == "forced";
-            if (way == "effect")
+            camera.allowHDR = path == "allowHDR";
+            camera.forceIntoRenderTexture = path == "forced";
+            if (path == "effect")
                 camera.gameObject.AddComponent<PassingEffect>();
             GameObject above = GameObject.CreatePrimitive(PrimitiveType.Quad);      // one sided: its winding counts
             above.transform.position = new Vector3(0, 5, 5);
@@ -305,7 +307,7 @@ ENDHLSL
             var commands = new CommandBuffer();
             commands.Blit(BuiltinRenderTextureType.CameraTarget, copy);
             camera.AddCommandBuffer(CameraEvent.BeforeForwardAlpha, commands);
-            QualitySettings.antiAliasing = way == "antialiased" ? 4 : 0;
+            QualitySettings.antiAliasing = path == "antialiased" ? 4 : 0;
             try
             {
                 PlayerLoop.Frame(0.02f);
@@ -315,13 +317,13 @@ ENDHLSL
                 QualitySettings.antiAliasing = 0;
             }
             int height = Player.ScreenHeight, low = part ? height / 2 : 0;
-            bool isForcedPart = part && way == "forced";        // into a texture of the part's size
+            bool isForcedPart = part && path == "forced";        // into a texture of the part's size
             (int, int) seen = isForcedPart ? (height / 2, height) : ((height + low) / 2, height);
             (int, int) copied = BrightRows(copy);
             copy.Release();
             commands.Dispose();
             Assert.That(BrightRows(ScreenTarget.Texture), Is.EqualTo(((height + low) / 2, height)), "as it is seen");
-            Assert.That(copied, Is.EqualTo(way == "" ? (0, height - (height + low) / 2) : seen), "copied");
+            Assert.That(copied, Is.EqualTo(path == "" ? (0, height - (height + low) / 2) : seen), "copied");
         }
 
         sealed class PassingEffect : MonoBehaviour

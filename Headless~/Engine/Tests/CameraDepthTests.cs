@@ -87,7 +87,7 @@ ENDCG
             Quad(Shader.Find(shader));
             Quad(Shader.Find("Standard"), 2);
             Frame();
-            Assert.That(Center, Is.EqualTo(AtSeven).Within(1e-5f), "what is behind it");
+            Assert.That(Center, Is.EqualTo(AtSeven).Within(1e-5f), "the quad at its back");
             Assert.That(Pixel(32, 16).r, Is.GreaterThan(200), "though it is drawn in front");
         }
 
@@ -100,7 +100,7 @@ ENDCG
             Quad(Plain(fallback));
             Frame();
             Assert.That(Center, Is.EqualTo(expected ? AtFive : 0).Within(1e-5f));
-            Assert.That(new Material(Plain(fallback)).passCount, Is.EqualTo(1), "it is no pass of the material");
+            Assert.That(new Material(Plain(fallback)).passCount, Is.EqualTo(1), "it is not a pass of the material");
         }
 
         [Test]

@@ -61,10 +61,10 @@ namespace Host.Tests
             ball.angularDrag = 0f;
             ball.maxAngularVelocity = 100f;
             Frames(100);
-            Vector3 way = ball.position - up;
+            Vector3 path = ball.position - up;
             float expected = 5f / 7f * 9.81f * Mathf.Sin(angle * Mathf.Deg2Rad) * 0.5f * 2f * 2f;
-            Assert.That(Vector3.Dot(way, down), Is.EqualTo(expected).Within(0.04f * expected));
-            Assert.That(Vector3.Dot(way, up), Is.EqualTo(0f).Within(Tolerance), "it stays on the ramp");
+            Assert.That(Vector3.Dot(path, down), Is.EqualTo(expected).Within(0.04f * expected));
+            Assert.That(Vector3.Dot(path, up), Is.EqualTo(0f).Within(Tolerance), "it stays on the ramp");
             Assert.That(ball.angularVelocity.magnitude * 0.5f, Is.EqualTo(ball.velocity.magnitude).Within(0.03f * ball.velocity.magnitude));
         }
 
@@ -80,11 +80,11 @@ namespace Host.Tests
             ramp.sharedMaterial = box.GetComponent<Collider>().sharedMaterial = material;
             Vector3 start = box.position;
             Frames(100);
-            float way = (box.position - start).magnitude, free = 0.5f * 9.81f * 4f * (0.342f - friction * 0.940f);
+            float path = (box.position - start).magnitude, free = 0.5f * 9.81f * 4f * (0.342f - friction * 0.940f);
             if (slides)
-                Assert.That(way, Is.EqualTo(free).Within(0.05f * free));
+                Assert.That(path, Is.EqualTo(free).Within(0.05f * free));
             else
-                Assert.That(way, Is.LessThan(0.02f));
+                Assert.That(path, Is.LessThan(0.02f));
         }
 
         [TestCase(PhysicMaterialCombine.Average, 0.5f)]
@@ -180,7 +180,8 @@ namespace Host.Tests
             };
             var ground = new GameObject("Ground").AddComponent<MeshCollider>();
             ground.sharedMesh = plane;
-            Rigidbody ball = Ball(new Vector3(0.3f, 1f, 0.3f), 0.5f), below = Ball(new Vector3(3f, -1f, 0f), 0.5f), box = Box(new Vector3(-3f, 1f, 0f));
+            Rigidbody ball = Ball(new Vector3(0.3f, 1f, 0.3f), 0.5f), below = Ball(new Vector3(3f, -1f, 0f), 0.5f),
+                box = Box(new Vector3(-3f, 1f, 0f));
             below.useGravity = false;
             below.velocity = new Vector3(0f, 2f, 0f);
             Frames(100);
@@ -277,7 +278,8 @@ namespace Host.Tests
             var bodies = new List<Rigidbody>();
             for (int i = 0; i < 12; i++)
             {
-                Rigidbody body = i % 2 == 0 ? Box(new Vector3(0.3f * (i % 3), 1f + 1.1f * i, 0.2f * i)) : Ball(new Vector3(0.1f * i, 1f + 1.1f * i, 0f), 0.5f);
+                Rigidbody body = i % 2 == 0 ? Box(new Vector3(0.3f * (i % 3), 1f + 1.1f * i, 0.2f * i))
+                    : Ball(new Vector3(0.1f * i, 1f + 1.1f * i, 0f), 0.5f);
                 body.rotation = Quaternion.Euler(10f * i, 20f * i, 0f);
                 bodies.Add(body);
             }

@@ -59,7 +59,7 @@ namespace Host.Tests
         protected static T Add<T>(string name = "object") where T : Component => new GameObject(name).AddComponent<T>();
     }
 
-    /// <summary>What happened, in order; scripts of the tests write it.</summary>
+    /// <summary>Events, in order; scripts of the tests write it.</summary>
     public static class Story
     {
         public static readonly List<string> Lines = new List<string>();

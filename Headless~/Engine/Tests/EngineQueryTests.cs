@@ -119,7 +119,8 @@ namespace Host.Tests
                 out _, out _), Is.False);
             Assert.That((one.ClosestPoint(new Vector3(3f, 0.2f, 0f)) - new Vector3(0.5f, 0.2f, 0f)).magnitude, Is.LessThan(0.01f));
             Assert.That(one.ClosestPoint(new Vector3(0.1f, 0.2f, 0f)), Is.EqualTo(new Vector3(0.1f, 0.2f, 0f)), "inside");
-            Assert.That((other.bounds.center - new Vector3(0f, 0.8f, 0f)).magnitude + (other.bounds.size - Vector3.one).magnitude, Is.LessThan(1e-5f));
+            Assert.That((other.bounds.center - new Vector3(0f, 0.8f, 0f)).magnitude + (other.bounds.size - Vector3.one).magnitude,
+                Is.LessThan(1e-5f));
         }
 
         static T At<T>(string name, Vector3 position) where T : Collider

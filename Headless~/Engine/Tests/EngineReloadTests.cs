@@ -126,7 +126,7 @@ namespace Host.Tests
             Call(script, "Listen");
             EditorReload.Run();
             Story.Take();
-            Application.SayQuitting();
+            Application.RaiseQuitting();
             EditorTick.Run();
             Camera.onPreCull?.Invoke(null);
             Undo.undoRedoPerformed?.Invoke();
@@ -187,7 +187,7 @@ namespace Host.Tests
         static string[] Told(object on) => (string[])on.GetType().GetMethod("Tell").Invoke(on, null);
     }
 
-    /// <summary>What a reload does to read-backs that are on their way.</summary>
+    /// <summary>Effect of a reload on pending read-backs.</summary>
     public class EngineReloadReadbackTests : GraphicsFixture
     {
         [Test]
@@ -195,7 +195,7 @@ namespace Host.Tests
         {
             new EngineReloadTests().CompileScripts();
             Type type = AppDomain.CurrentDomain.GetAssemblies().First(a => a.GetName().Name == "ReloadedScripts").GetType("Reloaded.Listener");
-            var hear = (Action<AsyncGPUReadbackRequest>)type.GetMethod("HearReadback").CreateDelegate(typeof(Action<AsyncGPUReadbackRequest>));
+            var hear = (Action<AsyncGPUReadbackRequest>)type.GetMethod("OnReadback").CreateDelegate(typeof(Action<AsyncGPUReadbackRequest>));
             int heard = 0;
             using var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 4, 4);
             buffer.SetData(new int[4]);

@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Host.Tests
 {
-    /// <summary>What draws see of the sky: its reflection, and its light on surfaces.</summary>
+    /// <summary>Light of the sky in draws: its reflection, and its light on surfaces.</summary>
     public class EnvironmentLightingTests : ShaderTextFixture
     {
         RenderTexture target;
@@ -175,7 +175,7 @@ ENDCG
         {
             RenderSettings.ambientMode = AmbientMode.Skybox;
             RenderSettings.skybox = SkyOf("float3(0.5 + 0.5 * d.y, 0, 0)");
-            // What a white Lambert surface sends back of 0.5 + 0.5 y is 0.5 + 0.5 y 2 / 3.
+            // A white Lambert surface reflects 0.5 + 0.5 y as 0.5 + 0.5 y 2 / 3.
             Vector4 harmonics = Seen(FormattableString.Invariant(
                 $"float4(ShadeSH9(float4(0, {Mathf.Sin(tilt * Mathf.Deg2Rad)}, {-Mathf.Cos(tilt * Mathf.Deg2Rad)}, 1)), 1)"));
             Assert.That(harmonics.x, Is.EqualTo(expected).Within(2e-3f));

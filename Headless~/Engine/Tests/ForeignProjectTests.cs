@@ -33,7 +33,7 @@ namespace Host.Tests
             public float Noise;
         }
 
-        // As the scene has it.
+        // Count of the scene.
         const int Count = 600;
         const float Speed = 5, ViewRadius = 8;
         static readonly Vector3 Center = new Vector3(0, 3, 0);
@@ -128,7 +128,7 @@ namespace Host.Tests
             Assert.That(said, Is.EqualTo(new[]
             {
                 "booting Towers",
-                "saved {\"runs\":3,\"player\":\"nobody\",\"position\":{\"x\":1.5,\"y\":0.0,\"z\":0.0}}",
+                "saved {\"runs\":3,\"player\":\"none\",\"position\":{\"x\":1.5,\"y\":0.0,\"z\":0.0}}",
                 "loaded Spark and sunset over the bay",
                 "Small Tower: 2 floors, 1 of 2 windows lit, 2 lamps",
                 "Small Tower says hello",
@@ -152,7 +152,7 @@ namespace Host.Tests
             }
 
             for (int i = 0; i < 4; i++) Look(new Vector3(-1.6f + 0.8f * i, 4, 0), Shade(i / 4f), $"spark {i}");
-            Look(new Vector3(1.6f, 4, 0), new Color(0.1f, 0.1f, 0.1f), "the place of the spark that was destroyed");
+            Look(new Vector3(1.6f, 4, 0), new Color(0.1f, 0.1f, 0.1f), "the position of the spark that was destroyed");
             foreach (float tower in new[] { -2.5f, 2.5f })
             {
                 Look(new Vector3(tower - 1.2f, 0.5f, 0), Shade(1), "a lamp with an overridden shade");

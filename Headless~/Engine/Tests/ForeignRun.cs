@@ -17,7 +17,7 @@ namespace Host.Tests
     sealed class ForeignRun : IDisposable
     {
         public readonly int ExitCode;
-        /// <summary>Of both streams, in the order of each.</summary>
+        /// <summary>Lines of both streams, in the order of each.</summary>
         public readonly string[] Output, Errors;
         readonly string folder = Path.Combine(Path.GetTempPath(), "rill-foreign-" + Guid.NewGuid().ToString("N"));
 
@@ -67,7 +67,7 @@ namespace Host.Tests
         }
     }
 
-    /// <summary>Where a point of the world lies in a picture, by hand.</summary>
+    /// <summary>Computes where a point of the world lies in a picture, by hand.</summary>
     sealed class Lens
     {
         readonly Vector3 position;

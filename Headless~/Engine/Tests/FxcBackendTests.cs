@@ -8,7 +8,7 @@ using UnityEngine.Headless;
 namespace Host.Tests
 {
     /// <summary>
-    /// Where two compilers of HLSL can differ: each kernel as glslang makes it and as FXC's bytecode, both held against what
+    /// Differences of two compilers of HLSL: each kernel as glslang makes it and as FXC's bytecode, both held against what
     /// Direct3D says (its 11.3 functional specification, by section) or against double precision.
     /// </summary>
     public class FxcBackendTests : BackendFixture
@@ -158,7 +158,7 @@ namespace Host.Tests
         }
 
         // 22.10.20 (sincos): 0.0008 absolute within 100 pi. 22.10.6 (exp): 2^-21 relative. 22.10.8 (log): 2^-21. 22.10.2, 19, 21 (div, rsq,
-        // sqrt): a unit in the last place.
+        // sqrt): one ulp.
         [TestCaseSource(nameof(Backends))]
         public void Functions_are_as_exact_as_Direct3D_demands(string backend)
         {
@@ -242,7 +242,7 @@ namespace Host.Tests
         public void Constants_lie_in_registers(string backend)
         {
             float[] got = RunPacking(backend, "ReadConstants", 2);
-            // As in ShaderLayoutTests up to x at 76; pair 80, 84 and 88, isSet 90, mats 92 (columns) and 104, end 114.
+            // Equal to ShaderLayoutTests up to x at 76; pair 80, 84 and 88, isSet 90, mats 92 (columns) and 104, end 114.
             Assert.That(got.Take(20), Is.EqualTo(new float[] { 2, 3, 16, 17, 24, 22, 31, 37, 38, 51, 54, 65, 74, 76, 12, 52, 89, 1, 113, 114 }));
         }
 

@@ -60,7 +60,7 @@ namespace Host.Tests
                 Graphics.ExecuteCommandBuffer(cmd);
                 Assert.That(Read(values), Is.All.EqualTo(26));
 
-                // What the buffer set last stays on the shader.
+                // The last buffer stays set on the shader.
                 shader.Dispatch(kernel, 1, 1, 1);
                 Assert.That(Read(values), Is.All.EqualTo(36));
 

@@ -480,7 +480,7 @@ namespace Host.Tests
             }
         }
 
-        // ---- not strict: logged in Unity's way, skipped
+        // ---- not strict: logged as in Unity, skipped
 
         [Test]
         public void Outside_of_strict_mode_faults_are_logged_and_skipped()

@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
-    /// <summary>What the player does where the device that it pretends grants less than a program takes.</summary>
+    /// <summary>Behavior of the player if the simulated device grants less than a program takes.</summary>
     public class LimitsTests : GraphicsFixture
     {
         ApiLimits before;

@@ -11,7 +11,7 @@ namespace Host.Tests
     public class ModelImportTests : AssetFixture
     {
         const string Guid = "f0000000000000000000000000000001", Path = "Assets/Part.obj";
-        // A square in the plane z = 0 that looks towards -z, as the file has it; two triangles share an edge.
+        // A square in the plane z = 0 that looks towards -z, as the file has it; two triangles have a common edge.
         const string Square = "v 0 0 0\nv 0 2 0\nv 3 2 0\nv 3 0 0\nvn 0 0 -1\nf 1//1 2//1 3//1 4//1\n";
 
         ProjectAssets Project(string obj, string settings = "")
@@ -122,8 +122,8 @@ namespace Host.Tests
         [TestCase("v 0 0 0\nv 0 2 0\nv 3 2 0\n", "Part.obj has no faces")]
         [TestCase("v 0 0 0\nvn 0 0 1\nf 1//2 1//1 1//1\n", "Part.obj(3): the face refers to normal 2, but 1 come before it")]
         [TestCase("v 0 0 0\nvn 0 0 1\nf 1/1/1 1//1 1//1\n", "the face refers to texture coordinate 1, but 0 come before it")]
-        [TestCase("v 0 0 0\nvn 0 0 1\nf 1//1x 1//1 1//1\n", "'1//1x' is no corner")]
-        [TestCase("v 0 0 0\nvn 0 zero 1\nf 1//1 1//1 1//1\n", "Part.obj(2): 'zero' is no number")]
+        [TestCase("v 0 0 0\nvn 0 0 1\nf 1//1x 1//1 1//1\n", "'1//1x' is not a corner")]
+        [TestCase("v 0 0 0\nvn 0 zero 1\nf 1//1 1//1 1//1\n", "Part.obj(2): 'zero' is not a number")]
         [TestCase("", "Part.obj is empty")]
         public void A_broken_file_is_refused_with_its_line(string obj, string message) => Assert.That(Refusal(obj), Does.Contain(message));
     }

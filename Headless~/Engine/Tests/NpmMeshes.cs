@@ -24,7 +24,7 @@ namespace Host.Tests
         /// <summary>Stanford's bunny, 3,674 triangles; its open base was closed for the package.</summary>
         public static string Bunny(string folder) => Write(BunnyFile, Path.Combine(folder, "Bunny.obj"), float.NegativeInfinity);
 
-        /// <summary>The same without its base, as the scan was.</summary>
+        /// <summary>Writes the bunny without its base, as the scan was.</summary>
         /// <param name="height">Of the cut, in the file's unit: triangles that lie below as a whole are left out.</param>
         public static string OpenBunny(string folder, float height) => Write(BunnyFile, Path.Combine(folder, "OpenBunny.obj"), height);
 

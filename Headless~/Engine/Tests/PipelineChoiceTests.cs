@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What <c>rill run --pipeline</c> takes.</summary>
+    /// <summary>Choices of <c>rill run --pipeline</c>.</summary>
     public class PipelineChoiceTests
     {
         [TestCase("universal-14", "universal", "14", false)]

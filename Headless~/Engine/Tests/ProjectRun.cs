@@ -11,7 +11,7 @@ namespace Host.Tests
     sealed class ProjectRun
     {
         public readonly int ExitCode;
-        /// <summary>Of both streams, in the order of each.</summary>
+        /// <summary>Lines of both streams, in the order of each.</summary>
         public readonly string[] Output, Errors;
 
         public ProjectRun(string project, params string[] more)

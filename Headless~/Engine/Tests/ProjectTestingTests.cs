@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>The tests of a user's project are found, run and counted, and what stands in the way is named.</summary>
+    /// <summary>The tests of a user's project are found, run and counted, and obstacles are named.</summary>
     public class ProjectTestingTests
     {
         const string TestDefinition = @"{ ""name"": ""Game.Tests"", ""references"": [""Game"", ""UnityEngine.TestRunner"", ""UnityEditor.TestRunner""], ""overrideReferences"": true,
@@ -80,7 +80,8 @@ public class Lamp : MonoBehaviour
         public void Tests_pass_and_fail_as_in_the_Test_Runner()
         {
             var run = new ProjectRun(root);
-            run.MustHaveEnded(1, "Game.Tests: 1 of 1 scripts compiled", "LampTests", "4 passed, 1 FAILED", "FAILED A_lamp_never_fails", "Unhandled log message: '[Error] the lamp broke'", "4 passed, 1 failed");
+            run.MustHaveEnded(1, "Game.Tests: 1 of 1 scripts compiled", "LampTests", "4 passed, 1 FAILED", "FAILED A_lamp_never_fails",
+                "Unhandled log message: '[Error] the lamp broke'", "4 passed, 1 failed");
             Assert.That(run.Output[^1], Is.EqualTo("4 passed, 1 failed"));
 
             new ProjectRun(root, "--filter", "brighter", "--filter", "dark").MustHaveEnded(0, "2 passed, 0 failed");
@@ -88,10 +89,12 @@ public class Lamp : MonoBehaviour
         }
 
         [Test]
-        public void A_filter_that_no_test_passes_is_a_failure() => new ProjectRun(root, "--filter", "no such test").MustHaveEnded(1, "FAILED no test ran");
+        public void A_filter_that_no_test_passes_is_a_failure() => new ProjectRun(root, "--filter", "no such test").MustHaveEnded(1,
+            "FAILED no test ran");
 
         [Test]
-        public void A_folder_that_is_no_project_is_named() => new ProjectRun(Path.Combine(root, "Assets")).MustHaveEnded(2, $"{Path.Combine(root, "Assets")} is no Unity project (a folder with Assets and ProjectSettings)");
+        public void A_folder_that_is_no_project_is_named() => new ProjectRun(Path.Combine(root, "Assets")).MustHaveEnded(2,
+            $"{Path.Combine(root, "Assets")} is no Unity project (a folder with Assets and ProjectSettings)");
 
         [Test]
         public void A_project_without_tests_is_told_how_to_make_some()
@@ -104,7 +107,8 @@ public class Lamp : MonoBehaviour
         public void An_error_of_the_compiler_stops_with_file_and_line()
         {
             Write("Assets/Tests/BrokenTests.cs", "public class BrokenTests\n{\n    int Light() => Lamp.Dazzle;\n}\n");
-            new ProjectRun(root).MustHaveEnded(2, "the project's scripts do not compile", "Assets/Tests/BrokenTests.cs(3,25): error CS0117: 'Lamp' does not contain a definition for 'Dazzle'");
+            new ProjectRun(root).MustHaveEnded(2, "the project's scripts do not compile", "Assets/Tests/BrokenTests.cs(3,25): error CS0117: " +
+                "'Lamp' does not contain a definition for 'Dazzle'");
         }
 
         [Test]
@@ -112,20 +116,24 @@ public class Lamp : MonoBehaviour
         {
             Manifest(@"""com.unity.test-framework"": ""1.1.33"", ""com.studio.switches"": ""https://example.com/switches.git""");
             Write("Assets/Scripts/Switch.cs", "public class Switch\n{\n    Studio.Switches.Lever lever;\n}\n");
-            new ProjectRun(root).MustHaveEnded(2, "Assets/Scripts/Switch.cs(3,5): error CS0246", "packages that are not here: com.studio.switches https://example.com/switches.git", "file:<folder>", "Library/PackageCache");
+            new ProjectRun(root).MustHaveEnded(2, "Assets/Scripts/Switch.cs(3,5): error CS0246",
+                "packages that are not here: com.studio.switches https://example.com/switches.git", "file:<folder>", "Library/PackageCache");
         }
 
         [Test]
         public void A_script_of_the_game_that_needs_what_the_host_lacks_is_left_out_and_the_tests_run()
         {
-            Write("Assets/Scripts/Mirror.cs", "using UnityEngine;\npublic class Mirror : MonoBehaviour\n{\n    void Start() => Camera.main.RenderToCubemap((Cubemap)null);\n}\n");
-            new ProjectRun(root, "--filter", "dark").MustHaveEnded(0, "warning: left out: Assets/Scripts/Mirror.cs(4,33): error CS1061", "the host does not", "1 passed, 0 failed");
+            Write("Assets/Scripts/Mirror.cs", "using UnityEngine;\npublic class Mirror : MonoBehaviour\n{\n    void Start() => " +
+                "Camera.main.RenderToCubemap((Cubemap)null);\n}\n");
+            new ProjectRun(root, "--filter", "dark").MustHaveEnded(0, "warning: left out: Assets/Scripts/Mirror.cs(4,33): error CS1061",
+                "the host does not", "1 passed, 0 failed");
         }
 
         [Test]
         public void A_test_that_needs_what_the_host_lacks_is_not_passed_over()
         {
-            Write("Assets/Tests/MirrorTests.cs", "using UnityEngine;\npublic class MirrorTests\n{\n    void Look() => Camera.main.RenderToCubemap((Cubemap)null);\n}\n");
+            Write("Assets/Tests/MirrorTests.cs", "using UnityEngine;\npublic class MirrorTests\n{\n    void Look() => " +
+                "Camera.main.RenderToCubemap((Cubemap)null);\n}\n");
             new ProjectRun(root).MustHaveEnded(2, "Assets/Tests/MirrorTests.cs(4,32): error CS1061", "(Unity 2022.3 has it, the host does not)");
         }
 
@@ -150,6 +158,7 @@ public class Lamp : MonoBehaviour
 
         [TestCase("--project runs the tests of that project alone", "--host-only")]
         [TestCase("the tests of a project run in one process", "--jobs", "2")]
-        public void What_does_not_go_with_a_project_is_refused(string message, params string[] more) => new ProjectRun(root, more).MustHaveEnded(2, message);
+        public void What_does_not_go_with_a_project_is_refused(string message, params string[] more) => new ProjectRun(root, more).MustHaveEnded(2,
+            message);
     }
 }

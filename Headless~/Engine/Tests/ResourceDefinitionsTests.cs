@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What is read from the bytes that FXC emits: resources, layouts, signatures, barriers.</summary>
+    /// <summary>Data read from the bytes that FXC emits: resources, layouts, signatures, barriers.</summary>
     public class ResourceDefinitionsTests
     {
         const string Text = @"struct S { float3 p; uint n; float2x3 m; };

@@ -271,7 +271,7 @@ ENDHLSL } } }";
         }
 
         [TestCase("Shader \"T\" { SubShader { Pass {", 1, "the end of the file")]
-        [TestCase("Shader \"T\" {\n Properties { _A (\"A\", Flaot) = 1 } }", 2, "'Flaot' is no type of a property")]
+        [TestCase("Shader \"T\" {\n Properties { _A (\"A\", Flaot) = 1 } }", 2, "'Flaot' is not a type of a property")]
         [TestCase("Shader \"T\" {\n SubShader {\n Pass {\n Cull Sideways } } }", 4, "Off, Front, Back")]
         [TestCase("Shader \"T\" {\n SubShader {\n Pass {\n } } }", 3, "no HLSLPROGRAM")]
         [TestCase("Shader \"T\" {\n SubShader {\n Pass {\n HLSLPROGRAM\n } } }", 4, "ENDHLSL")]

@@ -36,7 +36,7 @@ namespace Host.Tests
 
         static byte[] Words(int count) => Enumerable.Range(0, count).SelectMany(i => BitConverter.GetBytes((float)i)).ToArray();
 
-        // What the kernel leaves in _Out.
+        // Returns what the kernel leaves in _Out.
         float[] Run(string declarations, string body, int outputWords)
         {
             int messages = device.ValidationMessages.Count;

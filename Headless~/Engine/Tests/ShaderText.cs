@@ -52,7 +52,7 @@ namespace Host.Tests
             $"Shader \"Hidden/Test\" {{ Properties {{ {properties} }} SubShader {{ Cull Off ZWrite Off ZTest Always Pass " +
             $"{{\nCGPROGRAM\n#pragma vertex vert_img\n#pragma fragment frag\n#include \"UnityCG.cginc\"\n{code}\nENDCG\n}} }} }}";
 
-        /// <summary>What an expression of float4 gives in a fragment program, at the center of a picture of one pixel.</summary>
+        /// <summary>Value of an expression of float4 in a fragment program, at the center of a picture of one pixel.</summary>
         protected static Vector4 Value(string expression, string declarations = "", Texture source = null)
         {
             var material = new Material(ShaderOf(Effect($"{declarations}\nfloat4 frag(v2f_img i) : SV_Target {{ return {expression}; }}")));

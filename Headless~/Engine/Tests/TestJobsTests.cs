@@ -133,7 +133,7 @@ namespace Waiting
             Assert.That(two[^1], Is.EqualTo("9 passed, 0 failed, 1 skipped"));
             Assert.That(two[^2], Is.EqualTo("7 test methods, 0 of them dispatched on the device"));
 
-            // Workers share the cores, and what runs alone has them all.
+            // Workers divide the cores, and a fixture that runs alone has them all.
             string[] shared = Notes("plain").Single().Split(' '), alone = Notes("alone").Single().Split(' ');
             Assert.That(shared[0], Is.EqualTo(Math.Max(1, Environment.ProcessorCount / 2).ToString()));
             Assert.That(alone[0], Is.EqualTo(Environment.ProcessorCount.ToString()));

@@ -84,7 +84,7 @@ namespace Host.Tests
             return request.GetData<Vector4>().ToArray();
         }
 
-        /// <summary>What a frame logged as errors.</summary>
+        /// <summary>Errors that a frame logged.</summary>
         protected List<string> Errors => Logged.FindAll(line => line.StartsWith("Error", StringComparison.Ordinal)
             || line.StartsWith("Exception", StringComparison.Ordinal));
     }

@@ -188,7 +188,7 @@ namespace Host.Tests
             Assert.That(Cost(a, c), Is.EqualTo(1), "c was just read");
             Assert.That(Cost(a, d), Is.EqualTo(0), "d was written before the barrier that is there");
             device.Flush();
-            Assert.That(Cost(a, d), Is.EqualTo(1), "a submission is no barrier");
+            Assert.That(Cost(a, d), Is.EqualTo(1), "a submission is not a barrier");
         }
 
         [Test]

@@ -111,7 +111,7 @@ namespace Unity.Mathematics
             return matrix.determinant != 0 ? (float4x4)matrix.inverse : new float4x4(float.NaN);
         }
 
-        /// <summary>Of a rotation and translation alone.</summary>
+        /// <summary>Inverse of a rotation and translation alone.</summary>
         public static float4x4 fastinverse(float4x4 m)
         {
             float3x3 r = transpose(new float3x3(m));

@@ -71,7 +71,7 @@ namespace Unity.Mathematics
         public static float4x4 RotateY(float angle) => new float4x4(float3x3.RotateY(angle), default);
         public static float4x4 RotateZ(float angle) => new float4x4(float3x3.RotateZ(angle), default);
 
-        /// <summary>Places an object at eye, its z axis to the target.</summary>
+        /// <summary>Puts an object at eye, its z axis to the target.</summary>
         public static float4x4 LookAt(float3 eye, float3 target, float3 up) => new float4x4(float3x3.LookRotation(normalize(target - eye), up), eye);
 
         // OpenGL's clip space: -1 to 1, looking down -z.

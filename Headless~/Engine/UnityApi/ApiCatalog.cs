@@ -7,7 +7,7 @@ namespace Host.UnityApi
     /// <summary>The types of one Unity version, with names in signatures resolved as far as the lists reach.</summary>
     sealed class ApiCatalog
     {
-        // What files of Unity's call types that the lists know under another name.
+        // Names in files of Unity's for types that the lists know under another name.
         static readonly Dictionary<string, string> Aliases = new() { ["UnityObject"] = "UnityEngine.Object", ["UObject"] = "UnityEngine.Object" };
 
         readonly Dictionary<string, ApiType> types = new(StringComparer.Ordinal);
@@ -173,7 +173,7 @@ namespace Host.UnityApi
             return found;
         }
 
-        // As C# looks a name up: nested types of the type and its bases, then outwards; then the namespaces around.
+        // Looks a name up like C#: nested types of the type and its bases, then outwards; then the namespaces around.
         ApiType LookupOutwards(string name, ApiType type)
         {
             for (ApiType scope = type; scope != null; scope = scope.Outer)

@@ -26,7 +26,7 @@ namespace Host.UnityApi
         public string Name = "";
         public IReadOnlyList<string> TypeParameters = Array.Empty<string>();
         public IReadOnlyList<ApiParameter> Parameters = Array.Empty<ApiParameter>();
-        /// <summary>What a method, operator or delegate returns, a field or property is; of an enum its underlying type.</summary>
+        /// <summary>Type that a method, operator or delegate returns, or a field or property has; of an enum its underlying type.</summary>
         public ApiTypeName Type;
         /// <summary>Base class and interfaces of a type, in the order of the declaration.</summary>
         public IReadOnlyList<ApiTypeName> Bases = Array.Empty<ApiTypeName>();

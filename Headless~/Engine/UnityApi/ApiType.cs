@@ -8,7 +8,7 @@ namespace Host.UnityApi
     {
         /// <summary>"UnityEngine.Pool.ObjectPool`1"; nested types after a dot.</summary>
         public string Key;
-        /// <summary>As the lists write it: "UnityEngine.Pool.ObjectPool&lt;T&gt;".</summary>
+        /// <summary>Name as the lists write it: "UnityEngine.Pool.ObjectPool&lt;T&gt;".</summary>
         public string Name;
         public ApiKind Kind;
         public bool Obsolete, Protected;
@@ -18,9 +18,9 @@ namespace Host.UnityApi
         public IReadOnlyList<string> TypeParameters;
         /// <summary>Base class and interfaces, in full where a list holds them.</summary>
         public readonly List<ApiTypeName> Bases = new();
-        /// <summary>Of an enum: what it is stored in. Of a delegate: its line.</summary>
+        /// <summary>Storage of an enum, or the line of a delegate.</summary>
         public ApiMember Declaration;
-        /// <summary>With types in full where a list holds them, and type parameters by place.</summary>
+        /// <summary>Members with types in full where a list holds them, and type parameters by index.</summary>
         public readonly List<ApiMember> Members = new();
 
         public bool WithinObsolete => Obsolete || Outer != null && Outer.WithinObsolete;

@@ -13,12 +13,12 @@ namespace Host.UnityApi
     sealed class ApiTypeName
     {
         public readonly ApiTypeForm Form;
-        /// <summary>Of a named type, each part with the number of its own type parameters as metadata has it: "System", "Collections",
-        /// "Generic", "List`1". Of a type parameter its name or place.</summary>
+        /// <summary>Path of a named type, each part with the number of its own type parameters as metadata has it: "System", "Collections",
+        /// "Generic", "List`1". Of a type parameter its name or index.</summary>
         public readonly IReadOnlyList<string> Path;
         /// <summary>Type arguments, those of outer types first; of an array, pointer or reference the element.</summary>
         public readonly IReadOnlyList<ApiTypeName> Arguments;
-        /// <summary>Of an array.</summary>
+        /// <summary>Rank of an array.</summary>
         public readonly int Rank;
         /// <summary>The path begins at the outermost namespace. Not so in a signature as written.</summary>
         public readonly bool Full;
@@ -42,7 +42,7 @@ namespace Host.UnityApi
             ["nint"] = "IntPtr", ["nuint"] = "UIntPtr",
         };
 
-        /// <summary>As written: a keyword, a name, a part of a full name.</summary>
+        /// <summary>Name as written: a keyword, a name, a part of a full name.</summary>
         public static ApiTypeName Written(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null) =>
             path.Count == 1 && Keywords.TryGetValue(path[0], out string name) ? Named(new[] { "System", name })
             : new ApiTypeName(ApiTypeForm.Named, path, arguments ?? None);
@@ -51,7 +51,7 @@ namespace Host.UnityApi
         public static ApiTypeName Named(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null)
             => new(ApiTypeForm.Named, path, arguments ?? None, full: true);
 
-        /// <summary>Type parameters are compared by place, not by name: "!0" of the type, "!!0" of the method.</summary>
+        /// <summary>Type parameters are compared by index, not by name: "!0" of the type, "!!0" of the method.</summary>
         public static ApiTypeName Parameter(string name) => new(ApiTypeForm.Parameter, new[] { name }, None);
         public static ApiTypeName ArrayOf(ApiTypeName element, int rank = 1)
             => new(ApiTypeForm.Array, Array.Empty<string>(), new[] { element }, rank);
@@ -68,7 +68,7 @@ namespace Host.UnityApi
         public bool IsNullable => Form == ApiTypeForm.Named && Key == "System.Nullable`1";
         public ApiTypeName Element => Arguments[0];
 
-        /// <summary>The same with every named type or parameter in it replaced; arguments first.</summary>
+        /// <summary>Returns the name with every named type or parameter in it replaced; arguments first.</summary>
         public ApiTypeName Map(Func<ApiTypeName, ApiTypeName> map)
         {
             ApiTypeName mapped = Arguments.Count == 0 ? this

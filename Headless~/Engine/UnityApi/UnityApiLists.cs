@@ -20,7 +20,7 @@ namespace Host.UnityApi
         // Unity's published reference of 2022.3 holds no UIElements; those of 6000.0 stand in.
         const string LentNamespace = "UnityEngine.UIElements.", LentTo = "2022.3", LentFrom = "6000.0";
 
-        /// <summary>Of the editor, ascending: "2022.3", "6000.0", "6000.3".</summary>
+        /// <summary>Versions of the editor, ascending: "2022.3", "6000.0", "6000.3".</summary>
         public IReadOnlyList<string> Versions { get; }
         /// <summary>Lists that count for every version: "test-framework-1.4", "unity-mathematics".</summary>
         public IReadOnlyList<string> Packages { get; }
@@ -60,7 +60,7 @@ namespace Host.UnityApi
             return Read(packed, supplement);
         }
 
-        /// <summary>Of packages that not every project has: the render pipelines, where the README beside the file says which version an
+        /// <summary>Lists of packages that not every project has: the render pipelines, where the README beside the file says which version an
         /// editor version ships, and Timeline.</summary>
         public static UnityApiLists LoadOptional()
         {
@@ -72,7 +72,7 @@ namespace Host.UnityApi
         /// <summary>The oldest Unity.Mathematics that a list speaks of.</summary>
         public const string OldestMathematics = "1.2.6";
 
-        /// <summary>These lists with the oldest Unity.Mathematics in place of the newest.</summary>
+        /// <summary>These lists with the oldest Unity.Mathematics instead of the newest.</summary>
         public UnityApiLists WithOldestMathematics()
         {
             using var later = new StreamReader(Resource($"mathematics-after-{OldestMathematics}.txt"));
@@ -82,7 +82,7 @@ namespace Host.UnityApi
 
         static Stream Resource(string name) => typeof(UnityApiLists).Assembly.GetManifestResourceStream(name);
 
-        /// <summary>What tools/pack-unity-api packs: the lists' names, then types, below each its members with the bits of the lists that
+        /// <summary>Reads the output of tools/pack-unity-api: the lists' names, then types, below each its members with the bits of the lists that
         /// hold them.</summary>
         /// <param name="supplement">A list as it is before packing, "type | signature", that counts for every version; or null. Lines that
         /// begin with # say where it is from.</param>

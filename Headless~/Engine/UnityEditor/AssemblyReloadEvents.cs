@@ -8,7 +8,7 @@ namespace UnityEditor
         public static event AssemblyReloadCallback beforeAssemblyReload;
         public static event AssemblyReloadCallback afterAssemblyReload;
 
-        internal static void SayBefore() => beforeAssemblyReload?.Invoke();
-        internal static void SayAfter() => afterAssemblyReload?.Invoke();
+        internal static void RaiseBefore() => beforeAssemblyReload?.Invoke();
+        internal static void RaiseAfter() => afterAssemblyReload?.Invoke();
     }
 }

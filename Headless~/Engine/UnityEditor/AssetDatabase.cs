@@ -109,7 +109,7 @@ namespace UnityEditor
                 }
         }
 
-        /// <summary>Of what a script made; the project's own files stay.</summary>
+        /// <summary>Deletes an asset that a script made; the project's own files stay.</summary>
         public static bool DeleteAsset(string path)
         {
             bool found = folders.RemoveWhere(folder => folder == path || folder.StartsWith(path + "/", StringComparison.Ordinal)) > 0;

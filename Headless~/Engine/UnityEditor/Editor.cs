@@ -81,7 +81,7 @@ namespace UnityEditor
             previousEditor = CreateEditor(targetObjects, editorType);
         }
 
-        // The [CustomEditor] of the nearest base class; an editor for children only counts where it says so.
+        // The [CustomEditor] of the nearest base class; an editor for children only counts if it is marked so.
         static Type TypeFor(Type inspected)
         {
             for (Type at = inspected; at != null; at = at.BaseType)

@@ -24,8 +24,8 @@ namespace UnityEditor
         public static bool isCompiling => false;
         public static bool isUpdating => false;
         public static double timeSinceStartup => Time.realtimeSinceStartupAsDouble;
-        internal static void SayPlayMode(PlayModeStateChange change) => playModeStateChanged?.Invoke(change);
-        internal static void SayHierarchyChanged() => hierarchyChanged?.Invoke();
+        internal static void RaisePlayMode(PlayModeStateChange change) => playModeStateChanged?.Invoke(change);
+        internal static void RaiseHierarchyChanged() => hierarchyChanged?.Invoke();
         public static void ExitPlaymode() => Application.Quit();
         public static void Exit(int returnValue) => Application.Quit(returnValue);
         /// <summary>In edit mode, at the next update; in play mode it runs in any case.</summary>

@@ -23,7 +23,7 @@ namespace UnityEditor
                 Run(assembly);
         }
 
-        /// <summary>Of the scripts that a reload has loaded again.</summary>
+        /// <summary>Runs those of the scripts that a reload has loaded again.</summary>
         public static void RunAgain(ScriptStatics statics)
             => Run(known.Where(ScriptAssemblies.IsOfScripts).SelectMany(assembly => assembly.GetTypes()).ToList(), statics.Initialize);
 

@@ -17,14 +17,14 @@ namespace UnityEditor
     /// lists DisableScriptedObjects, BackupInstance, CreateAndSetChildDomain, LoadAssemblies, ProcessInitializeOnLoadAttributes,
     /// ProcessInitializeOnLoadMethodAttributes and AwakeInstancesAfterBackupRestoration, with scripts sorted by execution order before the
     /// first and the last (a log of 2021.2 in Unity-Technologies/com.unity.webrtc, issue 528).
-    /// What is carried over: manual, "Script serialization", Hot reloading. Awake, Start and [RuntimeInitializeOnLoadMethod] belong to the
+    /// State that is carried over: manual, "Script serialization", Hot reloading. Awake, Start and [RuntimeInitializeOnLoadMethod] belong to the
     /// beginning of an object and of play, and do not come again. Coroutines, timed calls, listeners and statics are of the domain that goes.
     /// </remarks>
     internal static class EditorReload
     {
         public static void Run()
         {
-            Guarded(AssemblyReloadEvents.SayBefore);
+            Guarded(AssemblyReloadEvents.RaiseBefore);
             List<Object> active = Scripts().Where(IsActive).ToList();
             foreach (Object script in active)
                 Deactivate(script);
@@ -51,10 +51,10 @@ namespace UnityEditor
             EditorInitializers.RunAgain(statics);
             foreach (Object script in active)
                 Activate(script);
-            Guarded(AssemblyReloadEvents.SayAfter);
+            Guarded(AssemblyReloadEvents.RaiseAfter);
         }
 
-        // Of components and assets, by execution order; what the engine alone makes up has no state of scripts.
+        // Lists components and assets, by execution order; the engine's own objects have no state of scripts.
         static List<Object> Scripts() => ObjectRegistry.All(typeof(Object))
             .Where(o => (o is MonoBehaviour || o is ScriptableObject) && !ScriptAssemblies.IsEngines(o.GetType().Assembly))
             .OrderBy(o => ExecutionOrder.Of(o.GetType())).ToList();

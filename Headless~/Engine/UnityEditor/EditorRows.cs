@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 
 namespace UnityEditor
 {
-    // What takes a row of an inspector: where it is and how wide, so that tests see what is clipped.
+    // Controls that take a row of an inspector: where it is and how wide, so that tests see what is clipped.
     public partial class EditorGUI
     {
         public static bool PropertyField(Rect position, SerializedProperty property) => PropertyField(position, property, null, false);
@@ -78,7 +78,7 @@ namespace UnityEditor
             GuiDrawing.Label(new Rect(row.x + indent, row.y, row.width - indent, style.CalcHeight(label, row.width - indent)), label.text, style);
         }
 
-        /// <summary>As in Unity the second text wraps, and takes lines, only in a style that wraps.</summary>
+        /// <summary>The second text wraps as in Unity, and takes lines, only in a style that wraps.</summary>
         public static void LabelField(GUIContent label, GUIContent label2, GUIStyle style, params GUILayoutOption[] options)
         {
             Rect row = GetControlRect();

@@ -10,8 +10,8 @@ namespace UnityEditor.SceneManagement
 
         public static event SceneSavingCallback sceneSaving;
 
-        /// <summary>As the Editor does before it saves a scene, which the host does not.</summary>
-        internal static void SaySaving(Scene scene, string path) => sceneSaving?.Invoke(scene, path);
+        /// <summary>Raises the event that the Editor raises before it saves a scene, which the host does not.</summary>
+        internal static void RaiseSaving(Scene scene, string path) => sceneSaving?.Invoke(scene, path);
 
         public static AsyncOperation LoadSceneAsyncInPlayMode(string path, LoadSceneParameters parameters)
             => SceneManager.LoadSceneAsync(path, parameters);

@@ -5,7 +5,7 @@ using UnityEngine.Headless;
 
 namespace UnityEditor
 {
-    /// <summary>What the GUI of this host would have drawn, for tests of inspectors, and what a user would have done to it.</summary>
+    /// <summary>Records what the GUI of this host would have drawn, for tests of inspectors, and what a user would have done to it.</summary>
     internal static class GuiTrace
     {
         public static readonly List<(string path, string label, bool mixed)> Fields = new List<(string, string, bool)>();

@@ -8,7 +8,7 @@ namespace UnityEditor
 {
     public sealed class GameObjectUtility
     {
-        /// <summary>Below the parent at its place, with its layer; nothing without one.</summary>
+        /// <summary>Puts the child below the parent at its pose, with its layer; does nothing without one.</summary>
         public static void SetParentAndAlign(GameObject child, GameObject parent)
         {
             if (parent == null)
@@ -42,7 +42,7 @@ namespace UnityEditor
         }
     }
 
-    /// <summary>What a menu item was called on.</summary>
+    /// <summary>Object that a menu item was called on.</summary>
     public sealed class MenuCommand
     {
         public Object context;
@@ -95,8 +95,8 @@ namespace UnityEditor.SceneManagement
 
         public static event System.Action<GameObject> prefabSaving;
 
-        /// <summary>As the Editor does before it saves an open prefab.</summary>
-        internal static void SaySaving(GameObject root) => prefabSaving?.Invoke(root);
+        /// <summary>Raises the event that the Editor raises before it saves an open prefab.</summary>
+        internal static void RaiseSaving(GameObject root) => prefabSaving?.Invoke(root);
 
         public GameObject prefabContentsRoot { get; internal set; }
     }

@@ -21,11 +21,11 @@ namespace UnityEditor
             return asset;
         }
 
-        /// <summary>Of packages that the project does not own.</summary>
+        /// <summary>Whether it is part of a package that the project does not own.</summary>
         public static bool IsPartOfImmutablePrefab(Object componentOrGameObject)
             => AssetDatabase.GetAssetPath(componentOrGameObject).StartsWith("Packages/", StringComparison.Ordinal);
 
-        /// <summary>In edit mode: play mode knows no prefabs. What was added to an instance is no part of it.</summary>
+        /// <summary>In edit mode: play mode knows no prefabs. What was added to an instance is not a part of it.</summary>
         public static bool IsPartOfPrefabInstance(Object componentOrGameObject)
             => EditMode.IsOn && componentOrGameObject != null && componentOrGameObject.PrefabInstance != 0;
 

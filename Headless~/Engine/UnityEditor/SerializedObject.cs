@@ -14,7 +14,7 @@ namespace UnityEditor
     public class SerializedObject : IDisposable
     {
         readonly Object[] edited;
-        // Of each object: the fields that were asked for since the last Update, and those of them that were written.
+        // For each object: the fields that were requested since the last Update, and those of them that were written.
         readonly Dictionary<FieldInfo, object>[] copies;
         readonly HashSet<FieldInfo>[] written;
 
@@ -54,7 +54,7 @@ namespace UnityEditor
 
         public void Dispose() { }
 
-        /// <summary>Null when there is no serialized field of that path.</summary>
+        /// <summary>Returns a property; null without a serialized field of that path.</summary>
         public SerializedProperty FindProperty(string propertyPath)
         {
             string[] parts = propertyPath.Split('.');

@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 namespace UnityEditor
 {
     /// <summary>
-    /// Values, places and creations can be undone, and values and places redone; a group ends where the caller says so, since no
+    /// Values, poses and creations can be undone, and values and poses redone; a group ends where the caller says so, since no
     /// events end one here. What was destroyed does not come back: to redo a creation throws.
     /// </summary>
     public partial class Undo
@@ -25,7 +25,7 @@ namespace UnityEditor
             /// <summary>Whether undoing it would change anything.</summary>
             public abstract bool Counts { get; }
             public abstract void Revert();
-            /// <summary>What brings the present state back after a revert.</summary>
+            /// <summary>Step that brings the present state back after a revert.</summary>
             public abstract Step Opposite();
         }
 

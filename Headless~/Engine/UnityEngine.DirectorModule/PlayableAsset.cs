@@ -28,7 +28,7 @@ namespace UnityEngine.Playables
         void ProcessFrame(Playable playable, FrameData info, object playerData);
     }
 
-    /// <summary>What the host calls of it: it does not tell that a graph or a playable starts or stops.</summary>
+    /// <summary>Members that the host calls: it does not tell that a graph or a playable starts or stops.</summary>
     public abstract class PlayableBehaviour : IPlayableBehaviour, ICloneable
     {
         public PlayableBehaviour() { }

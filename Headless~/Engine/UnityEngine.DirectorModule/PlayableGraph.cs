@@ -68,7 +68,7 @@ namespace UnityEngine.Playables
         public static void SetReferenceObject<U>(this U output, Object value) where U : struct, IPlayableOutput
             => output.GetHandle().Output.ReferenceObject = value;
 
-        /// <summary>What ProcessFrame is given; a director keeps it to what is bound.</summary>
+        /// <summary>Sets the argument of ProcessFrame; a director sets it to what is bound.</summary>
         public static void SetUserData<U>(this U output, Object value) where U : struct, IPlayableOutput
             => output.GetHandle().Output.UserData = value;
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Playables
 {
-    /// <summary>What a handle of a playable stands for.</summary>
+    /// <summary>State behind the handle of a playable.</summary>
     internal sealed class PlayableNode
     {
         public readonly GraphState Graph;
@@ -60,7 +60,7 @@ namespace UnityEngine.Playables
         }
     }
 
-    /// <summary>What a graph stands for.</summary>
+    /// <summary>State behind the handle of a graph.</summary>
     internal sealed class GraphState
     {
         public readonly List<PlayableNode> Playables = new List<PlayableNode>();
@@ -89,7 +89,7 @@ namespace UnityEngine.Playables
         }
     }
 
-    /// <summary>What an output of a script's playables stands for.</summary>
+    /// <summary>State behind the handle of an output of a script's playables.</summary>
     internal sealed class ScriptOutput
     {
         public Object ReferenceObject, UserData;

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace UnityEngine
 {
     /// <summary>
-    /// What the host has of it: a place for terrain data; nothing is drawn. In an assembly of its own, for the package alone: scripts of other
+    /// Host's part of it: terrain data; nothing is drawn. In an assembly of its own, for the package alone: scripts of other
     /// projects find the stub with all members of Unity's, which throws.
     /// </summary>
     public sealed class Terrain : Behaviour
@@ -26,7 +26,7 @@ namespace UnityEngine
         const int Steps = 32766, MinResolution = 33, MaxResolution = 4097;
 
         float[,] heights = new float[MinResolution, MinResolution];
-        bool[,] ground;     // null where there are no holes
+        bool[,] ground;     // null without holes
         Vector3 scale = new Vector3(1f, 600f, 1f);
 
         /// <summary>Heights along a side: 33, 65 and so on to 4,097; other numbers become the next of these. A change clears the heights
@@ -111,7 +111,7 @@ namespace UnityEngine
                 for (int x = 0; x < holes.GetLength(1); x++)
                     ground[yBase + z, xBase + x] = holes[z, x];
             Version++;
-            TerrainCallbacks.TellOfTexture(this, HolesTextureName, new RectInt(xBase, yBase, holes.GetLength(1), holes.GetLength(0)));
+            TerrainCallbacks.RaiseTextureChanged(this, HolesTextureName, new RectInt(xBase, yBase, holes.GetLength(1), holes.GetLength(0)));
         }
 
         void CheckHoles(int x, int z, int width, int length)
@@ -146,7 +146,7 @@ namespace UnityEngine
                     heightmapChanged?.Invoke(terrain, region, true);
         }
 
-        internal static void TellOfTexture(TerrainData data, string name, RectInt region)
+        internal static void RaiseTextureChanged(TerrainData data, string name, RectInt region)
         {
             foreach (Terrain terrain in Terrain.Active.ToArray())
                 if (ReferenceEquals(terrain.terrainData, data))

@@ -34,7 +34,8 @@ namespace UnityEngine.Headless
 
         public Bounds Bounds => new Bounds(0.5f * Data.size, Data.size);
 
-        // Of more heights than MaxTriangles hold (1025 x 1025) each second, fourth and so on: a height may then be off by its neighbors' slope.
+        // If MaxTriangles (1025 x 1025) do not hold all heights, reads each second, fourth and so on: a height may then be off by its neighbors'
+        // slope.
         public void Read(out Vector3[] points, out int[] indices)
         {
             int side = Data.heightmapResolution, step = 1;

@@ -5,7 +5,7 @@ namespace Host.Vulkan
 {
     internal enum NumericKind { Float, UInt, SInt }
 
-    /// <summary>What Vulkan calls a <see cref="DeviceFormat"/>, and its size.</summary>
+    /// <summary>Vulkan's name of a <see cref="DeviceFormat"/>, and its size.</summary>
     internal readonly struct GpuFormat
     {
         public readonly VkFormat Vulkan;

@@ -28,7 +28,7 @@ namespace Host.Vulkan
 
     /// <summary>
     /// Device memory in blocks, since a device grants only some thousands of allocations. First fit in blocks of 64 MB;
-    /// what is larger than a quarter of that has an allocation of its own. Images and buffers never share a block, so that
+    /// what is larger than a quarter of that has an allocation of its own. Images and buffers are never in one block, so that
     /// bufferImageGranularity does not matter.
     /// </summary>
     internal sealed unsafe class GpuMemory : IDisposable

@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 
 namespace Host.Vulkan
 {
-    /// <summary>What a graphics pipeline is made for, beside its shaders: state, target formats, vertex streams.</summary>
+    /// <summary>Key of a graphics pipeline, beside its shaders: state, target formats, vertex streams.</summary>
     internal struct PipelineKey : IEquatable<PipelineKey>
     {
         public const int MaxStreams = 16;

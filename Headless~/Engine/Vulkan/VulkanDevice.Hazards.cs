@@ -3,7 +3,7 @@ using System.Numerics;
 
 namespace Host.Vulkan
 {
-    /// <summary>Where in the pipeline an operation touches a resource.</summary>
+    /// <summary>Stages of the pipeline in which an operation touches a resource.</summary>
     internal enum Scope { Compute, Transfer, Raster, Attachment, Indirect, Input }
 
     /// <summary>When and where the stream last wrote and read a resource, by number of operation (0 = never).</summary>
@@ -24,7 +24,7 @@ namespace Host.Vulkan
     /// A barrier is global memory between two scopes, e.g. compute to compute: it orders everything before it in the one
     /// scope against everything after it in the other. So the stream need only remember, for each pair of scopes, the
     /// operation that the last such barrier preceded; a use older than that is safe. Operations that fraction nothing run
-    /// without a barrier between them. Images live in the GENERAL layout from birth, so they are no different from buffers.
+    /// without a barrier between them. Images live in the GENERAL layout from birth, so they do not differ from buffers.
     /// </remarks>
     sealed unsafe partial class VulkanDevice
     {

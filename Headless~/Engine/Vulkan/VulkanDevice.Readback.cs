@@ -16,7 +16,7 @@ namespace Host.Vulkan
             var buffer = (VulkanBuffer)source;
             CheckRange(buffer, offset, bytes, "read");
             BeginTransfer();
-            var target = TakeReadbackBuffer(bytes);
+            var target = RentReadbackBuffer(bytes);
             Touch(buffer.Usage, Scope.Transfer, writes: false);
             Order();
             if (bytes > 0) CopyBytes(buffer.Handle, (ulong)offset, target.Handle, 0, (ulong)bytes);
@@ -28,7 +28,7 @@ namespace Host.Vulkan
             var texture = (VulkanTexture)source;
             CheckLevel(texture, mip, slice);
             BeginTransfer();
-            var target = TakeReadbackBuffer(texture.SliceBytes(mip));
+            var target = RentReadbackBuffer(texture.SliceBytes(mip));
             Touch(texture.Usage, Scope.Transfer, writes: false);
             Order();
             var region = Region(texture, mip, slice, 0);
@@ -75,7 +75,7 @@ namespace Host.Vulkan
             return all.Data.ToArray();
         }
 
-        VulkanBuffer TakeReadbackBuffer(long bytes)
+        VulkanBuffer RentReadbackBuffer(long bytes)
         {
             int size = SizeClass(bytes);
             return readbackBuffers[size] != null && readbackBuffers[size].TryPop(out var spare) ? spare
@@ -84,7 +84,7 @@ namespace Host.Vulkan
 
         internal void GiveBack(VulkanBuffer buffer)
         {
-            // What was read once at hundreds of megabytes is unlikely to be wanted again. Below that, getting such memory again
+            // A read-back of hundreds of megabytes is unlikely to be repeated. Below that, getting such memory again
             // takes longer than the read-back.
             if (buffer.Bytes > KeptReadbackBytes) buffer.Dispose();
             else (readbackBuffers[SizeClass(buffer.Bytes)] ??= new Stack<VulkanBuffer>()).Push(buffer);

@@ -7,7 +7,7 @@ using static Host.Vulkan.VulkanException;
 
 namespace Host.Vulkan
 {
-    /// <summary>What the device frees once the stream has passed its last use.</summary>
+    /// <summary>Resource that the device frees once the stream has passed its last use.</summary>
     internal interface IRetirable
     {
         /// <summary>The submission that used it last; 0 = none.</summary>

@@ -16,14 +16,14 @@ namespace Host.Vulkan
         public DeviceTimeMark MarkTime()
         {
             BeginOperation();
-            VulkanTimeMark mark = TakeMark();
+            VulkanTimeMark mark = RentMark();
             vk.ResetQueryPool(device, mark.Pool, mark.Query, 1);
             vk.CmdWriteTimestamp2(commands, VkPipelineStageFlags2.ALL_COMMANDS, mark.Pool, mark.Query);
             mark.Begin(CurrentSubmission);
             return mark;
         }
 
-        VulkanTimeMark TakeMark()
+        VulkanTimeMark RentMark()
         {
             // A query must not be reset while a submission still writes it.
             if (freeMarks.TryPeek(out VulkanTimeMark oldest) && HasCompleted(oldest.Submission))

@@ -35,7 +35,7 @@ namespace Host.Vulkan
 
         public DeviceInfo Info { get; }
 
-        /// <summary>What the validation layer said, from warnings up. Empty while the layer is off.</summary>
+        /// <summary>Messages of the validation layer, from warnings up. Empty while the layer is off.</summary>
         public IReadOnlyList<string> ValidationMessages => instance.Messages;
 
         /// <summary>Resources whose GPU objects exist: those not yet disposed and those that the stream still needs.</summary>
@@ -308,7 +308,7 @@ namespace Host.Vulkan
             var data = new byte[size];
             fixed (byte* p = data) Check(vk.GetPipelineCacheData(device, pipelineCache, &size, p), "vkGetPipelineCacheData");
             Directory.CreateDirectory(Path.GetDirectoryName(pipelineCacheFile));
-            // Written aside and moved, since several processes may share the folder.
+            // Written aside and moved, since several processes may use the folder.
             string aside = $"{pipelineCacheFile}.{Environment.ProcessId}";
             File.WriteAllBytes(aside, data);
             File.Move(aside, pipelineCacheFile, overwrite: true);

@@ -45,7 +45,7 @@ namespace Host.Vulkan
             }
         }
 
-        /// <summary>What the importer read from the declaration; failing that, 32 bits of the kind that SPIR-V tells.</summary>
+        /// <summary>Format that the importer read from the declaration; otherwise 32 bits of the kind that SPIR-V tells.</summary>
         static VkFormat TexelFormatOf(ShaderResource r, SpirvFacts facts)
         {
             if (r.ElementFormat != DeviceFormat.None) return GpuFormat.Of(r.ElementFormat).Vulkan;

@@ -8,7 +8,7 @@ using UnityEngine.Headless;
 
 namespace Host.Check
 {
-    /// <summary>What Unity would compile of a package's shader files: those of its tests and samples too, and none of other hidden folders.</summary>
+    /// <summary>Shader files of a package that Unity would compile: those of its tests and samples too, and none of other hidden folders.</summary>
     static class PackageShaders
     {
         const string Samples = "Samples~/";

@@ -14,7 +14,7 @@ namespace Host.Check
 
         /// <summary>Full path of the package's root.</summary>
         public readonly string Root;
-        /// <summary>Where the package's compiled assemblies lie: Rill.dll and the like.</summary>
+        /// <summary>Folder of the package's compiled assemblies: Rill.dll and the like.</summary>
         public readonly string Assemblies;
         /// <summary>Every file that is not hidden by a dot, relative to the root, with '/', in ordinal order; Samples~ and the like
         /// included.</summary>

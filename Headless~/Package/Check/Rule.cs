@@ -11,7 +11,7 @@ namespace Host.Check
         public abstract Findings Examine(PackageTree package);
     }
 
-    /// <summary>What a rule looked at and what it found wrong.</summary>
+    /// <summary>Objects that a rule examined and faults that it found.</summary>
     sealed class Findings
     {
         /// <summary>In numbers, for the table: "28 kernels in 30 variants".</summary>

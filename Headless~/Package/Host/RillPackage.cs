@@ -5,7 +5,7 @@ using Rill;
 
 namespace Host
 {
-    /// <summary>What the engine has to know of Rill to play its scenes and run its tests.</summary>
+    /// <summary>Facts about Rill that the engine needs to play its scenes and run its tests.</summary>
     sealed class RillPackage : BuiltInPackage
     {
         public override IReadOnlyList<string> Assemblies { get; } = new[] { "Rill", "Rill.Physics", "Rill.Terrain",

@@ -86,7 +86,7 @@ namespace Host.Tests
             return picture;
         }
 
-        // Both ways at each surface, until what is left of the light cannot be seen.
+        // Follows both rays at each surface, until what is left of the light cannot be seen.
         static double Seen(Shape shape, double index, double3 origin, double3 direction, bool inside, double weight)
         {
             if (weight < 1e-3)
@@ -128,7 +128,7 @@ namespace Host.Tests
             ,
         };
 
-        // Where the axes' sum of squares is that of the radius; an axis of 0 does not count.
+        // Finds where the axes' sum of squares is that of the radius; an axis of 0 does not count.
         static bool Round(double3 origin, double3 direction, double radius, double3 axes, out double distance, out double3 normal)
         {
             double3 o = origin * axes, d = direction * axes;

@@ -249,7 +249,8 @@ namespace Host.Tests
         {
             planted.Compile("UnityEngine", "namespace UnityEngine { public enum HideFlags { None, HideInNowhere } " +
                 "public class Object { public static T FindObjectOfType<T>() => default; public static T FindAnyObjectByType<T>() => default; } }");
-            planted.Write("Samples~/Game/Good.cs", "class Good { UnityEngine.Object f() => UnityEngine.Object.FindAnyObjectByType<UnityEngine.Object>(); }");
+            planted.Write("Samples~/Game/Good.cs", "class Good { UnityEngine.Object f() => " +
+                "UnityEngine.Object.FindAnyObjectByType<UnityEngine.Object>(); }");
             Assert.That(planted.Examine(new SampleScriptsRule()).Faults, Is.Empty);
             planted.Write("Samples~/Game/Tests/Planted.cs", "using UnityEngine;\n" + source);
             planted.Catches(new SampleScriptsRule(), what, why);

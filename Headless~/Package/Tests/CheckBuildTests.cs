@@ -245,7 +245,7 @@ namespace Host.Tests
         static string Guid(string file) => File.ReadAllLines(Path.Combine(Package, file + ".meta"))[1].Substring(6);
     }
 
-    /// <summary>What <c>rill explain</c> says of builds.</summary>
+    /// <summary>Output of <c>rill explain</c> about builds.</summary>
     public class ExplainBuildTests : GraphicsFixture
     {
         [Test]

@@ -35,7 +35,8 @@ namespace Host.Tests
         [TestCase("Runtime/A.Generated.cs", "")]
         [TestCase("Headless~/Engine/A.cs", "")]
         [TestCase("Shaders/A.compute", "#pragma kernel ")]
-        public void What_has_to_stay_in_one_line_or_Unity_does_not_see_may(string file, string start) => Assert.That(Faults(file, start + Sum(160)), Is.Empty);
+        public void What_has_to_stay_in_one_line_or_Unity_does_not_see_may(string file, string start) => Assert.That(Faults(file, start + Sum(160)),
+            Is.Empty);
 
         [Test]
         public void A_long_string_may_stay_in_one_piece()

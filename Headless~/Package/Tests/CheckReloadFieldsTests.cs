@@ -158,7 +158,8 @@ namespace Host.Tests
 
         void Use()
         {
-            (unmarkedClass, unmarkedArray, dictionary, table, nested, callback) = (new UnmarkedClass { Value = unmarked.value }, null, null, null, null, Told);
+            (unmarkedClass, unmarkedArray, dictionary, table, nested, callback) = (new UnmarkedClass { Value = unmarked.value }, null, null, null,
+                null, Told);
             (unmarkedInterface, anything, maybe, pair, time, handle, buffer, block) = (any, null, Limit, default, default, default, null, null);
             common = text + marked + $"{unmarkedClass}{unmarkedArray}{dictionary}{table}{nested}{callback}{unmarkedInterface}{anything}";
             Count = constant.Count + (maybe == null ? 0 : 1) + pair.Item1 + time.Day + handle.ToInt32() + (buffer == null ? 0 : 1);

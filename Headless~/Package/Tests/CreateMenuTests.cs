@@ -143,7 +143,7 @@ namespace Host.Tests
             int ofOne = Object.FindObjectsOfType<Transform>().Length - before;
             Undo.PerformUndo();
 
-            // As the editor does from the hierarchy's context menu: once for each, one right after the other.
+            // Calls it like the editor from the hierarchy's context menu: once for each, one right after the other.
             Selection.objects = selected;
             EditorTick.Run();
             foreach (GameObject on in selected.Reverse())

@@ -126,7 +126,7 @@ namespace Host.Tests
                 ? MeshTopology.Triangles : MeshTopology.Lines, floor ? FloorVertices : EdgeVertices, 1, block));
         }
 
-        // Where the rays through the center of the pixels meet the floor, by hand.
+        // Computes where the rays through the centers of the pixels meet the floor, by hand.
         void EachFloorPixel(System.Action<int, Vector3> assert)
         {
             Vector3 corner = box.MultiplyPoint3x4(Vector3.zero), up = box.MultiplyVector(Vector3.up).normalized;

@@ -79,7 +79,7 @@ namespace Host.Tests
                 PlayerLoop.Frame(1f / 60f);
         }
 
-        /// <summary>Of all particles in the order of the buffers: position and velocity, spacings, and id.</summary>
+        /// <summary>Reads all particles in the order of the buffers: position and velocity, spacings, and id.</summary>
         public static List<(float4 position, float4 velocity, uint id)> Particles(FluidSimulation fluid)
         {
             PbfSolver solver = fluid.Solver;

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What the script <c>rill</c> does itself, before anything is built.</summary>
+    /// <summary>Work of the script <c>rill</c> itself, before anything is built.</summary>
     public class EntryPointTests
     {
         string folder;

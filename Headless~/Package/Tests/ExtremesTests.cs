@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Host.Tests
 {
-    /// <summary>What the report's extreme cases are judged by: that it notices.</summary>
+    /// <summary>Judgement of the report's extreme cases: it must notice faults.</summary>
     public class ExtremesTests
     {
         [TestCase(0.9, true)]

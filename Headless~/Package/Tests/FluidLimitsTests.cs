@@ -103,7 +103,8 @@ namespace Host.Tests
             Player.Limits = new ApiLimits { Title = "a device without halves to write", Type = ApiLimits.Mobile.Type, WritesSmallTexels = false,
                 Threads = 1024, ThreadsZ = 64, GroupsharedBytes = 32768 };
             FluidSimulation simulation = FluidSceneTests.Build("everything off");
-            const string why = " '.*' is off: this device \\(.*, Vulkan\\) has no textures of the format RHalf that kernels write .*Particle Renderer";
+            const string why = " '.*' is off: this device \\(.*, Vulkan\\) has no textures of the format RHalf that kernels write .*Particle " +
+                "Renderer";
             LogAssert.Expect(LogType.Error, new Regex("FluidSurface" + why));
             LogAssert.Expect(LogType.Error, new Regex("FluidSurfaceMesh" + why));
             var surface = simulation.gameObject.AddComponent<FluidSurface>();

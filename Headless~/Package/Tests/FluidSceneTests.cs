@@ -11,7 +11,7 @@ using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
-    /// <summary>What the package says of itself, held against what the device was asked to do and what memory is alive.</summary>
+    /// <summary>Compares the package's own figures with the work of the device and the memory that is alive.</summary>
     public class FluidSceneTests : GraphicsFixture
     {
         const float FrameTime = 1f / 60f;

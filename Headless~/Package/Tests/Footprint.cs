@@ -7,7 +7,7 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>What a piece of work left behind: each kernel, with its variant, that the device was given, each pass drawn with, and the
+    /// <summary>Trace of a piece of work: each kernel, with its variant, that the device was given, each pass drawn with, and the
     /// buffers alive.</summary>
     sealed class Footprint
     {
@@ -36,7 +36,7 @@ namespace Host.Tests
             }
         }
 
-        /// <summary>The same of what stages say of themselves.</summary>
+        /// <summary>Footprint by the stages' own description.</summary>
         public static List<string> Explained(IEnumerable<StageDescription> stages) => stages.SelectMany(stage => stage.Kernels)
             .SelectMany(kernel => Enumerable.Repeat(Short(kernel.kernel), kernel.perStep)).OrderBy(entry => entry, StringComparer.Ordinal).ToList();
 
@@ -47,8 +47,8 @@ namespace Host.Tests
             .Select(entry => (entry, change: after.Count(e => e == entry) - before.Count(e => e == entry)))
             .Where(pair => pair.change != 0).Select(pair => $"{pair.change:+0;-0} {pair.entry}").OrderBy(text => text, StringComparer.Ordinal);
 
-        /// <summary>Of ".../PrefixSum.compute (SumTiles, VARIANT)" as the device has it and of "PrefixSum.compute: SumTiles [VARIANT]" as a
-        /// stage says it; of a draw, its file.</summary>
+        /// <summary>Short form of ".../PrefixSum.compute (SumTiles, VARIANT)" as the device has it and of "PrefixSum.compute: SumTiles [VARIANT]" as
+        /// a stage says it; of a draw, its file.</summary>
         public static string Short(string entry)
         {
             Match match = Regex.Match(entry, @"(\w+\.compute)\W+(\w+)(?:\W+(\w+))?(?:\W+(\w+))?|(\w+\.shader)");

@@ -10,7 +10,7 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>The same small dam break with the package's kernels from glslang and from FXC's bytecode.</summary>
+    /// <summary>Runs one small dam break with the package's kernels from glslang and from FXC's bytecode.</summary>
     public class FxcDamBreakTests : GraphicsFixture
     {
         const int Frames = 60;
@@ -97,7 +97,7 @@ namespace Host.Tests
             foreach (FieldInfo field in typeof(FluidStatistics).GetFields().Where(f => f.FieldType == typeof(float)))
                 Assert.That(float.IsNaN((float)field.GetValue(got)) || float.IsInfinity((float)field.GetValue(got)), Is.False, field.Name);
 
-            // The splash is chaotic, so that particles part ways; what they do together does not.
+            // The splash is chaotic, so that particles diverge; what they do together does not.
             Assert.That(got.volumeRatio, Is.EqualTo(expected.volumeRatio).Within(0.05f * expected.volumeRatio));
             Assert.That(got.speed, Is.EqualTo(expected.speed).Within(0.1f * expected.speed));
             Assert.That(got.furthest.x, Is.EqualTo(expected.furthest.x).Within(0.1f));

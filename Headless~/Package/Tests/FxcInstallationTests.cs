@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What is reported when Microsoft's compiler cannot run, with tools that are missing or false.</summary>
+    /// <summary>Reports when Microsoft's compiler cannot run, with tools that are missing or false.</summary>
     public sealed class FxcInstallationTests
     {
         const string Gcc = "x86_64-w64-mingw32-gcc";
@@ -35,7 +35,7 @@ namespace Host.Tests
         }
 
         // The real compiler, which other tests have fetched.
-        void TakeDll()
+        void RemoveDll()
         {
             _ = new FxcInstallation(ShaderCache.DefaultFolder(), FxcInstallation.ToolFolders);
             Directory.CreateDirectory(Path.Combine(cache, "fxc"));
@@ -93,7 +93,7 @@ namespace Host.Tests
         [Test]
         public void A_wine_that_does_not_run_the_compiler_is_quoted()
         {
-            TakeDll();
+            RemoveDll();
             Script("wine64", "echo broken pipe organ >&2; exit 9\n");
             Script(Gcc, "touch fxc-worker.exe\n");
             Assert.That(Refusal(), Does.Contain("cannot run Microsoft's shader compiler here: broken pipe organ"));
@@ -110,14 +110,14 @@ namespace Host.Tests
         // The real one, whose wine first runs some lines of shell.
         FxcCompiler Compiler(string first)
         {
-            TakeDll();
+            RemoveDll();
             string wine = FxcInstallation.ToolFolders.SelectMany(f => new[] { "wine64", "wine" }, Path.Combine).First(File.Exists);
             File.CreateSymbolicLink(Path.Combine(tools, Gcc), FxcInstallation.ToolFolders.Select(f => Path.Combine(f, Gcc)).First(File.Exists));
             Script("wine64", first + "\nexec " + wine + " \"$@\"\n");
             return new FxcCompiler(cache, new[] { tools });
         }
 
-        // As wine does when its server ends while it connects.
+        // Wine prints this when its server ends while it connects.
         [Test]
         public void A_wine_that_dies_is_started_again()
         {
@@ -141,7 +141,7 @@ namespace Host.Tests
         [Test]
         public void A_compiler_that_hangs_is_stopped()
         {
-            TakeDll();
+            RemoveDll();
             Script(Gcc, "touch fxc-worker.exe\n");
             Script("wine64", "if [ $(wc -c < jobs) -gt 4 ]; then exec sleep 100; fi\n");
             var worker = new FxcWorker(new FxcInstallation(cache, new[] { tools }), TimeSpan.FromSeconds(0.5));

@@ -11,7 +11,7 @@ using UnityEngine;
 
 namespace Host.Tests
 {
-    /// <summary>What [GenerateHlsl] becomes, what it refuses, and that structs lie on the device as in C#.</summary>
+    /// <summary>Output of [GenerateHlsl], its refusals, and that structs lie on the device as in C#.</summary>
     public sealed class GeneratedHlslTests : ShaderTextFixture
     {
         static class Constants
@@ -81,7 +81,8 @@ namespace Host.Tests
         {
             Assert.That(Lines(Files(Planted)["Planted"]), Is.EqualTo(new[]
             {
-                "static const uint kGroup = 128;", "static const int kBand = 2;", "static const int kBelow = -3;", "static const uint kMask = 0x00FFFFFFu;",
+                "static const uint kGroup = 128;", "static const int kBand = 2;", "static const int kBelow = -3;",
+                    "static const uint kMask = 0x00FFFFFFu;",
                 "static const uint kFew = 4;", "static const float kRestSide = 8.0;", "static const float kSmall = 1E-08;",
                 "struct Body", "{", "    float3 center;", "    uint kind;", "    uint2 cells;", "    float4 color;", "    float four[4];", "};",
                 "static const uint kKindIn = 0;", "static const uint kKindOut = 4;", "static const uint kKindOff = 5;",
@@ -93,8 +94,10 @@ namespace Host.Tests
         {
             Assert.That(Lines(Files(Planted)["PlantedBuffer"]), Is.EqualTo(new[]
             {
-                "cbuffer PlantedConstants", "{", "    float4 _SizeAndStep;", "    uint4 _CountsAndTotal;", "    float _First;", "    float _Second;", "    float _Third;", "    float _Fourth;", "    uint4 _Levels[2];", "};",
-                "#define _Size (_SizeAndStep.xyz)", "#define _Step (_SizeAndStep.w)", "#define _Counts (_CountsAndTotal.xyz)", "#define _Total (_CountsAndTotal.w)",
+                "cbuffer PlantedConstants", "{", "    float4 _SizeAndStep;", "    uint4 _CountsAndTotal;", "    float _First;", "    float _Second;",
+                    "    float _Third;", "    float _Fourth;", "    uint4 _Levels[2];", "};",
+                "#define _Size (_SizeAndStep.xyz)", "#define _Step (_SizeAndStep.w)", "#define _Counts (_CountsAndTotal.xyz)",
+                "#define _Total (_CountsAndTotal.w)",
             }));
         }
 
@@ -102,7 +105,8 @@ namespace Host.Tests
         public void Summaries_become_comments_of_ASCII()
         {
             string id = typeof(Constants).FullName.Replace('+', '.');
-            string text = GeneratedHlsl.Files(Planted, Summaries(($"F:{id}.Group", "Threads of <see cref=\"P:A.B.C(System.Int32)\"/>,\n   1/d²."), ($"T:{typeof(Kinds).FullName.Replace('+', '.')}", "All kinds.")), new Findings())["Planted"];
+            string text = GeneratedHlsl.Files(Planted, Summaries(($"F:{id}.Group", "Threads of <see cref=\"P:A.B.C(System.Int32)\"/>,\n   1/d²."),
+                ($"T:{typeof(Kinds).FullName.Replace('+', '.')}", "All kinds.")), new Findings())["Planted"];
             Assert.That(text, Does.Contain("static const uint kGroup = 128;    // Threads of C, 1/d^2.\n").And.Contain("\n// All kinds.\nstatic const uint kKindIn"));
         }
 
@@ -111,7 +115,8 @@ namespace Host.Tests
         {
             string[] lines = Files(Planted)["PlantedBuffer"].Split('\n');
             Assert.That(lines[0], Does.Contain("rill generate").And.Contain("[GenerateHlsl(\"PlantedBuffer\")]").And.Contain("Do not edit"));
-            Assert.That(lines.Skip(1).Take(2), Is.EqualTo(new[] { "#ifndef RILL_GENERATED_PLANTED_BUFFER_INCLUDED", "#define RILL_GENERATED_PLANTED_BUFFER_INCLUDED" }));
+            Assert.That(lines.Skip(1).Take(2), Is.EqualTo(new[] { "#ifndef RILL_GENERATED_PLANTED_BUFFER_INCLUDED",
+                "#define RILL_GENERATED_PLANTED_BUFFER_INCLUDED" }));
         }
 
         static class Twice
@@ -199,7 +204,7 @@ namespace Host.Tests
 
         [TestCase(typeof(Twice), "Twice.oup", "kGroup is in Planted.hlsl already")]
         [TestCase(typeof(NoConstant), "NoConstant.Group", "make it const")]
-        [TestCase(typeof(OtherType), "OtherType.Group is a String", "share an int")]
+        [TestCase(typeof(OtherType), "OtherType.Group is a String", "use an int")]
         [TestCase(typeof(FileName), "FileName.Group", "\"../Planted\"")]
         [TestCase(typeof(NotBlittable), "NotBlittable.isOn is a Boolean", "use int, uint, float")]
         [TestCase(typeof(Gap), "second lies at byte 8 in C# and at 4 in HLSL", "LayoutKind.Sequential")]
@@ -215,7 +220,8 @@ namespace Host.Tests
             Assert.That(Faults(type), Has.Some.Contains(what).And.Some.Contains(remedy));
         }
 
-        static IEnumerable<Type> Structs() => Planted.Concat(typeof(PbfSolver).Assembly.GetTypes()).Where(type => type.IsValueType && !type.IsEnum && HlslMark.Of(type) != null);
+        static IEnumerable<Type> Structs() => Planted.Concat(typeof(PbfSolver).Assembly.GetTypes()).Where(type => type.IsValueType && !type.IsEnum
+            && HlslMark.Of(type) != null);
 
         // Numbers every word of two elements in a row and has a kernel read the second, member by member.
         [TestCaseSource(nameof(Structs))]
@@ -229,22 +235,26 @@ namespace Host.Tests
             foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
             {
                 string member = isBuffer ? $"_{char.ToUpperInvariant(field.Name[0])}{field.Name.Substring(1)}" : $"_In[1].{field.Name}";
-                FieldInfo[] parts = field.FieldType.Namespace == type.Namespace ? field.FieldType.GetFields(BindingFlags.Instance | BindingFlags.Public) : new FieldInfo[0];
+                FieldInfo[] parts = field.FieldType.Namespace == type.Namespace
+                    ? field.FieldType.GetFields(BindingFlags.Instance | BindingFlags.Public) : new FieldInfo[0];
                 int words = Marshal.SizeOf(field.FieldType) / 4, components = words / Math.Max(parts.Length, 1);
                 for (int word = 0; word < words; word++)
                 {
-                    string element = parts.Length > 0 ? $"[{word / components}]" : "", component = components > 1 ? $".{"xyzw"[word % components]}" : "";
+                    string element = parts.Length > 0 ? $"[{word / components}]" : "", component = components > 1 ? $".{"xyzw"[word % components]}"
+                        : "";
                     reads.Add($"asuint({member}{element}{component})");
                     expected.Add(Number(first + (int)Marshal.OffsetOf(type, field.Name) / 4 + word));
                 }
             }
             Assert.That(expected.Distinct().Count(), Is.EqualTo(isBuffer ? expected.Count : stride), "every word of an element belongs to a member");
 
-            string text = "#pragma kernel Probe\n" + Files(type)[mark.File] + (isBuffer ? "" : $"StructuredBuffer<{mark.Name ?? type.Name}> _In;\n") + "RWStructuredBuffer<uint> _Words;\n[numthreads(1, 1, 1)] void Probe()\n{\n"
+            string text = "#pragma kernel Probe\n" + Files(type)[mark.File] + (isBuffer ? "" : $"StructuredBuffer<{mark.Name ?? type.Name}> _In;\n") +
+                "RWStructuredBuffer<uint> _Words;\n[numthreads(1, 1, 1)] void Probe()\n{\n"
                 + string.Concat(reads.Select((read, word) => $"    _Words[{word}] = {read};\n")) + "}\n";
             ComputeShader shader = ComputeOf(text);
             uint[] numbers = Enumerable.Range(0, first + stride).Select(Number).ToArray();
-            using (var input = isBuffer ? new GraphicsBuffer(GraphicsBuffer.Target.Constant, 1, 4 * stride) : new GraphicsBuffer(GraphicsBuffer.Target.Structured, 2, 4 * stride))
+            using (var input = isBuffer ? new GraphicsBuffer(GraphicsBuffer.Target.Constant, 1, 4 * stride)
+                : new GraphicsBuffer(GraphicsBuffer.Target.Structured, 2, 4 * stride))
             using (var output = new GraphicsBuffer(GraphicsBuffer.Target.Structured, expected.Count, 4))
             {
                 input.SetData(numbers);

@@ -10,13 +10,13 @@ using UnityEngine.Rendering;
 
 namespace Host.Tests
 {
-    /// <summary>What a player tells of its GPU time: recorders three frames late, whole frames four, or nothing.</summary>
+    /// <summary>Reports of a player's GPU time: recorders three frames late, whole frames four, or nothing.</summary>
     public class GpuTimeTests : GraphicsFixture
     {
         const string Name = "GpuTimeTests.Outer", Inner = "GpuTimeTests.Inner";
 
         [TearDown]
-        public void TellEverythingAgain() => Player.GpuTimes = GpuTimes.Samples;
+        public void ReportEverything() => Player.GpuTimes = GpuTimes.Samples;
 
         [Test]
         public void A_recorder_tells_of_the_frame_three_frames_ago()

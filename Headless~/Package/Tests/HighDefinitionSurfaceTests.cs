@@ -38,7 +38,7 @@ namespace Host.Tests
 
         FluidSurface Surface => simulation.GetComponent<FluidSurface>();
 
-        // Of milk, in the center of the picture.
+        // Amount of milk, in the center of the picture.
         float MilkAfter(int frames)
         {
             Play(frames);

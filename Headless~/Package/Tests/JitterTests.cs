@@ -53,7 +53,7 @@ namespace Host.Tests
                 Play(1);
                 Vector4[] jittered = Pixels();
                 Matrix4x4 jitter = JitterNow(), projection = camera.projectionMatrix;
-                // The same by hand.
+                // Compares by hand.
                 Antialias(false);
                 camera.projectionMatrix = jitter * projection;
                 camera.Render();
@@ -72,14 +72,14 @@ namespace Host.Tests
         // Less than half a pixel.
         static Matrix4x4 ByScript(Camera camera) => Matrix4x4.Translate(new Vector3(0.8f / Width, 0.6f / Height)) * camera.projectionMatrix;
 
-        /// <summary>As image effects of the Built-in pipeline jitter: in OnPreCull, and back in OnPostRender.</summary>
+        /// <summary>Jitters like image effects of the Built-in pipeline: in OnPreCull, and back in OnPostRender.</summary>
         sealed class Jittering : MonoBehaviour
         {
             void OnPreCull() => GetComponent<Camera>().projectionMatrix = ByScript(GetComponent<Camera>());
             void OnPostRender() => GetComponent<Camera>().ResetProjectionMatrix();
         }
 
-        /// <summary>The same as the camera begins to draw.</summary>
+        /// <summary>Jitters as the camera begins to draw.</summary>
         sealed class JitteringLate : MonoBehaviour
         {
             void OnPreRender() => GetComponent<Camera>().projectionMatrix = ByScript(GetComponent<Camera>());

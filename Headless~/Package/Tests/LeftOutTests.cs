@@ -27,7 +27,7 @@ namespace Host.Tests
             "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
             "Queries", "QueryBatch", "ParticleTransfer", "Rill.Transfer", "Rill.Kept" };
 
-        // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so,
+        // Work that each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so,
         // at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
         {

@@ -29,7 +29,7 @@ namespace Host.Tests
     {
         static readonly string[] OfPackage = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.TerrainPhysics", "Rill.Timeline", "Rill.Samples" };
 
-        // Where these tests lie; the host that runs them may lie elsewhere.
+        // Folder of these tests; the host that runs them may lie elsewhere.
         static readonly string Here = Path.GetDirectoryName(typeof(LinkedPlayer).Assembly.Location);
 
         readonly string folder = Directory.CreateTempSubdirectory("rill-linked-").FullName;
@@ -104,7 +104,7 @@ namespace Host.Tests
             images.Add(name, new Image(file));
         }
 
-        // Of components and assets, by assembly.
+        // Types of components and assets, by assembly.
         static ILookup<string, string> TypesOf(string sample)
         {
             LocatedScene located = Session.Locate(sample);
@@ -163,7 +163,7 @@ namespace Host.Tests
 
         sealed record Method(string Type, string Name, int Bytes);
 
-        /// <summary>What of an assembly's metadata the linker goes by.</summary>
+        /// <summary>Part of an assembly's metadata that the linker goes by.</summary>
         sealed class Image
         {
             static readonly string[] Rooted = { nameof(UnityEngine.RuntimeInitializeOnLoadMethodAttribute), nameof(PreserveAttribute) };

@@ -66,7 +66,8 @@ namespace Host.Tests
         {
             string root = Session.Root();
             return Directory.GetFiles(Path.Combine(root, "Documentation~"), "*.md", SearchOption.AllDirectories)
-                .Concat(Directory.GetFiles(root, "*.md")).Concat(Directory.GetFiles(Path.Combine(root, "Samples~"), "*.md", SearchOption.AllDirectories));
+                .Concat(Directory.GetFiles(root, "*.md")).Concat(Directory.GetFiles(Path.Combine(root, "Samples~"), "*.md",
+                    SearchOption.AllDirectories));
         }
 
         static List<(string title, string text)> Compiled()

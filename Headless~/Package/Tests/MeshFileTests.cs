@@ -49,13 +49,18 @@ namespace Host.Tests
         }
 
         [Test]
-        public void An_obj_is_mirrored_in_x_and_faces_still_look_outside() => IsTheBox(Obj(CubeVertices + CubeFaces), new Vector3(-2, 0, 0), new Vector3(0, 1, 3));
+        public void An_obj_is_mirrored_in_x_and_faces_still_look_outside() => IsTheBox(Obj(CubeVertices + CubeFaces), new Vector3(-2, 0, 0),
+            new Vector3(0, 1, 3));
 
-        [TestCase("f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -5 -1 -2 -6\nf -8 -4 -1 -5\nf -7 -6 -2 -3\n", TestName = "Corners_count_backwards_from_the_latest")]
-        [TestCase("vn 0 0 1\nvt 0 0\nf 1/1 4/1 3/1 2/1\nf 5//1 6//1 7//1 8//1\nf 1/1/1 2/1/1 6/1/1 5/1/1\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n", TestName = "Corners_carry_texture_and_normal")]
-        [TestCase("# a box\no Box\ng a\nusemtl red\r\ns 1\r\n\tf  1 4 3 \\\r\n 2 # bottom\r\n\r\nf 5 6 7 8\rf 1 2 6 5\nf 4 8 7 3\ng b\nf 1 5 8 4\nf 2 3 7 6", TestName = "Comments_groups_line_ends_and_lines_that_go_on")]
+        [TestCase("f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -5 -1 -2 -6\nf -8 -4 -1 -5\nf -7 -6 -2 -3\n",
+            TestName = "Corners_count_backwards_from_the_latest")]
+        [TestCase("vn 0 0 1\nvt 0 0\nf 1/1 4/1 3/1 2/1\nf 5//1 6//1 7//1 8//1\nf 1/1/1 2/1/1 6/1/1 5/1/1\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n",
+            TestName = "Corners_carry_texture_and_normal")]
+        [TestCase("# a box\no Box\ng a\nusemtl red\r\ns 1\r\n\tf  1 4 3 \\\r\n 2 # bottom\r\n\r\nf 5 6 7 8\rf 1 2 6 5\nf 4 8 7 3\ng b\nf 1 5 " +
+            "8 4\nf 2 3 7 6", TestName = "Comments_groups_line_ends_and_lines_that_go_on")]
         [TestCase("fo 1 4 3 2\nfo 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n", TestName = "Faces_by_their_old_name")]
-        [TestCase("f 1 4 3\nf 1 3 2\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 4 8 7\nf 4 7 3\nf 1 5 8\nf 1 8 4\nf 2 3 7\nf 2 7 6\n", TestName = "Triangles")]
+        [TestCase("f 1 4 3\nf 1 3 2\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 4 8 7\nf 4 7 3\nf 1 5 8\nf 1 8 4\nf 2 3 7\nf 2 7 6\n",
+            TestName = "Triangles")]
         public void Every_way_to_write_faces_gives_the_same_mesh(string faces)
         {
             MeshFile expected = Obj(CubeVertices + CubeFaces), mesh = Obj(CubeVertices + faces);
@@ -68,7 +73,8 @@ namespace Host.Tests
         {
             MeshFile mesh = Obj(CubeVertices + "g empty\ng a\nf 1 4 3 2\nusemtl red\nf 5 6 7 8\nl 1 2 3\nl 4 5\np 1\n");
             Assert.That(mesh.Parts, Is.EqualTo(2));
-            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 lines are left out, the first in line 14.", "1 points are left out, the first in line 16." }));
+            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 lines are left out, the first in line 14.",
+                "1 points are left out, the first in line 16." }));
         }
 
         /// <summary>A polygon in the plane z = 0 and the same at z = 1, joined by quads: what is not cut as its outline says is not closed, or has
@@ -148,7 +154,8 @@ namespace Host.Tests
         [Test]
         public void Polygons_that_cross_themselves_are_left_out_by_line()
         {
-            MeshFile mesh = Obj(CubeVertices + CubeFaces + "f 1 3 2 4\nf 1 1 2 2\n" + "v 0 1 9\nv 0.6 -0.8 9\nv -1 0.3 9\nv 1 0.3 9\nv -0.6 -0.8 9\nf 9 10 11 12 13\n");
+            MeshFile mesh = Obj(CubeVertices + CubeFaces + "f 1 3 2 4\nf 1 1 2 2\n" + "v 0 1 9\nv 0.6 -0.8 9\nv -1 0.3 9\nv 1 0.3 9\nv -0.6 " +
+                "-0.8 9\nf 9 10 11 12 13\n");
             Assert.That(mesh.Triangles.Length, Is.EqualTo(36 + 6));
             Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 polygons that cross themselves are left out, the first in line 15." }));
             Assert.That(Check(mesh).ZeroAreaTriangles, Is.EqualTo(2), "the check tells of a polygon without area");
@@ -162,8 +169,10 @@ namespace Host.Tests
             Assert.That(Obj(more).Vertices, Is.EqualTo(plain.Vertices));
             Assert.That(Obj(more).Notes, Is.Empty);
             Assert.That(Obj(CubeVertices + "face 1 2 3\nF 1 2 3\ncall other.obj\n" + CubeFaces).Notes,
-                Is.EqualTo(new[] { "2 lines that no OBJ file has are left out, the first in line 9.", "1 calls of other files are left out, the first in line 11." }));
-            Assert.That(Obj((CubeVertices + CubeFaces.Replace("4 3", "4 \\\n3")).Replace('\n', '\r')).Triangles, Is.EqualTo(plain.Triangles), "lines of old Macs that go on");
+                Is.EqualTo(new[] { "2 lines that no OBJ file has are left out, the first in line 9.",
+                "1 calls of other files are left out, the first in line 11." }));
+            Assert.That(Obj((CubeVertices + CubeFaces.Replace("4 3", "4 \\\n3")).Replace('\n', '\r')).Triangles, Is.EqualTo(plain.Triangles),
+                "lines of old Macs that go on");
         }
 
         [Test]
@@ -183,18 +192,18 @@ namespace Host.Tests
             const string text = CubeVertices + "vt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf -8/-2/-3 -5/-1/-2 -6/-1/-1\n";
             MeshLooks looks = ObjReader.Read("Mesh", Encoding.UTF8.GetBytes(text), "Mesh.obj", withLooks: true).Looks;
             Assert.That(looks.UvOf, Is.EqualTo(new[] { 0, 1, 1 }));
-            Assert.That(looks.NormalOf, Is.EqualTo(new[] { 0, 2, 1 }), "the other way around");
+            Assert.That(looks.NormalOf, Is.EqualTo(new[] { 0, 2, 1 }), "reversed");
         }
 
         [TestCase("v 0 0 0\nv 1 0 0\nf 1 2\n", "Mesh.obj(3): a face of 2 corners")]
         [TestCase("v 0 0 0\nf 1 2 3\n", "Mesh.obj(2): the face refers to vertex 2, but 1 come before it")]
         [TestCase("v 0 0 0\nf 0 1 1\n", "Mesh.obj(2): the face refers to vertex 0")]
         [TestCase("v 0 0 0\nf -2 1 1\n", "Mesh.obj(2): the face refers to vertex -2")]
-        [TestCase("v 0 0 0\n\\\n\nf 1x 1 1\n", "Mesh.obj(4): '1x' is no corner")]
+        [TestCase("v 0 0 0\n\\\n\nf 1x 1 1\n", "Mesh.obj(4): '1x' is not a corner")]
         [TestCase("v 0 0\n", "Mesh.obj(1): a vertex takes three numbers")]
-        [TestCase("v 0 zero 0\n", "Mesh.obj(1): 'zero' is no number")]
-        [TestCase("v 0,5 1 0\n", "Mesh.obj(1): '0,5' is no number (decimals take a point)")]
-        [TestCase("v 0 1 0 red\n", "Mesh.obj(1): 'red' is no number")]
+        [TestCase("v 0 zero 0\n", "Mesh.obj(1): 'zero' is not a number")]
+        [TestCase("v 0,5 1 0\n", "Mesh.obj(1): '0,5' is not a number (decimals take a point)")]
+        [TestCase("v 0 1 0 red\n", "Mesh.obj(1): 'red' is not a number")]
         [TestCase("PNG and other things\n", "is no OBJ file: no line starts with v or f")]
         [TestCase("", "Mesh.obj is empty")]
         public void A_broken_obj_is_refused_with_its_line(string text, string message)
@@ -205,15 +214,18 @@ namespace Host.Tests
         [Test]
         public void What_is_no_mesh_is_refused_by_name()
         {
-            Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(Path.Combine(folder, "None.obj"))).Message, Does.EndWith("None.obj does not exist"));
+            Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(Path.Combine(folder, "None.obj"))).Message,
+                Does.EndWith("None.obj does not exist"));
             Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(folder)).Message, Does.Contain("is a folder"));
-            Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(Write("Mesh.fbx", new byte[9]))).Message, Does.Contain("save it as .obj or .glb"));
+            Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(Write("Mesh.fbx", new byte[9]))).Message,
+                Does.Contain("save it as .obj or .glb"));
         }
 
         // ---- GLB
 
         static readonly float[] CubePositions = { 0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0, 0, 0, 3, 2, 0, 3, 2, 1, 3, 0, 1, 3 };
-        static readonly ushort[] CubeIndices = { 0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 3, 7, 6, 3, 6, 2, 0, 4, 7, 0, 7, 3, 1, 2, 6, 1, 6, 5 };
+        static readonly ushort[] CubeIndices = { 0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 3, 7, 6, 3, 6, 2, 0, 4, 7, 0, 7, 3, 1, 2, 6, 1,
+            6, 5 };
 
         static byte[] Glb(string json, uint version = 2)
         {
@@ -231,36 +243,42 @@ namespace Host.Tests
         }
 
         static string Scene(string nodes, string primitive = "'attributes':{'POSITION':0},'indices':1", string more = "") =>
-            "{'asset':{'version':'2.0'}," + more + "'scene':0,'scenes':[{'nodes':[0]}],'nodes':[" + nodes + "],'meshes':[{'primitives':[{" + primitive + "}]}],"
+            "{'asset':{'version':'2.0'}," + more + "'scene':0,'scenes':[{'nodes':[0]}],'nodes':[" + nodes + "],'meshes':[{'primitives':[{" +
+            primitive + "}]}],"
             + "'accessors':[{'bufferView':0,'componentType':5126,'count':8,'type':'VEC3'},{'bufferView':1,'componentType':5123,'count':36,'type':'SCALAR'}],"
             + "'bufferViews':[{'buffer':0,'byteOffset':0,'byteLength':96},{'buffer':0,'byteOffset':96,'byteLength':72}],'buffers':[{'byteLength':168}]}";
 
         MeshFile ReadGlb(string json) => MeshFile.Read(Write("Mesh.glb", Glb(json)));
 
         [Test]
-        public void A_glb_is_mirrored_in_x_and_faces_still_look_outside() => IsTheBox(ReadGlb(Scene("{'mesh':0}")), new Vector3(-2, 0, 0), new Vector3(0, 1, 3));
+        public void A_glb_is_mirrored_in_x_and_faces_still_look_outside() => IsTheBox(ReadGlb(Scene("{'mesh':0}")), new Vector3(-2, 0, 0),
+            new Vector3(0, 1, 3));
 
         [Test]
         public void Nodes_place_their_meshes()
         {
             // Moved by (10, 0, 0), and below that turned by 90 degrees about y: x to -z, z to x.
-            IsTheBox(ReadGlb(Scene("{'translation':[10,0,0],'children':[1]},{'mesh':0,'rotation':[0,0.70710678,0,0.70710678]}")), new Vector3(-13, 0, -2), new Vector3(-10, 1, 0));
+            IsTheBox(ReadGlb(Scene("{'translation':[10,0,0],'children':[1]},{'mesh':0,'rotation':[0,0.70710678,0,0.70710678]}")),
+            new Vector3(-13, 0, -2), new Vector3(-10, 1, 0));
             IsTheBox(ReadGlb(Scene("{'mesh':0,'matrix':[2,0,0,0, 0,3,0,0, 0,0,1,0, 0,0,5,1]}")), new Vector3(-4, 0, 5), new Vector3(0, 3, 8));
         }
 
         [Test]
-        public void A_node_that_mirrors_keeps_outside_outside() => IsTheBox(ReadGlb(Scene("{'mesh':0,'scale':[1,-1,1]}")), new Vector3(-2, -1, 0), new Vector3(0, 0, 3));
+        public void A_node_that_mirrors_keeps_outside_outside() => IsTheBox(ReadGlb(Scene("{'mesh':0,'scale':[1,-1,1]}")), new Vector3(-2, -1, 0),
+            new Vector3(0, 0, 3));
 
         [Test]
         public void A_strip_and_a_fan_have_the_corners_of_their_list()
         {
             string Primitive(int mode) => Scene("{'mesh':0}", "'mode':" + mode + ",'attributes':{'POSITION':0}");
-            Assert.That(ReadGlb(Primitive(5)).Triangles.Take(9), Is.EqualTo(new[] { 0, 2, 1, 2, 3, 1, 2, 4, 3 }), "every second triangle of a strip is reversed");
+            Assert.That(ReadGlb(Primitive(5)).Triangles.Take(9), Is.EqualTo(new[] { 0, 2, 1, 2, 3, 1, 2, 4, 3 }),
+                "every second triangle of a strip is reversed");
             Assert.That(ReadGlb(Primitive(6)).Triangles.Take(6), Is.EqualTo(new[] { 0, 2, 1, 0, 3, 2 }));
             MeshFile lines = ReadGlb(Primitive(1));
             Assert.That((lines.Triangles.Length, lines.Notes.Single()), Is.EqualTo((0, "1 primitives of points or lines are left out.")));
             Assert.That(ReadGlb(Primitive(4)).Notes.Single(), Does.Contain("1 primitives end within a triangle"), "8 corners");
-            Assert.That(ReadGlb(Scene("{'mesh':0}").Replace("'scenes':[", "'scenes':[{'nodes':[0]},{},").Replace("'scene':0", "'scene':1")).Notes.Single(),
+            Assert.That(ReadGlb(Scene("{'mesh':0}").Replace("'scenes':[", "'scenes':[{'nodes':[0]},{},").Replace("'scene':0",
+                "'scene':1")).Notes.Single(),
                 Does.Contain("2 further scenes are left out"));
         }
 
@@ -274,14 +292,18 @@ namespace Host.Tests
             Assert.That(Refusal(good.Take(good.Length - 10).ToArray()), Does.Contain("it is cut off"));
             Assert.That(Refusal(Glb("{'nodes':")), Does.Contain("is damaged"));
             Assert.That(Refusal(Glb(Scene("{'mesh':7}"))), Does.Contain("is damaged"));
-            Assert.That(Refusal(Glb(Scene("{'mesh':0}", "'mode':7,'attributes':{'POSITION':0}"))), Does.Contain("mode 7 of a primitive does not exist"));
-            Assert.That(Refusal(Glb(Scene("{'mesh':0,'extensions':{'EXT_mesh_gpu_instancing':{}}}"))), Does.Contain("repeats node 0 by the glTF extension EXT_mesh_gpu_instancing"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}", "'mode':7,'attributes':{'POSITION':0}"))),
+                Does.Contain("mode 7 of a primitive does not exist"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0,'extensions':{'EXT_mesh_gpu_instancing':{}}}"))),
+                Does.Contain("repeats node 0 by the glTF extension EXT_mesh_gpu_instancing"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':36", "'count':36,'sparse':{}"))), Does.Contain("has sparse accessors"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0,'children':[0]}"))), Does.Contain("node 0 has two parents"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':36", "'count':37"))), Does.Contain("accessor 1 reaches beyond the end"));
             Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':8", "'count':7"))), Does.Contain("an index is not below the 7 vertices"));
-            Assert.That(Refusal(Glb(Scene("{'mesh':0}", more: "'extensionsRequired':['KHR_draco_mesh_compression'],"))), Does.Contain("KHR_draco_mesh_compression"));
-            Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("{'byteLength':168}", "{'byteLength':168,'uri':'a.bin'}"))), Does.Contain("keeps its vertices in another file"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}", more: "'extensionsRequired':['KHR_draco_mesh_compression'],"))),
+                Does.Contain("KHR_draco_mesh_compression"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("{'byteLength':168}", "{'byteLength':168,'uri':'a.bin'}"))),
+                Does.Contain("keeps its vertices in another file"));
         }
 
         // Positions are accessor 0 of the first view, indices accessor 1 of the second.

@@ -51,7 +51,7 @@ namespace Host.Tests
         static bool IsComplaint(string line) => line.StartsWith("warning:", StringComparison.Ordinal)
             || line.StartsWith("rill:", StringComparison.Ordinal);
 
-        /// <summary>What lies in the folder beside the frames, and that the pages show no picture but these.</summary>
+        /// <summary>Checks the files in the folder beside the frames, and that the pages show no picture but these.</summary>
         void Holds(IEnumerable<string> expected)
         {
             string[] files = Directory.GetFiles(folder).Select(Path.GetFileName).ToArray();

@@ -28,7 +28,7 @@ namespace Host.Tests
             reflections.Clear();
         }
 
-        // The same view as the first camera's, off until a script draws it.
+        // Camera with the first one's view, off until a script draws it.
         Camera NewMirror()
         {
             Camera mirror = new GameObject("Mirror").AddComponent<Camera>();
@@ -57,7 +57,7 @@ namespace Host.Tests
             return Pixels();
         }
 
-        // As a mirror's script has it.
+        // Draws like a mirror's script.
         void DrawInside(params Camera[] mirrors)
         {
             MethodInfo draw = pipeline[PipelineKind.Universal.Assembly].GetType("UnityEngine.Rendering.Universal.UniversalRenderPipeline")

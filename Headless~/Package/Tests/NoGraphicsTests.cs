@@ -16,7 +16,7 @@ namespace Host.Tests
         const string Notice = "is inactive, like every other: this player has no graphics device";
 
         [SetUp]
-        public void TakeTheDeviceAway() => Player.Device = null;
+        public void RemoveDevice() => Player.Device = null;
 
         [TearDown]
         public void GiveItBack() => Player.Device = HostSetup.Device;

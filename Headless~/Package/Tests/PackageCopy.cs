@@ -25,7 +25,7 @@ namespace Host.Tests
 
         public readonly string Root;
         readonly string assemblies;
-        /// <summary>What stood in files before the test, null where there was none.</summary>
+        /// <summary>Content of files before the test, null for a missing one.</summary>
         readonly Dictionary<string, byte[]> before = new();
 
         static PackageCopy() => AppDomain.CurrentDomain.ProcessExit += (_, _) =>

@@ -31,7 +31,7 @@ namespace Host.Tests
             Assert.That(run.Everything, Does.Contain("PoolTests.cs:line"));
         }
 
-        /// <summary>As the Package Manager imports it, into Assets/Samples. The longer tests of it are run with those of the host.</summary>
+        /// <summary>Imports it like the Package Manager, into Assets/Samples. The longer tests of it are run with those of the host.</summary>
         [Test]
         public void The_tests_of_a_sample_run_in_a_project_that_imports_it()
         {
@@ -56,7 +56,8 @@ namespace Host.Tests
             try
             {
                 Import("Still Pool", project);
-                string settings = preloads ? "  preloadedAssets:\n  - {fileID: 11400000, guid: " + GuidOf("Runtime/FluidShaders.asset") + ", type: 2}\n"
+                string settings = preloads ? "  preloadedAssets:\n  - {fileID: 11400000, guid: " + GuidOf("Runtime/FluidShaders.asset") +
+                    ", type: 2}\n"
                     : "  preloadedAssets: []\n";
                 File.WriteAllText(Path.Combine(project, "ProjectSettings", "ProjectSettings.asset"),
                     "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!129 &1\nPlayerSettings:\n" + settings);

@@ -74,7 +74,7 @@ namespace Host.Tests
             => LiveObjects.Report().Concat(Resources.FindObjectsOfTypeAll<GameObject>().Select(o => $"object '{o.name}'"))
                 .OrderBy(line => line, StringComparer.Ordinal).ToList();
 
-        /// <summary>The same with a fault in the adapter: what the tests would see.</summary>
+        /// <summary>Builds with a fault in the adapter: what the tests would see.</summary>
         private protected void BuildWithFault(PipelineKind kind, string version, string file, string line, string instead)
         {
             string root = Path.Combine(Path.GetTempPath(), "rill-adapter-" + Guid.NewGuid().ToString("N")),
@@ -100,7 +100,7 @@ namespace Host.Tests
             }
         }
 
-        /// <summary>What the Built-in pipeline draws after some frames; then everything is as before.</summary>
+        /// <summary>Returns what the Built-in pipeline draws after some frames; then everything is as before.</summary>
         private protected Vector4[] InTheBuiltInPipeline(int frames, Action arrange = null)
         {
             Build(null, null);
@@ -120,7 +120,7 @@ namespace Host.Tests
                 PlayerLoop.Frame(1f / 60);
         }
 
-        /// <summary>Of the pixels, those in which the water changes the picture.</summary>
+        /// <summary>Counts the pixels in which the water changes the picture.</summary>
         private protected int Covered(Vector4[] with)
         {
             simulation.gameObject.SetActive(false);

@@ -19,7 +19,7 @@ namespace Host.Tests
             return foam;
         }
 
-        /// <summary>Of the largest size, halfway through its life: on a square on top of a block of water and spray beside it. The fluid
+        /// <summary>Plants foam of the largest size, halfway through its life: on a square on top of a block of water and spray beside it. The fluid
         /// is paused.</summary>
         /// <param name="top">Center of the block's upper face, from the center of the domain, m.</param>
         public static void Plant(FluidSimulation fluid, Vector3 top)

@@ -11,7 +11,8 @@ namespace Host.Tests
     /// the game is paused, shows each as it is then, and its draws do not add up.</summary>
     public class QueuedDrawTests : PipelineSurfaceFixture
     {
-        static readonly string[] Pipelines = { "", "Universal 14", "Universal 17", "Universal 17 by Execute", "HighDefinition 14", "HighDefinition 17" };
+        static readonly string[] Pipelines = { "", "Universal 14", "Universal 17", "Universal 17 by Execute", "HighDefinition 14",
+            "HighDefinition 17" };
 
         void BuildFor(string name)
         {

@@ -13,7 +13,7 @@ using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
-    /// <summary>What follows where the graphics device gives an error instead of a result.</summary>
+    /// <summary>Effects of an error of the graphics device instead of a result.</summary>
     public class ReadbackErrorTests : GraphicsFixture
     {
         const float FrameTime = 1f / 60f;

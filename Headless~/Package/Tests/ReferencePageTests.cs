@@ -67,8 +67,8 @@ namespace Host.Tests
                 .Contain("| Amount | 2 | 0.5 or more | How much, m. | 1 ms |\n").And.Contain("| Is On | on |  | Of the base class. |  |\n"));
             Assert.That(findings.Faults, Is.EqualTo(new[]
             {
-                "Research~/data/costs.tsv(5) is no new row: write component, field and cost, with a tab between, each once.",
-                "Research~/data/costs.tsv(6) is no new row: write component, field and cost, with a tab between, each once.",
+                "Research~/data/costs.tsv(5) is not a new row: write component, field and cost, with a tab between, each once.",
+                "Research~/data/costs.tsv(6) is not a new row: write component, field and cost, with a tab between, each once.",
                 "Research~/data/costs.tsv: no component 'Known Part' has a field 'Gone'. Write its name as the inspector shows it.",
             }));
         }

@@ -262,7 +262,7 @@ namespace Host.Tests
             }
         }
 
-        // As Cycles' environment texture: its center is x, a quarter from the left is Unity's z, the top is up.
+        // Looks up like Cycles' environment texture: its center is x, a quarter from the left is Unity's z, the top is up.
         [Test]
         public void The_sky_lies_as_Cycles_looks_it_up()
         {

@@ -230,7 +230,7 @@ namespace Host.Tests
             EditModeScene.Play(1);
             scene.Fluid.enabled = false;
             Assert.That(PendingReadbacks.Count, Is.GreaterThan(0));
-            Application.SayQuitting();
+            Application.RaiseQuitting();
             Assert.That(PendingReadbacks.Count, Is.Zero);
         }
 
@@ -344,7 +344,7 @@ namespace Host.Tests
 
         static bool NeedsSkin(Type type) => type == typeof(FluidDeformingMesh) || type == typeof(FluidBoneColliders);
 
-        // What it is drawn into, and a shadow on it.
+        // Shows what it is drawn into, and a shadow on it.
         void Show()
         {
             new GameObject("Camera").AddComponent<Camera>().transform.position = new Vector3(0f, 0f, -3f);
@@ -388,7 +388,7 @@ namespace Host.Tests
 
         string Recording => Path.Combine(folder, "played.rillrec");
 
-        // Of six frames.
+        // Records six frames.
         void RecordOnce()
         {
             if (File.Exists(Recording))

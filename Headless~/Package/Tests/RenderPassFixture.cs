@@ -117,7 +117,7 @@ namespace Host.Tests
             PlayerLoop.Frame(1f / 60);
         }
 
-        /// <summary>Of a mesh, or of the sphere where there is none.</summary>
+        /// <summary>Draws a mesh, or the sphere without one.</summary>
         protected Vector4[] DrawPass(Material material, string pass, Mesh mesh = null) =>
             Draw(material, pass, (cmd, index) =>
             {
@@ -181,7 +181,7 @@ namespace Host.Tests
             Assert.That(drawn.w, Is.EqualTo(pipeline == "" ? 1 : 0), where);
         }
 
-        // Where the ray through the center of a pixel meets the sphere, by hand.
+        // Computes where the ray through the center of a pixel meets the sphere, by hand.
         protected bool Hit(int x, int y, out Vector3 normal)
         {
             float missing = Missing(x, y, out Ray ray, out float along);

@@ -72,7 +72,7 @@ namespace Host.Tests
             sun.shadows = LightShadows.None;
             DrawFrame();
             Vector4[] open = Pixels();
-            // What faces away from the sun is dark in the shadow's own right: only what faces it is compared.
+            // Faces away from the sun are dark by themselves: only faces towards it are compared.
             int facing = 0;
             for (int y = 0; y < Height; y++)
                 for (int x = 0; x < Width; x++)
@@ -205,7 +205,7 @@ namespace Host.Tests
         public void Where_one_eye_is_drawn_a_second_instance_adds_nothing([Values("Particles.shader", "Domain.shader",
             "Solid.shader")] string file, [Values("", "UniversalPipeline")] string pipeline)
         {
-            // What is drawn twice is twice as bright, in every pass.
+            // Drawn twice, it is twice as bright, in every pass.
             Material material = MaterialOf(file, pipeline, text => Regex.Replace(text, "ColorMask \\w+|Blend \\[.*", "")
                 .Replace("ZTest LEqual", "ZTest Always Blend One One"));
             SetMotionMatrices(pipeline);

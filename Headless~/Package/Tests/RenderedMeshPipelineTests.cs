@@ -95,7 +95,7 @@ namespace Host.Tests
                 PlayerLoop.Frame(1f / 60);
         }
 
-        /// <summary>What the camera shows of the water, or of the cube in its place, or of neither.</summary>
+        /// <summary>Returns the camera's picture of the water, or of the cube instead, or of neither.</summary>
         Vector4[] Picture(MeshRenderer shown)
         {
             (water.enabled, cube.enabled) = (shown == water, shown == cube);

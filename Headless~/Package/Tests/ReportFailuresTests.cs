@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What the report's tables say fails is gathered whole, and nothing else is.</summary>
+    /// <summary>All failures in the report's tables are gathered, and nothing else.</summary>
     public class ReportFailuresTests
     {
         static readonly string[] Columns = { "body", "deep water", "draft", "error", "within 5 %", "damping" };

@@ -14,7 +14,7 @@ namespace Host.Tests
     /// <summary>The command <c>bake</c> on a scene: which colliders are baked, and what its file then says.</summary>
     public class SceneBakeTests : AssetFixture
     {
-        // Of the package's FluidCollider.cs.
+        // GUID of the package's FluidCollider.cs.
         const string ColliderScript = "fe5b6666c01393a8a1bd54979e9c559e";
         const int Cube = 10202, Sphere = 10207;
 
@@ -155,7 +155,7 @@ namespace Host.Tests
             foreach ((string file, string text) in new[] { ("Pier", pier), ("Row", row), ("Thick", thick) })
                 Assert.That(File.ReadAllText(Path.Combine(root, $"Assets/Quay/{file}.prefab")), Is.EqualTo(text), "prefabs stay as they are");
 
-            // What was there is there still, but for the pole's reference, an override of none and two lists that were empty.
+            // All old content is still there, but for the pole's reference, an override of none and two lists that were empty.
             string[] now = File.ReadAllText(scene).Split('\n');
             var lost = before.Split('\n').ToList();
             foreach (string line in now)

@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Host.Tests
 {
-    /// <summary>What cameras draw of a fluid that is simulated without Play.</summary>
+    /// <summary>Pictures by cameras of a fluid that is simulated without Play.</summary>
     public class SceneSimulationPictureTests : GraphicsFixture
     {
         const int Steps = 6;

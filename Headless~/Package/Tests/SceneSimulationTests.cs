@@ -97,13 +97,13 @@ namespace Host.Tests
         [Test]
         public void Entering_Play_ends_it()
         {
-            AssertEndsBy(scene => EditorApplication.SayPlayMode(PlayModeStateChange.ExitingEditMode));
+            AssertEndsBy(scene => EditorApplication.RaisePlayMode(PlayModeStateChange.ExitingEditMode));
         }
 
         [Test]
         public void A_reload_of_scripts_ends_it()
         {
-            AssertEndsBy(scene => AssemblyReloadEvents.SayBefore());
+            AssertEndsBy(scene => AssemblyReloadEvents.RaiseBefore());
         }
 
         [Test]
@@ -148,7 +148,7 @@ namespace Host.Tests
             Object.DestroyImmediate(scene.Collider.gameObject);
             var emitter = new GameObject("New").AddComponent<FluidEmitter>();
             emitter.transform.SetParent(scene.Fluid.transform, false);
-            EditorApplication.SayHierarchyChanged();
+            EditorApplication.RaiseHierarchyChanged();
             EditModeScene.Step(1);
             Assert.That(emitter.Simulation, Is.SameAs(scene.Fluid));
             Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
@@ -446,7 +446,7 @@ namespace Host.Tests
             Assert.That(BufferStorage.Live.Select(buffer => buffer.Name), Is.Empty);
         }
 
-        // Of the editor, with a frame where one was asked for.
+        // Runs a tick of the editor, with a frame if one was requested.
         static void Update() => EditorTick.Run();
     }
 }

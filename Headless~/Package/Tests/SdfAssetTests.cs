@@ -15,7 +15,7 @@ namespace Host.Tests
 
         static string Hex(params float[] values) => Convert.ToHexString(values.SelectMany(BitConverter.GetBytes).ToArray()).ToLowerInvariant();
 
-        // As the editor saves it: the texture's id is one that it drew, and its document comes first.
+        // Text as the editor saves it: the texture's id is one that it drew, and its document comes first.
         static readonly string Text = TemporaryProject.Header
             + "--- !u!117 &-3846215730123456789\nTexture3D:\n  m_ObjectHideFlags: 0\n  m_CorrespondingSourceObject: {fileID: 0}\n  " +
             "m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n"

@@ -10,7 +10,7 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>What it takes to begin: no frame of it fills the garbage collector.</summary>
+    /// <summary>Cost of the start: no frame of it fills the garbage collector.</summary>
     [Category(FixtureOrder.Alone)]      // its figures are times
     public class StartupTests : GraphicsFixture
     {

@@ -87,7 +87,7 @@ namespace Host.Tests
             return new Vector2((clip.x / clip.w * 0.5f + 0.5f) * Wide, (clip.y / clip.w * 0.5f + 0.5f) * High);
         }
 
-        // Where the water alone stands: nothing else is as near as its box.
+        // Tells where the water alone stands: nothing else is as near as its box.
         static bool IsWater(Vector3 world) => Mathf.Abs(world.x) < 0.85f && world.y > -0.79f && Mathf.Abs(world.z) < 0.85f;
 
         private protected (float worst, float largest, int pixels) Compare(in Matrix4x4 lastWorldToClip, Func<Vector3, Vector3> before)
@@ -116,7 +116,7 @@ namespace Host.Tests
             return (worst, largest, pixels);
         }
 
-        /// <summary>Of all particles as they are drawn, world.</summary>
+        /// <summary>Mean position of all particles as they are drawn, world.</summary>
         private protected Vector3 MeanPosition()
         {
             PbfSolver solver = simulation.Solver;
@@ -144,7 +144,7 @@ namespace Host.Tests
             return Compare(WorldToClip, world => world - fallen);
         }
 
-        /// <summary>Of water that turns with its domain, before a camera that moves too: each eye sees another motion.</summary>
+        /// <summary>Tests water that turns with its domain, before a camera that moves too: each eye sees another motion.</summary>
         private protected void AssertEachEyeHasTheMotionThatItSees()
         {
             PlayMore(4);

@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What the report's sweeps call held, and what they derive.</summary>
+    /// <summary>Verdicts of the report's sweeps, and the values derived from them.</summary>
     public class SweepResultTests
     {
         static readonly Dictionary<string, object> Good = new Dictionary<string, object>

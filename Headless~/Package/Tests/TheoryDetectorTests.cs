@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What judges the solver against experiment and theory, on data whose answer is known.</summary>
+    /// <summary>Tests the judgement of the solver against experiment and theory, on data whose answer is known.</summary>
     public class TheoryDetectorTests
     {
         static List<FrontSeries> Experiments() => FrontSeries.Experiments(Session.Root());
@@ -66,7 +66,7 @@ namespace Host.Tests
         static List<(double, double)> Swing(double stretch, double ripple) => Enumerable.Range(0, 300).Select(i => i / 60.0)
             .Select(t => (t, 1 - Math.Exp(-0.3 * t) * Math.Cos(2.5 * t / stretch) + ripple * Math.Sin(40 * t))).ToList();
 
-        // Of e^(-a t) cos(w t): where tan(w t) = -a/w.
+        // Extremes of e^(-a t) cos(w t): where tan(w t) = -a/w.
         [TestCase(0)]
         [TestCase(0.01)]
         public void Turning_points_are_found_between_the_samples_and_ripples_are_none(double ripple)

@@ -27,11 +27,11 @@ namespace Host.Tests
             Build(PipelineKind.Universal, version);
             MakePicture();
             if (asks)
-                AskForMotion();
+                RequestMotion();
         }
 
-        // As temporal antialiasing does, with its jitter.
-        void AskForMotion()
+        // Requests motion like temporal antialiasing, with its jitter.
+        void RequestMotion()
         {
             Type type = pipeline.Asset.GetType().Assembly.GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData");
             Component data = camera.GetComponent(type) ?? camera.gameObject.AddComponent(type);
@@ -140,7 +140,7 @@ namespace Host.Tests
         {
             BuildFor(version, asks: false);
             PlayMore(3);
-            AskForMotion();
+            RequestMotion();
             PlayMore(2);
             StageDescription description = simulation.GetComponent<FluidSurface>().Describe();
             Assert.That(description.Buffers.Select(buffer => buffer.name), Has.Some.EqualTo(Chords));
@@ -154,7 +154,7 @@ namespace Host.Tests
         public void A_pass_that_draws_on_what_it_has_not_declared_is_caught(string line, string instead, string words)
         {
             BuildWithFault(PipelineKind.Universal, "17", "SurfacePass.cs", line, instead);
-            AskForMotion();
+            RequestMotion();
             PlayMore(1);
             LogAssert.Expect(LogType.Exception, new Regex(Regex.Escape(words)));
             PlayMore(1);

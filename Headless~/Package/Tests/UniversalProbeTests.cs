@@ -71,7 +71,7 @@ namespace Host.Tests
             return probe;
         }
 
-        // Of the picture's colors, less those in the dark.
+        // Mean of the picture's colors, less those in the dark.
         Vector4 Mean() => Pixels().Aggregate(Vector4.zero, (sum, pixel) => sum + pixel) / (Width * Height) - dark;
 
         [Test]

@@ -10,7 +10,7 @@ namespace Host.Tests
     /// <summary>In URP each of two eyes in one pass sees the water that a camera there sees.</summary>
     public class UniversalStereoTests : StereoSurfaceFixture
     {
-        // Of ViewsOf in UniversalSurfaces.
+        // Line of ViewsOf in UniversalSurfaces.
         const string Line = "views.width = Mathf.Max((int)(views.width * scale), 1);";
 
         void Build(string version) => Build(PipelineKind.Universal, version);

@@ -33,7 +33,7 @@ namespace Host.Tests
             Build(version);
             Play(2);
             Vector4[] universal = Pixels();
-            // Where the water is not, the floor has the same light; where it is, what is seen through it is of half size.
+            // Beside the water the floor has the same light; in the water, the view through it has half the size.
             int other = universal.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.1f).Count();
             Assert.That(other, Is.LessThan(Width * Height / 50));
         }

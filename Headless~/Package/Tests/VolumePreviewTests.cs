@@ -11,7 +11,7 @@ using Object = UnityEngine.Object;
 
 namespace Host.Tests
 {
-    /// <summary>What the scene view shows of volumes before anything plays.</summary>
+    /// <summary>Preview of volumes in the scene view before anything plays.</summary>
     public class VolumePreviewTests : GraphicsFixture
     {
         [TearDown]
@@ -119,13 +119,13 @@ namespace Host.Tests
             Mesh mesh = VolumePreview.MeshOf(scene.Volume, scene.Fluid);
             Assert.That((bool)mesh);
             Object.DestroyImmediate(scene.Volume.gameObject);
-            EditorApplication.SayHierarchyChanged();
+            EditorApplication.RaiseHierarchyChanged();
             Assert.That((bool)mesh, Is.False);
             PlayerLoop.Reset();
 
             scene = new EditModeScene();
             mesh = VolumePreview.MeshOf(scene.Volume, scene.Fluid);
-            EditorApplication.SayPlayMode(PlayModeStateChange.ExitingEditMode);
+            EditorApplication.RaisePlayMode(PlayModeStateChange.ExitingEditMode);
             Assert.That((bool)mesh, Is.False);
         }
 

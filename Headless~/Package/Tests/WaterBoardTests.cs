@@ -52,7 +52,7 @@ namespace Host.Tests
         public void The_board_is_upside_down_in_a_sphere()
         {
             double[] drawn = Draw("sphere");
-            // The square right of and above the center is bright; what is seen of it is left of and below.
+            // The square right of and above the center is bright; its image is left of and below.
             double upright = drawn[(Pixels / 2 + 12) * Pixels + Pixels / 2 + 12], beside = drawn[(Pixels / 2 + 12) * Pixels + Pixels / 2 - 12];
             Assert.That(upright, Is.EqualTo(drawn[(Pixels / 2 - 12) * Pixels + Pixels / 2 - 12]).Within(0.05));
             Assert.That(Math.Abs(upright - beside), Is.GreaterThan(0.3));

@@ -92,7 +92,7 @@ namespace Host.Tests
             return found.ToArray();
         }
 
-        // Of the vertices, by the quads around.
+        // Normals of the vertices, by the quads around.
         static IEnumerable<(double3 At, double3 Normal)> Normals(WaterMesher mesh)
         {
             var sums = new double3[mesh.Vertices.Count];

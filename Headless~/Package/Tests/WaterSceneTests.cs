@@ -24,7 +24,8 @@ namespace Host.Tests
         {
             using (new SampleScene("Tap and Basin"))
             {
-                Assert.That(File.ReadAllText(Path.Combine(Session.Root(), "Samples~", "Tap and Basin", "TapAndBasin.unity")), Does.Not.Contain("fluidColliderLayers"));
+                Assert.That(File.ReadAllText(Path.Combine(Session.Root(), "Samples~", "Tap and Basin", "TapAndBasin.unity")),
+                    Does.Not.Contain("fluidColliderLayers"));
                 Assert.That(Object.FindObjectOfType<FluidSimulation>().FluidColliderLayers.value, Is.EqualTo(~0));
             }
         }
@@ -59,7 +60,7 @@ namespace Host.Tests
                 TestContext.WriteLine($"{inCup.Length} of {poured:0} particles in the cup");
                 // The cup has room for all of it, 3.6 l. A ninth still falls, for 0.2 s from the spout to the cup's floor; without a cup
                 // there is no more than
-                // that in its place. Until the water is as deep as the stream is wide, 0.5 l or a fifth, the stream may splash off the
+                // that there. Until the water is as deep as the stream is wide, 0.5 l or a fifth, the stream may splash off the
                 // floor and out. A tenth
                 // is for drops thrown out later.
                 Assert.That(inCup.Length, Is.GreaterThan(0.6 * poured));
@@ -73,7 +74,7 @@ namespace Host.Tests
                 // Nor swollen or flung about: spread evenly up to the rim it would stand at 1.77 times that height.
                 Assert.That(level, Is.LessThan(1.7 * filled));
 
-                // What is below and beside the basin was thrown over its rim, drop by drop.
+                // Water below and beside the basin was thrown over its rim, drop by drop.
                 int spilt = particles.Count(p => !BasinTracer.IsAboveRim(p) && !BasinTracer.IsInside(p));
                 TestContext.WriteLine($"{basin.OverTheRim} over the basin's rim, {basin.Through} through its wall, {spilt} outside");
                 Assert.That(basin.Through, Is.Zero);
@@ -234,7 +235,7 @@ namespace Host.Tests
         static FluidStatistics IsWhole(FluidSimulation fluid, float error)
         {
             fluid.Paused = true;
-            // What was measured last comes back in a few frames.
+            // The last measurement comes back in a few frames.
             for (int i = 0; i < 4; i++)
                 PlayerLoop.Frame(FrameTime);
             Assert.That(fluid.TryGetStatistics(out FluidStatistics s), Is.True);

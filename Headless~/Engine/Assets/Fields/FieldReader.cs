@@ -36,7 +36,7 @@ namespace Host.Assets
             this.findManagedType = findManagedType;
         }
 
-        // Keys of every script's document that are no fields of it.
+        // Keys of every script's document that are not fields of it.
         static readonly HashSet<string> Bookkeeping = new HashSet<string>
         {
             "m_ObjectHideFlags", "m_CorrespondingSourceObject", "m_PrefabInstance", "m_PrefabAsset", "m_PrefabParentObject", "m_PrefabInternal",
@@ -65,7 +65,7 @@ namespace Host.Assets
                 else if (TryRead(field.Type, current, node, scope, out var value)) field.Info.SetValue(target, value);
                 scope.Leave();
             }
-            // What the host's engine leaves out of its own classes is no fault of the project.
+            // Omissions of the host's engine in its own classes are not faults of the project.
             foreach (var entry in source.Entries)
                 if (!Bookkeeping.Contains(entry.Key) && !fields.Any(f => f.IsNamed(entry.Key)) && !FieldMap.IsEngine(type)
                     && !FieldMap.StandsForPackage(type))
@@ -262,7 +262,7 @@ namespace Host.Assets
                 if (field.Info.GetValue(target) == null) field.Info.SetValue(target, EmptyOf(field, depth));
         }
 
-        // As Unity, which needs no constructor, but runs one without parameters when there is.
+        // Creates like Unity, which needs no constructor, but runs one without parameters if it exists.
         static object New(Type type) =>
             type.IsValueType || type.GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null,
             Type.EmptyTypes, null) != null

@@ -25,7 +25,7 @@ namespace Host.Assets
             ["Rigidbody.m_CollisionDetection"] = "collisionDetectionMode", ["Rigidbody.m_InertiaRotation"] = "inertiaTensorRotation",
             // After the tensor and the center, which they take back.
             ["Rigidbody.m_ImplicitCom"] = "automaticCenterOfMass", ["Rigidbody.m_ImplicitTensor"] = "automaticInertiaTensor",
-            // Set with the object itself; a tag or name is no property of these.
+            // Set with the object itself; a tag or name is not a property of these.
             ["Object.m_Name"] = "", ["Object.m_ObjectHideFlags"] = "", ["Component.m_GameObject"] = "",
         };
 
@@ -35,7 +35,7 @@ namespace Host.Assets
         public static void Read(object target, Type type, YamlMapping fields, FieldReader reader, ReadScope scope)
             => Read(target, type, fields, reader, scope, _ => true);
 
-        /// <summary>Of a stub those properties that merely hold a value; the others throw.</summary>
+        /// <summary>Reads those properties of a stub that merely hold a value; the others throw.</summary>
         public static void ReadStub(object target, YamlMapping fields, FieldReader reader, ReadScope scope) =>
             Read(target, target.GetType(), fields, reader, scope, p => p.GetMethod?.IsDefined(typeof(CompilerGeneratedAttribute)) == true
             || p.DeclaringType.Assembly == typeof(UnityEngine.Object).Assembly);

@@ -52,7 +52,7 @@ namespace Host.Assets
             return fileId != 0;
         }
 
-        /// <summary>As Resources.GetBuiltinResource, but silent.</summary>
+        /// <summary>Works like Resources.GetBuiltinResource, but silently.</summary>
         public static Object Resource(Type type, string name) => Resources.BuiltinResource?.Invoke(type, name);
     }
 }

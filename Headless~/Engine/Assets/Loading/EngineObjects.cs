@@ -61,7 +61,8 @@ namespace Host.Assets
         }
 
         static readonly Dictionary<string, Type> ComponentTypes = new[] { typeof(Component), typeof(Rigidbody) }
-            .SelectMany(t => t.Assembly.GetExportedTypes()).Where(t => t.Namespace == "UnityEngine" && !t.IsAbstract && typeof(Component).IsAssignableFrom(t)).ToDictionary(t => t.Name);
+            .SelectMany(t => t.Assembly.GetExportedTypes()).Where(t => t.Namespace == "UnityEngine" && !t.IsAbstract
+                && typeof(Component).IsAssignableFrom(t)).ToDictionary(t => t.Name);
 
         /// <summary>The engine's component that files call by that name; null when the host has none.</summary>
         public static Type ComponentType(string name) => ComponentTypes.TryGetValue(name, out var type) ? type : null;

@@ -9,7 +9,7 @@ namespace Host.Assets
     internal sealed class LoadedAsset
     {
         public readonly AssetEntry Entry;
-        /// <summary>What the project window shows and Resources.Load returns.</summary>
+        /// <summary>Object that the project window shows and Resources.Load returns.</summary>
         public Object Main;
         public readonly Dictionary<long, Object> Objects = new Dictionary<long, Object>();
         /// <summary>By file id, of the objects that prefab instances brought.</summary>

@@ -45,7 +45,7 @@ namespace Host.Assets
             foreach (var (name, value) in Properties(saved, "m_Floats")) material.SetFloat(name, ((YamlScalar)value).ToFloat());
             foreach (var (name, value) in Properties(saved, "m_Colors"))
             {
-                // Colors and vectors share this list; only colors are converted to linear space, so the shader decides.
+                // Colors and vectors are in one list; only colors are converted to linear space, so the shader decides.
                 var color = BuiltInValues.Color(value);
                 if (IsVector(material.shader, name)) material.SetVector(name, color);
                 else material.SetColor(name, color);

@@ -68,7 +68,7 @@ namespace Host.Assets
                 ?? new YamlMapping(default);
         }
 
-        /// <summary>What the table of the .meta file says, or the hash.</summary>
+        /// <summary>Id from the table of the .meta file, or the hash.</summary>
         static long FileId(YamlNode settings, YamlNode meshes, AssetEntry entry, string name)
         {
             foreach (var row in settings.Items("internalIDToNameTable"))

@@ -96,7 +96,7 @@ namespace Host.Assets
                     foreach (var node in roots.EnumerateArray()) Node(nodes, node.GetInt32(), Matrix4x4.identity);
                 return;
             }
-            // A library without a scene: all nodes that are no one's children.
+            // A library without a scene: all nodes without a parent.
             var children = nodes.EnumerateArray().SelectMany(n => n.TryGetProperty("children", out var list)
                 ? list.EnumerateArray().Select(c => c.GetInt32()).ToArray() : Array.Empty<int>()).ToHashSet();
             for (var i = 0; i < nodes.GetArrayLength(); i++)
@@ -219,7 +219,8 @@ namespace Host.Assets
                 if (buffer != 0 || glb.root.GetProperty("buffers")[0].TryGetProperty("uri", out _))
                     throw new AssetException($"{glb.shownAs} keeps its vertices in another file: export it as one .glb with everything inside");
                 stride = view.TryGetProperty("byteStride", out var step) ? step.GetInt32() : size * components;
-                long viewStart = view.TryGetProperty("byteOffset", out var o) ? o.GetInt64() : 0, viewLength = view.GetProperty("byteLength").GetInt64();
+                long viewStart = view.TryGetProperty("byteOffset", out var o) ? o.GetInt64() : 0,
+                    viewLength = view.GetProperty("byteLength").GetInt64();
                 long offset = accessor.TryGetProperty("byteOffset", out o) ? o.GetInt64() : 0;
                 if (Count < 0 || viewStart < 0 || offset < 0 || stride < size * components || viewLength > glb.binaryLength
                     || viewStart > glb.binaryLength - viewLength || offset > viewLength - (Count - 1L) * stride - size * components)

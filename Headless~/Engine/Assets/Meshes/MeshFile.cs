@@ -18,9 +18,9 @@ namespace Host.Assets
         public readonly int[] Triangles;
         /// <summary>Objects, groups, materials or primitives that have triangles.</summary>
         public readonly int Parts;
-        /// <summary>What the file has beside and was left out, or was read differently from what it says.</summary>
+        /// <summary>Content of the file that was left out, or was read differently from what it says.</summary>
         public readonly IReadOnlyList<string> Notes;
-        /// <summary>What an OBJ file says beside its shape; null where no one asked for it.</summary>
+        /// <summary>Content of an OBJ file beside its shape; null if not requested.</summary>
         public MeshLooks Looks;
         /// <summary>Left out, as Unity does; noted too.</summary>
         public int CrossingPolygons;
@@ -34,13 +34,13 @@ namespace Host.Assets
             Notes = notes;
         }
 
-        /// <exception cref="AssetException">There is no such file, it is of another kind, or it is damaged.</exception>
+        /// <exception cref="AssetException">The file does not exist, it is of another kind, or it is damaged.</exception>
         public static MeshFile Read(string file)
         {
             string kind = Path.GetExtension(file).ToLowerInvariant();
             if (Directory.Exists(file)) throw new AssetException($"{file} is a folder: name a .obj or .glb file");
             if (!File.Exists(file)) throw new AssetException($"{file} does not exist");
-            if (kind != ".obj" && kind != ".glb") throw new AssetException($"{file} is no mesh that can be read here: save it as .obj or .glb");
+            if (kind != ".obj" && kind != ".glb") throw new AssetException($"{file} is not a mesh that can be read here: save it as .obj or .glb");
             if (new FileInfo(file).Length == 0) throw new AssetException($"{file} is empty");
             if (new FileInfo(file).Length > Array.MaxLength)
                 throw new AssetException($"{file} has more than 2 GB: split it, or reduce its triangles");
@@ -55,9 +55,9 @@ namespace Host.Assets
     {
         public readonly List<Vector3> Normals = new();
         public readonly List<Vector2> Uvs = new();
-        /// <summary>Of every corner of the triangles: its entry in those lists, or -1.</summary>
+        /// <summary>Entry of every corner of the triangles in those lists, or -1.</summary>
         public readonly List<int> NormalOf = new(), UvOf = new();
-        /// <summary>Of what has faces: names behind g, o and usemtl, each once; "" for faces before the first of the kind.</summary>
+        /// <summary>Names of parts with faces: those after g, o and usemtl, each once; "" for faces before the first of the kind.</summary>
         public readonly List<string> Groups = new(), Objects = new(), Materials = new();
     }
 }

@@ -18,7 +18,7 @@ namespace Host.Assets
         static readonly Dictionary<string, string> Elements = new() { ["l"] = "lines", ["p"] = "points", ["curv"] = "curves",
             ["curv2"] = "curves", ["surf"] = "free-form surfaces", ["call"] = "calls of other files" };
 
-        /// <summary>What names, shades, groups, or belongs to a free-form surface.</summary>
+        /// <summary>Keywords that name, shade, group, or belong to a free-form surface.</summary>
         static readonly HashSet<string> Unneeded = new() { "vt", "vn", "vp", "s", "mg", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp",
             "lod", "shadow_obj", "trace_obj", "ctech", "stech", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv", "sp", "end", "con",
             "csh" };
@@ -150,7 +150,7 @@ namespace Host.Assets
             Cut();
             for (var i = 0; i < cut.Count; i += 3)
             {
-                // The other way around: x is mirrored.
+                // Reversed: x is mirrored.
                 Add(corners[cut[i]]);
                 Add(corners[cut[i + 2]]);
                 Add(corners[cut[i + 1]]);
@@ -207,7 +207,7 @@ namespace Host.Assets
             return corner;
         }
 
-        AssetException NoCorner(ReadOnlySpan<byte> word) => Bad($"'{Shown(word)}' is no corner of a face, as in 7, 7/2 or 7/2/3");
+        AssetException NoCorner(ReadOnlySpan<byte> word) => Bad($"'{Shown(word)}' is not a corner of a face, as in 7, 7/2 or 7/2/3");
 
         /// <summary>From 1 on, or backwards from the latest with -1.</summary>
         int Index(int index, int count, string what)
@@ -222,12 +222,12 @@ namespace Host.Assets
         {
             var word = Word(ref rest);
             if (Utf8Parser.TryParse(word, out float value, out var read) && read == word.Length) return value;
-            // Other programs' words for what is no number: the mesh's check says what comes of it.
+            // Other programs' words for what is not a number: the mesh's check says what comes of it.
             var text = Shown(word).TrimStart('+', '-').ToLowerInvariant();
             if (text.Contains("nan") || text.Contains("ind")) return float.NaN;
             if (text.StartsWith("inf") || text.StartsWith("1.#inf")) return float.PositiveInfinity;
             throw Bad(word.Length == 0 ? "a vertex takes three numbers"
-                : $"'{Shown(word)}' is no number{(text.Contains(',') ? " (decimals take a point)" : "")}");
+                : $"'{Shown(word)}' is not a number{(text.Contains(',') ? " (decimals take a point)" : "")}");
         }
 
         static ReadOnlySpan<byte> Word(ref ReadOnlySpan<byte> rest)

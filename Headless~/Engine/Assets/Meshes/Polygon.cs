@@ -16,7 +16,7 @@ namespace Host.Assets
             public Point(double x, double y) => (X, Y) = (x, y);
         }
 
-        // Of the polygon's size and its square: what rounding makes of a straight side, and of no area.
+        // Fractions of the polygon's size and its square: rounding errors of a straight side, and of no area.
         const double Straight = 1e-12, Flat = 1e-10;
 
         readonly Point[] points;
@@ -32,7 +32,7 @@ namespace Host.Assets
             int last = -1, first = -1;
             for (var i = 0; i < points.Length; i++)
             {
-                // A corner at the place of the one before it bounds nothing.
+                // A corner at the position of the one before it bounds nothing.
                 if (last >= 0 && Same(last, i)) continue;
                 if (last >= 0) (after[last], before[i]) = (i, last);
                 else first = i;
@@ -45,7 +45,7 @@ namespace Host.Assets
 
         int Start { get; }
 
-        /// <summary>Adds three numbers of corners for each triangle, all the same way around as the polygon.</summary>
+        /// <summary>Adds three numbers of corners for each triangle, all in the polygon's orientation.</summary>
         /// <returns>False for a polygon that crosses itself: none are added.</returns>
         public static bool TryCut(IReadOnlyList<Vector3> corners, List<int> triangles)
         {
@@ -55,7 +55,7 @@ namespace Host.Assets
                 Add(triangles, 0, 1, 2);
                 return true;
             }
-            // Corners that are no numbers, or in one line, are the mesh's to tell of.
+            // Corners that are not numbers, or in one line, are reported by the mesh.
             var points = Seen(corners, out var isFinite, out var hasArea, out var isLine);
             if (!isFinite || isLine || hasArea && IsConvex(points))
             {
@@ -92,7 +92,8 @@ namespace Host.Assets
             for (var i = 0; i < count; i++)
             {
                 var (a, b) = (away[i], away[(i + 1) % count]);
-                var (u, v, w) = ((a.Y * b.Z - a.Z * b.Y) / (size * size), (a.Z * b.X - a.X * b.Z) / (size * size), (a.X * b.Y - a.Y * b.X) / (size * size));
+                var (u, v, w) = ((a.Y * b.Z - a.Z * b.Y) / (size * size), (a.Z * b.X - a.X * b.Z) / (size * size),
+                    (a.X * b.Y - a.Y * b.X) / (size * size));
                 (x, y, z) = (x + u, y + v, z + w);
                 most = Math.Max(most, Math.Sqrt(u * u + v * v + w * w));
             }
@@ -221,7 +222,7 @@ namespace Host.Assets
         }
 
         /// <summary>Whether the outline goes on between the sides that meet at a corner of a triangle, from another corner at the same
-        /// place.</summary>
+        /// position.</summary>
         bool ReachesIn(int other, int corner, int next, int last)
             => IsBetween(before[other], corner, next, last) || IsBetween(after[other], corner, next, last);
 

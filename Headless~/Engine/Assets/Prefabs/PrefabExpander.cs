@@ -5,7 +5,7 @@ using System.Linq;
 namespace Host.Assets
 {
     /// <summary>
-    /// Puts a prefab's documents in the place of each PrefabInstance document, overrides applied, so that what turns
+    /// Replaces each PrefabInstance document by a prefab's documents, overrides applied, so that what turns
     /// documents into objects never meets a prefab. Prefabs in prefabs and variants need nothing more: a prefab file is
     /// expanded before its documents are copied.
     /// </summary>

@@ -4,16 +4,16 @@ using System.IO;
 
 namespace Host.Assets
 {
-    /// <summary>What the host needs of a .meta file. Read line by line: a project has thousands of them.</summary>
+    /// <summary>Parts of a .meta file that the host needs. Read line by line: a project has thousands of them.</summary>
     internal readonly struct MetaFile
     {
         public readonly string Guid, Importer;
-        /// <summary>Of scripts: the order set in Project Settings > Script Execution Order.</summary>
+        /// <summary>Order of scripts set in Project Settings > Script Execution Order.</summary>
         public readonly int ExecutionOrder;
 
         MetaFile(string guid, string importer, int executionOrder) { Guid = guid; Importer = importer; ExecutionOrder = executionOrder; }
 
-        /// <summary>False with the reason in problem when there is no usable GUID.</summary>
+        /// <summary>False with the reason in problem without a usable GUID.</summary>
         public static bool TryRead(string file, string shownAs, out MetaFile meta, out string problem)
         {
             string guid = null, importer = "";
@@ -33,7 +33,7 @@ namespace Host.Assets
             meta = new MetaFile(guid, importer, order);
             if (guid == null)
                 problem =
-                $"{shownAs}: there is no guid in this file: delete it and let Unity or Headless~/Engine/tools/make-meta write a new one";
+                $"{shownAs}: this file has no guid: delete it and let Unity or Headless~/Engine/tools/make-meta write a new one";
             else if (!IsGuid(guid)) problem = $"{shownAs}: the guid '{guid}' is not 32 lower-case hexadecimal digits: delete the file " +
                 $"and let Unity or Headless~/Engine/tools/make-meta write a new one";
             return problem == null;

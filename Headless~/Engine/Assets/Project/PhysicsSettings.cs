@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 
 namespace Host.Assets
 {
-    /// <summary>What DynamicsManager.asset says of bodies: gravity, thresholds, when physics is stepped, which layers meet.</summary>
+    /// <summary>Settings of DynamicsManager.asset for bodies: gravity, thresholds, when physics is stepped, which layers meet.</summary>
     internal static class PhysicsSettings
     {
         const int Layers = 32;

@@ -8,7 +8,7 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Assets
 {
-    /// <summary>What a project's ProjectSettings folder changes in the player: color space, names, time step, physics, scenes of the
+    /// <summary>Changes of the player by a project's ProjectSettings folder: color space, names, time step, physics, scenes of the
     /// build, preloaded assets.</summary>
     internal static class ProjectSettings
     {
@@ -41,7 +41,7 @@ namespace Host.Assets
             Settings(root, "EditorBuildSettings") is YamlNode build ? build.Items("m_Scenes").Where(s => s.Bool("enabled"))
             .Select(s => s.Text("path")) : Enumerable.Empty<string>();
 
-        /// <summary>What a player loads before the first scene, without empty entries.</summary>
+        /// <summary>Objects that a player loads before the first scene, without empty entries.</summary>
         public static IEnumerable<FileReference> PreloadedAssets(string root) =>
             Settings(root, "ProjectSettings") is YamlNode player ? player.Items("preloadedAssets").Select(FileReference.Of).Where(r => !r.IsNone)
             : Enumerable.Empty<FileReference>();

@@ -33,7 +33,7 @@ namespace Host.Assets
             var candidates = byName[script.Name].ToArray();
             if (candidates.Length > 1)
             {
-                // The same name in several namespaces or assemblies: the file itself says which namespace it means.
+                // One name in several namespaces or assemblies: the file itself says which namespace it means.
                 var spaces = Namespace.Matches(File.ReadAllText(script.File)).Select(m => m.Groups[1].Value).DefaultIfEmpty("").ToHashSet();
                 candidates = candidates.Where(t => spaces.Contains(t.Namespace ?? "")).ToArray();
             }

@@ -29,7 +29,7 @@ namespace Host.Assets
             var path = Path.GetFullPath(Path.Combine(from, what));
             if (File.Exists(path))
                 return path.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) ? Locate(path)
-                    : throw new AssetException($"{what} is no scene: a scene's file ends in .unity");
+                    : throw new AssetException($"{what} is not a scene: a scene's file ends in .unity");
 
             var root = ProjectFolders.RootOf(Directory.Exists(path) ? path : from);
             if (Directory.Exists(path)) return Single(ScenesBelow(path), what, root);
@@ -66,7 +66,7 @@ namespace Host.Assets
         static List<string> ScenesBelow(string folder)
         {
             var found = Directory.GetFiles(folder, "*.unity").ToList();
-            // Of a project, the rest (Library, Temp) is the editor's.
+            // In a project, the rest (Library, Temp) is the editor's.
             var children = ProjectFolders.IsProject(folder)
                 ? new[] { Path.Combine(folder, "Assets"), Path.Combine(folder, "Packages") }.Where(Directory.Exists)
                 : Directory.GetDirectories(folder);

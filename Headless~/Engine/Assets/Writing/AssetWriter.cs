@@ -13,7 +13,7 @@ namespace Host.Assets
     /// </summary>
     internal static class AssetWriter
     {
-        /// <summary>Of the script's object in the file, and of the first texture: Unity's class number times 100,000.</summary>
+        /// <summary>Ids of the script's object in the file, and of the first texture: Unity's class number times 100,000.</summary>
         const long MainId = 11400000, TextureId = 11700000;
 
         const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";

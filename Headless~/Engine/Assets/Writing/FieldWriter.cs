@@ -78,7 +78,7 @@ namespace Host.Assets
 
         static string Vector(Vector3 v) => $"{{x: {Number(v.x)}, y: {Number(v.y)}, z: {Number(v.z)}}}";
 
-        /// <summary>As many digits as come back to the same number.</summary>
+        /// <summary>Writes as many digits as come back to the same number.</summary>
         static string Number(float value) => value.ToString("R", CultureInfo.InvariantCulture).ToLowerInvariant();
 
         /// <summary>Plain where YAML takes it for a string as it stands, else in single quotes.</summary>

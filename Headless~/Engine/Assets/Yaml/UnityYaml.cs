@@ -17,7 +17,7 @@ namespace Host.Assets
         public string TypeName;
         public YamlMapping Fields;
         public SourceLocation Location;
-        /// <summary>Where a prefab instance of this file has it from; null for the file's own.</summary>
+        /// <summary>Prefab instance of this file that it comes from; null for the file's own.</summary>
         public PrefabOrigin Origin;
 
         public UnityDocument Clone(long fileId) =>
@@ -27,7 +27,7 @@ namespace Host.Assets
         public override string ToString() => $"{TypeName} &{FileId}";
     }
 
-    /// <summary>What an override of an object is addressed to.</summary>
+    /// <summary>Address of an override of an object.</summary>
     internal sealed class PrefabOrigin
     {
         /// <summary>File id of the instance in the file that overrides.</summary>
@@ -106,8 +106,9 @@ namespace Host.Assets
             if (words.Length < 3 || !words[1].StartsWith("!u!", StringComparison.Ordinal) || words[2][0] != '&'
                 || !int.TryParse(words[1].AsSpan(3), NumberStyles.None, CultureInfo.InvariantCulture, out var classId)
                 || !long.TryParse(words[2].AsSpan(1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var fileId))
-                throw location.Error($"'{header}' is no document header: expected '--- !u!<class id> &<file id>'");
-            return new UnityDocument { ClassId = classId, FileId = fileId, Stripped = words.Length > 3 && words[3] == "stripped", Location = location };
+                throw location.Error($"'{header}' is not a document header: expected '--- !u!<class id> &<file id>'");
+            return new UnityDocument { ClassId = classId, FileId = fileId, Stripped = words.Length > 3 && words[3] == "stripped",
+                Location = location };
         }
 
         void Add(UnityDocument document, string body, int linesBefore)

@@ -4,7 +4,7 @@ using System.Globalization;
 
 namespace Host.Assets
 {
-    /// <summary>Where a value was read, for messages: "Assets/Scene.unity(120)".</summary>
+    /// <summary>Location at which a value was read, for messages: "Assets/Scene.unity(120)".</summary>
     internal readonly struct SourceLocation
     {
         public readonly string File;
@@ -22,7 +22,7 @@ namespace Host.Assets
         public abstract YamlNode Clone();
         public abstract string Kind { get; }
 
-        /// <summary>Null when this is no mapping or lacks the key.</summary>
+        /// <summary>Null if this is not a mapping or lacks the key.</summary>
         public YamlNode this[string key] => (this as YamlMapping)?.Find(key);
         public string Text(string key, string otherwise = "") => this[key] is YamlScalar scalar ? scalar.Value : otherwise;
         public int Int(string key, int otherwise = 0) => this[key] is YamlScalar { IsEmpty: false } scalar ? scalar.ToInt() : otherwise;

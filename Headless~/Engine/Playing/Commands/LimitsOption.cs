@@ -10,7 +10,7 @@ namespace Host.Commands
         public static Option<string> Create() => new Option<string>("--limits")
         {
             Description = $"What the graphics device grants: {string.Join(", ", ApiLimits.All.Select(limits => limits.Name))}. " +
-                $"SystemInfo says so, and what is beyond fails.", DefaultValueFactory = _ => ApiLimits.Direct3D11.Name,
+                $"SystemInfo reports them, and what is beyond fails.", DefaultValueFactory = _ => ApiLimits.Direct3D11.Name,
         };
 
         /// <summary>To be called before a device is there.</summary>

@@ -14,7 +14,7 @@ namespace Host.Commands
 
         public PipelineKind Kind { get; private init; }
         public PipelineVersion Version { get; private init; }
-        /// <summary>Of 17: without the render graph.</summary>
+        /// <summary>Runs version 17 without the render graph.</summary>
         public bool ByExecute { get; private init; }
 
         /// <summary>Null for null.</summary>

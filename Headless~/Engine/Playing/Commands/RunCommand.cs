@@ -104,7 +104,7 @@ namespace Host.Commands
                 return Array.Empty<int>();
             return Array.ConvertAll(text.Split(','), part => int.TryParse(part, out int frame) && frame >= 1
                 ? frame
-                : throw new HostException($"--at {text}: \"{part}\" is no frame number; they count from 1, as in 1,60,300."));
+                : throw new HostException($"--at {text}: \"{part}\" is not a frame number; they count from 1, as in 1,60,300."));
         }
 
         internal static double[] Times(string text)
@@ -114,7 +114,7 @@ namespace Host.Commands
             return Array.ConvertAll(text.Split(','),
                 part => double.TryParse(part, NumberStyles.Float, CultureInfo.InvariantCulture, out double time) && time >= 0
                 ? time
-                : throw new HostException($"--stills {text}: \"{part}\" is no time in seconds, as in 0,0.5,1."));
+                : throw new HostException($"--stills {text}: \"{part}\" is not a time in seconds, as in 0,0.5,1."));
         }
 
         static double Positive(double value, string option) => value > 0 && double.IsFinite(value) ? value

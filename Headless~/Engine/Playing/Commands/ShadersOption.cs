@@ -18,7 +18,7 @@ namespace Host.Commands
         public static void Use(string name) => ShaderBackend.Current = ShaderBackend.All.FirstOrDefault(backend => backend.Name == name)
             ?? throw new HostException($"--shaders {name}: there are {string.Join(" and ", ShaderBackend.All.Select(backend => backend.Name))}.");
 
-        /// <summary>What the option led to; nothing for the default.</summary>
+        /// <summary>Prints what the option led to; nothing for the default.</summary>
         public static void Report(TextWriter output)
         {
             if (ShaderBackend.Current == ShaderBackend.Glslang)

@@ -53,7 +53,7 @@ namespace Host.Commands
             var written = new Option<bool>("--output") { Description = "Also print what tests wrote that passed: their figures." };
             var jobs = new Option<int?>("--jobs")
             {
-                Description = $"Processes that share the fixtures, 1 to {TestJobs.Max}. By default one per core, at most " +
+                Description = $"Processes that divide the fixtures, 1 to {TestJobs.Max}. By default one per core, at most " +
                     $"{TestJobs.MaxDefault}, where the device is lavapipe, which leaves cores idle; 1 on a real GPU. "
                     + "With 1 they run in this process.",
             };
@@ -224,7 +224,7 @@ namespace Host.Commands
             return workers.Facts;
         }
 
-        // What a worker has to be told to choose and run as this process would.
+        // Arguments with which a worker chooses and runs like this process.
         static List<string> Arguments(Choice choice)
         {
             var arguments = new List<string> { "--shaders", ShaderBackend.Current.Name, "--limits", Player.Limits.Name, "--culture",

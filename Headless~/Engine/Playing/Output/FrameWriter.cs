@@ -25,7 +25,7 @@ namespace Host.Output
 
         public IReadOnlyList<(string File, double Time)> Frames => frames;
 
-        /// <summary>As ffmpeg's image sequences are named.</summary>
+        /// <summary>Pattern for ffmpeg's image sequences.</summary>
         public string Pattern => Path.Combine(folder, "frame_%04d.png");
 
         /// <param name="encode">Makes the PNG's bytes; runs on another thread.</param>

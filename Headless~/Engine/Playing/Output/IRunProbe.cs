@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Host.Output
 {
-    /// <summary>What a run measures of a scene once a step: columns of statistics.csv, plots of them, and settings worth naming.</summary>
+    /// <summary>Measurements of a scene once a step: columns of statistics.csv, plots of them, and settings worth naming.</summary>
     interface IRunProbe
     {
         /// <summary>Names as in the CSV's first line, with the unit: "density_error_mean", "energy_J".</summary>

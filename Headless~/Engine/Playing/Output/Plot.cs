@@ -16,7 +16,7 @@ namespace Host.Output
         {
             int time = statistics.IndexOf(timeColumn) + 1;
             string csv = Path.Combine(folder, "statistics.csv");
-            // On a logarithmic axis a zero has no place; gnuplot leaves such points out but refuses an axis without any.
+            // A logarithmic axis has no zero; gnuplot leaves such points out but refuses an axis without any.
             string[] drawn = Columns.Where(column => statistics.Known(column).Any(value => !Logarithmic || value > 0)).ToArray();
 
             var script = new StringBuilder();

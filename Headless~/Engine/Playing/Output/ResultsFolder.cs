@@ -3,7 +3,7 @@ using System.IO;
 namespace Host.Output
 {
     /// <summary>
-    /// Where results go that were given no folder: below out~ in the current one. That may be a package's root or a project's Assets,
+    /// Folder of results without a given folder: below out~ in the current one. That may be a package's root or a project's Assets,
     /// and only names that end in ~ are hidden from Unity.
     /// </summary>
     static class ResultsFolder

@@ -6,7 +6,7 @@ using System.Text;
 
 namespace Host.Output
 {
-    /// <summary>What ffmpeg makes of the frames: a film and a contact sheet.</summary>
+    /// <summary>Output of ffmpeg for the frames: a film and a contact sheet.</summary>
     static class Video
     {
         public static void Encode(string framePattern, double framesPerSecond, string target) => Tool.Ffmpeg.Run(new[]

@@ -20,7 +20,7 @@ namespace Host
         }
 
         /// <param name="scene">Null: the first of the build settings, or the only one.</param>
-        /// <exception cref="HostException">The folder is no project.</exception>
+        /// <exception cref="HostException">The folder is not a project.</exception>
         public static ForeignProject Open(string folder, string scene, bool strict, TextWriter output)
         {
             string root = Path.GetFullPath(folder);
@@ -43,7 +43,7 @@ namespace Host
             return new ForeignProject(located, scripts);
         }
 
-        /// <summary>What the run has shown of the host's limits.</summary>
+        /// <summary>Prints what the run has shown of the host's limits.</summary>
         /// <returns>1 when a component of the scene was missing, else 0.</returns>
         public int Summarize(Session session, TextWriter output)
         {

@@ -44,7 +44,7 @@ namespace Host
             };
         }
 
-        /// <summary>As if the sample had been imported by the Package Manager's button; null when there is none.</summary>
+        /// <summary>Locates a scene as if the sample had been imported by the Package Manager's button; null without one.</summary>
         static LocatedScene InSample(string project, string scene)
         {
             List<MountedFolder> mounts = ProjectFolders.Of(project);

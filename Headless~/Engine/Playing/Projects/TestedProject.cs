@@ -22,7 +22,7 @@ namespace Host
         /// <summary>With a test each, at least.</summary>
         public List<Assembly> Tests { get; private init; }
 
-        /// <exception cref="HostException">The folder is no project, it has no tests, or its scripts do not compile.</exception>
+        /// <exception cref="HostException">The folder is not a project, it has no tests, or its scripts do not compile.</exception>
         public static TestedProject Open(string folder, bool strict, TextWriter output)
         {
             string root = Path.GetFullPath(folder);
@@ -51,7 +51,7 @@ namespace Host
             return new TestedProject { Root = root, Mounts = mounts, Scripts = scripts, Tests = tests };
         }
 
-        // What the host lacks must not take the whole project away, but a test that is left out must not look as if it had passed.
+        // Members that the host lacks must not remove the whole project, but a test that is left out must not look as if it had passed.
         static void RefuseErrors(ProjectScripts scripts)
         {
             var errors = new List<string>();

@@ -54,7 +54,7 @@ namespace Host.Testing
             return test;
         }
 
-        /// <summary>The same in each process: fixtures of a source that read alike are told apart by where they are listed.</summary>
+        /// <summary>Name that is equal in each process: fixtures of a source that read alike are told apart by where they are listed.</summary>
         public static string NameOf(ITest fixture) => names.GetValue(fixture, MakeName);
 
         // Made before fixtures are sorted.

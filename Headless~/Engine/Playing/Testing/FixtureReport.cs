@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Host.Testing
 {
-    /// <summary>What came of a fixture, and of the set-ups around it since the one before. It goes from a worker to its parent as JSON.</summary>
+    /// <summary>Results of a fixture, and of the set-ups around it since the one before. It goes from a worker to its parent as JSON.</summary>
     sealed class FixtureReport
     {
         public string Assembly { get; set; }

@@ -21,7 +21,7 @@ namespace Host.Testing
             if (files.Length == 0)
                 throw new HostException($"no test assembly found near {AppContext.BaseDirectory}; build them, or run through Headless~/rill.");
 
-            // What a test assembly needs beyond the host's own assemblies lies beside it.
+            // Dependencies of a test assembly beyond the host's own assemblies lie beside it.
             AssemblyLoadContext.Default.Resolving += (context, name) => files
                 .Select(file => Path.Combine(Path.GetDirectoryName(file), name.Name + ".dll"))
                 .Where(File.Exists).Select(context.LoadFromAssemblyPath).FirstOrDefault();

@@ -4,7 +4,7 @@ using Host.Shaders;
 
 namespace Host.Testing
 {
-    /// <summary>What a process knows when its tests are done. It goes from a worker to its parent as JSON.</summary>
+    /// <summary>Facts that a process knows when its tests are done. It goes from a worker to its parent as JSON.</summary>
     sealed class TestFacts
     {
         public string Device { get; set; }

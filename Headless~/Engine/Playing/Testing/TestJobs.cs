@@ -13,8 +13,8 @@ using System.Threading.Tasks;
 namespace Host.Testing
 {
     /// <summary>
-    /// Shares fixtures among worker processes: a worker that is free asks for the next. One that dies takes the fixture that it ran with it, which
-    /// counts as failed, and another goes on with the rest.
+    /// Distributes fixtures among worker processes: a worker that is free asks for the next. One that dies takes the fixture that it ran with it,
+    /// which counts as failed, and another goes on with the rest.
     /// </summary>
     sealed class TestJobs : IDisposable
     {
@@ -51,13 +51,13 @@ namespace Host.Testing
                 signals.Add(PosixSignalRegistration.Create(signal, _ => Stop()));
         }
 
-        /// <summary>What the workers knew that came to their end.</summary>
+        /// <summary>Facts of the workers that came to their end.</summary>
         public List<TestFacts> Facts { get; } = new();
 
         /// <summary>Faults that belong to no fixture.</summary>
         public List<string> Complaints { get; } = new();
 
-        /// <summary>As many processes as suit this machine: lavapipe leaves cores idle between dispatches, a GPU is shared at a loss.</summary>
+        /// <summary>Number of processes that suits this machine: lavapipe leaves cores idle between dispatches, a GPU is shared at a loss.</summary>
         public static int Default(bool isSoftware) => isSoftware ? Math.Min(Environment.ProcessorCount, MaxDefault) : 1;
 
         /// <param name="alone">Of the fixtures that run alone, instead of the others.</param>

@@ -108,7 +108,7 @@ namespace Host.Testing
 
         public void TestFinished(ITestResult result)
         {
-            // Where a set-up around them failed, tests of all fixtures end without a start.
+            // If a set-up around them failed, tests of all fixtures end without a start.
             if (claimed != null && FixtureOrder.FixtureOf(result.Test) is ITest fixture && !claimed.IsHere(fixture))
                 return;
             if (!result.Test.IsSuite)

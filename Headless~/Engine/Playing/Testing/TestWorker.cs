@@ -60,7 +60,7 @@ namespace Host.Testing
             }
             catch (IOException)
             {
-                // As at the end of the stream.
+                // Ends as at the end of the stream.
             }
             // The parent is gone, and no one waits for the rest of a fixture.
             if (!isDone)

@@ -22,7 +22,7 @@ namespace Host.Testing
             => !test.IsSuite && (texts.Length == 0 || texts.Any(text => test.FullName.Contains(text, StringComparison.OrdinalIgnoreCase)))
                 && !IsLeftOut(test);
 
-        // What is marked Explicit runs where a text names it, not where only categories are left out.
+        // Tests marked Explicit run if a text names them, not if only categories are left out.
         public override bool IsExplicitMatch(ITest test) => texts.Length > 0 && base.IsExplicitMatch(test);
 
         bool IsLeftOut(ITest test) => test != null && (leftOut.Any(category => test.Properties[PropertyNames.Category].Contains(category))

@@ -10,7 +10,7 @@ namespace Host.Scripts.Assemblies
     /// <summary>A package (or "Unity" itself) whose version sets a define.</summary>
     internal sealed record VersionDefine(string Resource, string Expression, string Define);
 
-    /// <summary>What an .asmdef file says.</summary>
+    /// <summary>Content of an .asmdef file.</summary>
     internal sealed class AssemblyDefinition
     {
         static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true,

@@ -29,7 +29,7 @@ namespace Host.Scripts.Assemblies
         public readonly List<ScriptAssembly> Assemblies = new List<ScriptAssembly>();
         /// <summary>Managed plugins of the project, referred to or not.</summary>
         public readonly List<AssetEntry> Plugins = new List<AssetEntry>();
-        /// <summary>What was passed over and why: references that lead nowhere, assemblies of other platforms.</summary>
+        /// <summary>Skipped parts and the reasons: references that lead nowhere, assemblies of other platforms.</summary>
         public readonly List<string> Notes = new List<string>();
         /// <summary>Scripts that belong to no assembly of a player, with the reason.</summary>
         public readonly Dictionary<string, string> NotForPlayers = new Dictionary<string, string>();
@@ -191,7 +191,7 @@ namespace Host.Scripts.Assemblies
             return assembly;
         }
 
-        // As Unity has it: by the constraint alone, not by one with alternatives.
+        // Decides like Unity: by the constraint alone, not by one with alternatives.
         static bool HoldsTests(AssemblyDefinition definition)
             => definition.IsTest || definition.DefineConstraints.Contains(Defines.IncludeTests);
 

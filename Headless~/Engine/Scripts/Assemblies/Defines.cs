@@ -12,7 +12,7 @@ namespace Host.Scripts.Assemblies
     /// </summary>
     internal static class Defines
     {
-        /// <summary>As .asmdef files call the platform.</summary>
+        /// <summary>Name of the platform in .asmdef files.</summary>
         public const string Platform = "WindowsStandalone64";
         public const string EditorPlatform = "Editor";
         public const string UnityVersion = "2022.3.0";
@@ -28,7 +28,7 @@ namespace Host.Scripts.Assemblies
         static readonly Dictionary<int, int> LastMinor = new Dictionary<int,
             int> { [2017] = 4, [2018] = 4, [2019] = 4, [2020] = 3, [2021] = 3, [2022] = 3 };
 
-        // Where tests run: the Editor on Windows, which sets IncludeTests for all assemblies.
+        // Tests run in the Editor on Windows, which sets IncludeTests for all assemblies.
         public const string IncludeTests = "UNITY_INCLUDE_TESTS";
         const string DevelopmentBuild = "DEVELOPMENT_BUILD";
         static readonly string[] Editor = { "UNITY_EDITOR", "UNITY_EDITOR_64", "UNITY_EDITOR_WIN" };

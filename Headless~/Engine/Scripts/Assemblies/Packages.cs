@@ -64,7 +64,7 @@ namespace Host.Scripts.Assemblies
                 if (mount.AssetPath.Substring("Packages/".Length) is var name && wanted.TryGetValue(name, out var asked)
                     && !asked.StartsWith("file:", StringComparison.Ordinal))
                     Notes.Add($"the package {name} is taken from {mount.Folder}: of {asked}, which Packages/manifest.json asks for, " +
-                        $"there is no copy here");
+                        $"this machine has no copy");
             foreach (var package in wanted.Where(p => !here.Contains(p.Key)))
             {
                 if (!package.Value.StartsWith("file:", StringComparison.Ordinal)) versions.TryAdd(package.Key, package.Value);

@@ -16,7 +16,7 @@ namespace Host.Scripts.Assemblies
         public readonly List<AssetEntry> Plugins = new List<AssetEntry>();
         public readonly List<string> Defines = new List<string>();
         public bool AllowUnsafe, NoEngineReferences;
-        /// <summary>Of the tests that the project runs; of the editor alone.</summary>
+        /// <summary>Set for the tests that the project runs; for the editor alone.</summary>
         public bool HoldsTests, IsEditorOnly;
 
         public override string ToString() => Name;

@@ -4,7 +4,7 @@ using System.Reflection;
 
 namespace Host.Scripts.Assemblies
 {
-    /// <summary>What scripts are compiled against beside the player's assemblies where a project's tests run, as in the Editor's Test
+    /// <summary>Assemblies that scripts are compiled against beside the player's where a project's tests run, as in the Editor's Test
     /// Runner.</summary>
     internal sealed class TestAssemblies
     {

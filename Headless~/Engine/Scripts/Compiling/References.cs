@@ -6,7 +6,7 @@ using Microsoft.CodeAnalysis;
 
 namespace Host.Scripts.Compiling
 {
-    /// <summary>What scripts are compiled against: .NET Standard 2.1 as Unity has it, and the host's own assemblies.</summary>
+    /// <summary>References that scripts are compiled against: .NET Standard 2.1 as Unity has it, and the host's own assemblies.</summary>
     internal static class References
     {
         const string Prefix = "netstandard2.1/";

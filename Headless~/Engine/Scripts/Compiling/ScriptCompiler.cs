@@ -112,7 +112,7 @@ namespace Host.Scripts.Compiling
         static List<LeftOutFile> LeaveOut(ref CSharpCompilation compilation)
         {
             var leftOut = new List<LeftOutFile>();
-            // What the left-out files declared: others that need it are left out because of them, and should say so.
+            // Declarations of the left-out files: others that need them are left out because of them, and should report it.
             var gone = new Dictionary<string, string>();
             while (true)
             {

@@ -20,7 +20,7 @@ namespace Host.Scripts.Stubs
     internal sealed class StubAssembly
     {
         public const string Name = "UnityEngine.Stubs", UserInterface = "UnityEngine.UI";
-        /// <summary>What every script sees that does without no engine.</summary>
+        /// <summary>Assemblies that every script of the engine sees.</summary>
         public static readonly string[] Engine = { "UnityEngine", "UnityEngine.PhysicsModule" };
 
         const string Version = "2022.3", Revision = "1";
@@ -29,7 +29,7 @@ namespace Host.Scripts.Stubs
         /// <summary>UnityEngine.Stubs.dll, and UnityEngine.UI.dll for projects with com.unity.ugui.</summary>
         public readonly string File, UserInterfaceFile;
         public readonly int Types, Members, Dropped;
-        /// <summary>What the compiler refused that Sources/fixes.txt does not know of yet.</summary>
+        /// <summary>Code that the compiler refused and Sources/fixes.txt does not list yet.</summary>
         public readonly IReadOnlyList<string> Refused;
 
         StubAssembly(string folder)
@@ -60,7 +60,7 @@ namespace Host.Scripts.Stubs
             var sources = new StubSources(UnityApiLists.Load().In(Version), host);
             Fixes.Apply(sources, References.Source("fixes.txt").Split('\n'));
             var maker = new StubCompilation(sources, host);
-            // What the compiler refused when this was written is known; a host with other types may bring up more.
+            // The compiler's refusals at the time of writing are known; a host with other types may bring up more.
             var file = Path.Combine(folder, Name + ".dll");
             if (!TryEmit(maker.Compilation, file, out _))
             {

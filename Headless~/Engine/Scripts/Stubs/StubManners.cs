@@ -22,7 +22,7 @@ namespace Host.Scripts.Stubs
             // Sound
             "AudioSource", "AudioClip", "AudioReverbZone", "AudioReverbFilter", "AudioLowPassFilter", "AudioHighPassFilter", "AudioEchoFilter",
             "AudioDistortionFilter", "AudioChorusFilter", "Audio.AudioMixer", "Audio.AudioMixerGroup", "Audio.AudioMixerSnapshot",
-            // What is drawn by parts of Unity that the host does not have
+            // Renderers of parts of Unity that the host does not have
             "ParticleSystem", "ParticleSystemRenderer", "ParticleSystemForceField", "TrailRenderer", "LineRenderer", "BillboardRenderer",
                 "SpriteRenderer",
             "SpriteMask", "TextMesh", "Font", "LensFlare", "FlareLayer", "Flare", "Projector", "Halo", "Skybox", "ReflectionProbe", "LightProbeGroup",

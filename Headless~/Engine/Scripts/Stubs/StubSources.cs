@@ -11,7 +11,7 @@ namespace Host.Scripts.Stubs
     /// <summary>The types that Unity's lists have and the host's assemblies lack, outermost ones with those within.</summary>
     internal sealed class StubSources
     {
-        // Of a player. What is an editor's, a test's or a package's with sources of its own, is none of it.
+        // Stubs of a player: nothing of the editor's, a test's or a package's with sources of its own.
         static readonly string[] Left = { "UnityEditor.", "Unity.Mathematics.", "UnityEngine.TestTools.", "UnityEditorInternal.", "Unity.Burst." };
 
         public readonly List<StubType> Types = new List<StubType>();

@@ -37,7 +37,7 @@ namespace Host.Scripts.Stubs
 
         /// <summary>After the last dot that is not within type parameters.</summary>
         public static string LastPart(string fullName) => fullName.Substring(OuterLength(fullName) + 1);
-        /// <summary>Where the last dot outside of type parameters is; -1 when there is none.</summary>
+        /// <summary>Index of the last dot outside of type parameters; -1 without one.</summary>
         public static int OuterLength(string fullName)
         {
             var depth = 0;

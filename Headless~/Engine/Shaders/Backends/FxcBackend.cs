@@ -7,7 +7,7 @@ namespace Host.Shaders
 {
     /// <summary>
     /// By Microsoft's FXC, whose bytecode is what Unity runs on Direct3D 11, and vkd3d, which makes it a program for Vulkan.
-    /// What vkd3d cannot translate has to stand in a list; that alone is compiled by glslang.
+    /// Programs that vkd3d cannot translate must be in a list; those alone are compiled by glslang.
     /// </summary>
     sealed class FxcBackend : IShaderBackend
     {

@@ -6,7 +6,7 @@ namespace Host.Shaders
     /// <summary>By glslang's HLSL front end.</summary>
     sealed class GlslangBackend : IShaderBackend
     {
-        // What FXC knows and glslang (12.0) does not, or gets wrong.
+        // Features of FXC that glslang (12.0) lacks, or gets wrong.
         static readonly SourceSegment Dialect = new SourceSegment
         {
             DisplayPath = "(dialect)",

@@ -40,7 +40,7 @@ namespace Host.Shaders
                 return asBytecode.Where(p => p.Value == null).Select(p => p.Key).ToList();
         }
 
-        /// <summary>What the backends have been used for, to be added to another process's.</summary>
+        /// <summary>Uses of the backends, to be added to another process's.</summary>
         public static (Dictionary<string, string> Programs, Dictionary<string, string> Exempt) Tallies()
         {
             lock (asBytecode)
@@ -59,7 +59,7 @@ namespace Host.Shaders
                 Exempt(test.Key, test.Value);
         }
 
-        /// <summary>What ran as FXC's bytecode, and what did not and why.</summary>
+        /// <summary>Reports what ran as FXC's bytecode, and what did not and why.</summary>
         public static IEnumerable<string> Report()
         {
             yield return $"{Bytecode().Count} programs ran as FXC's bytecode, through vkd3d";

@@ -5,7 +5,7 @@ namespace Host.Shaders
     /// <summary>A program whose bytecode vkd3d (1.2) refuses. One that it does translate, or refuses for another reason, is a fault.</summary>
     sealed class Untranslatable
     {
-        /// <summary>As messages name it: "Shaders/Gpu/PrefixSum.compute", or the include that names the entry point.</summary>
+        /// <summary>File as messages name it: "Shaders/Gpu/PrefixSum.compute", or the include that names the entry point.</summary>
         public readonly string File;
         public readonly string EntryPoint;
         /// <summary>In vkd3d's words.</summary>

@@ -1,4 +1,4 @@
-// Of the headless host: copies one slice of an array, or the first part of it.
+// Headless host: copies one slice of an array, or the first part of it.
 Shader "Hidden/Headless/BlitCopyArray"
 {
     SubShader

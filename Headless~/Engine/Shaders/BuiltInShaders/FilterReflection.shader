@@ -1,4 +1,4 @@
-// Of the headless host: one face and mip of a reflection, what a surface of one roughness sees of a sky in its mirror direction
+// Headless host: one face and mip of a reflection, what a surface of one roughness sees of a sky in its mirror direction
 // (the GGX lobe with normal and view along it).
 Shader "Hidden/Headless/FilterReflection"
 {

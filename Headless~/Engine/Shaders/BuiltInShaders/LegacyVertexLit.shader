@@ -1,4 +1,4 @@
-// Of the headless host: a stand-in, by the same name and properties, for the shader that comes with the editor.
+// Headless host: a stand-in, by the same name and properties, for the shader that comes with the editor.
 Shader "Legacy Shaders/VertexLit"
 {
     Properties

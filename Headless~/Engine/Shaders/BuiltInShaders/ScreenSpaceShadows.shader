@@ -1,4 +1,4 @@
-// Of the headless host, by the name of the shader that comes with the editor: the main light's shadow at each pixel, out of
+// Headless host: by the name of the shader that comes with the editor: the main light's shadow at each pixel, out of
 // the camera's depth and one shadow map.
 Shader "Hidden/Internal-ScreenSpaceShadows"
 {

@@ -1,4 +1,4 @@
-// Of the headless host alone: the two slices of an array beside each other.
+// Headless host only: the two slices of an array beside each other.
 Shader "Hidden/Headless/SideBySide"
 {
     SubShader

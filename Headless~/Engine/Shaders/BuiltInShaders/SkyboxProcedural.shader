@@ -1,4 +1,4 @@
-// Of the headless host: a stand-in, by the same name and properties, for the shader that comes with the editor.
+// Headless host: a stand-in, by the same name and properties, for the shader that comes with the editor.
 // Light that air scatters once: blue overhead, white towards the horizon, where the path through it is long, and red where the sun is
 // low; a disk and a glow for the sun; the ground's color below.
 Shader "Skybox/Procedural"

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Host.Shaders
 {
-    /// <summary>What a sync instruction of shader model 5 does.</summary>
+    /// <summary>Effects of a sync instruction of shader model 5.</summary>
     [Flags]
     enum SyncFlags
     {

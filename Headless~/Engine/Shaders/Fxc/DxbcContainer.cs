@@ -6,7 +6,7 @@ using System.Text;
 
 namespace Host.Shaders
 {
-    /// <summary>What FXC emits: named chunks behind a header of "DXBC", a checksum of 16 bytes, version 1, the total size and the chunks'
+    /// <summary>Output of FXC: named chunks after a header of "DXBC", a checksum of 16 bytes, version 1, the total size and the chunks'
     /// offsets. Little-endian.</summary>
     sealed class DxbcContainer
     {

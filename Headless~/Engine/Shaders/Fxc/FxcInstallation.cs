@@ -21,7 +21,7 @@ namespace Host.Shaders
         static readonly string[] WineNames = { "wine64", "wine" };
         static readonly TimeSpan MaxWait = TimeSpan.FromMinutes(10);
 
-        /// <summary>Where programs are looked for when no folders are named.</summary>
+        /// <summary>Folders in which programs are searched when none are named.</summary>
         public static IReadOnlyList<string> ToolFolders
             => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0).Append(WineFolder)
             .ToList();

@@ -19,17 +19,17 @@ namespace Host.Shaders
         public string Name;
         /// <summary>
         /// Preprocessed here: since 2022.1 Unity always runs its own preprocessor first (EditorSettings.cachingShaderPreprocessor
-        /// says so), so FXC sees no #include, macro or pragma of Unity's there either.
+        /// reports it), so FXC sees no #include, macro or pragma of Unity's there either.
         /// </summary>
         public PreprocessedSource Source;
         public string EntryPoint;
-        /// <summary>Where the entry point is named, for messages that have no line.</summary>
+        /// <summary>Line that names the entry point, for messages without a line.</summary>
         public SourceLine EntryLine;
         /// <summary>cs_5_0, vs_5_0, ps_4_0 ...</summary>
         public string Profile;
         public FxcFlags Flags;
 
-        /// <summary>As Unity would ask. Fast: only preprocesses.</summary>
+        /// <summary>Creates the request that Unity would make. Fast: only preprocesses.</summary>
         /// <exception cref="ShaderCompileException"/>
         public static FxcRequest Of(CompileRequest request, IncludeResolver resolver)
             => Of(request, Preprocessor.Run(request.Segments, request.Defines, resolver, SourceReader.Fxc));

@@ -18,7 +18,7 @@ namespace Host.Shaders
             => $"{Where.File}({Where.Line}): {(IsError ? "error" : "warning")}{(Number.Length > 0 ? " " + Number : "")}: {Text}";
     }
 
-    /// <summary>What FXC made of a request.</summary>
+    /// <summary>Result of FXC for a request.</summary>
     sealed class FxcResult
     {
         /// <summary>Null when it failed.</summary>

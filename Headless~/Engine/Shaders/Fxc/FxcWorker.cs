@@ -9,7 +9,7 @@ namespace Host.Shaders
     /// <summary>One run of fxc-worker.exe over many requests.</summary>
     sealed class FxcWorker
     {
-        /// <summary>As FXC gave it, to be kept in the cache.</summary>
+        /// <summary>Answer as FXC gave it, to be kept in the cache.</summary>
         public sealed class Answer
         {
             public int Outcome;     // HRESULT

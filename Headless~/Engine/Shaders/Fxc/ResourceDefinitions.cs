@@ -48,7 +48,7 @@ namespace Host.Shaders
         public ShaderVariableClass Class;
         public ShaderVariableType Type;
         public int Rows, Columns;
-        /// <summary>0 when it is no array.</summary>
+        /// <summary>0 if it is not an array.</summary>
         public int Elements;
         public DefinedVariable[] Members = Array.Empty<DefinedVariable>();
     }
@@ -63,7 +63,7 @@ namespace Host.Shaders
         /// <summary>Members of structs: always.</summary>
         public bool IsUsed;
         public DefinedType Type;
-        /// <summary>What the source sets it to; null when it does not.</summary>
+        /// <summary>Value that the source sets it to; null when it does not.</summary>
         public byte[] Default;
     }
 

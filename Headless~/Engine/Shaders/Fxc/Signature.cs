@@ -14,7 +14,7 @@ namespace Host.Shaders
         public int Register;
         /// <summary>x 1, y 2, z 4, w 8.</summary>
         public int Mask;
-        /// <summary>Of inputs: the components that the program reads.</summary>
+        /// <summary>Components of inputs that the program reads.</summary>
         public int ReadMask;
     }
 

@@ -4,7 +4,7 @@ using System.Linq;
 namespace Host.Shaders
 {
     /// <summary>
-    /// What FXC takes over from Direct3D 9 and glslang (12.0) does not, or not fully: samplers that carry their texture, and
+    /// Syntax of Direct3D 9 that FXC accepts and glslang (12.0) does not, or not fully: samplers that carry their texture, and
     /// assignments to several elements of a matrix. Works on preprocessed text and keeps its lines.
     /// </summary>
     static class LegacySyntax

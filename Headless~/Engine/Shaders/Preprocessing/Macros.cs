@@ -67,7 +67,7 @@ namespace Host.Shaders
                     hidden = HiddenMacros.Add(token.Hidden, macro.Name);
                 else
                 {
-                    arguments = TakeArguments(input, macro, out Token close);
+                    arguments = ReadArguments(input, macro, out Token close);
                     if (arguments == null)
                     {
                         output.Add(token);
@@ -98,7 +98,7 @@ namespace Host.Shaders
         }
 
         // Null, and nothing taken, when no parenthesis follows: then the name is an ordinary identifier.
-        static List<List<Token>> TakeArguments(List<Token> input, Macro macro, out Token close)
+        static List<List<Token>> ReadArguments(List<Token> input, Macro macro, out Token close)
         {
             close = null;
             int open = input.Count - 1;

@@ -15,7 +15,7 @@ namespace Host.Shaders
         static readonly string[] Assignments = { "=", "+=", "-=", "*=", "/=" };
         static readonly Regex Element = new Regex(@"_m?\d\d");
 
-        /// <summary>Where they are read.</summary>
+        /// <summary>Expands swizzles that are read.</summary>
         public static List<Token> Expand(List<Token> tokens)
         {
             for (int i = 0; i < tokens.Count; i++)
@@ -49,7 +49,7 @@ namespace Host.Shaders
             return tokens;
         }
 
-        /// <summary>Where they are assigned to: "M._11_21 = v;" becomes a block that assigns one by one. In whole texts.</summary>
+        /// <summary>Expands swizzles that are assigned to: "M._11_21 = v;" becomes a block that assigns one by one. In whole texts.</summary>
         /// <exception cref="LegacySyntaxException">It is a part of a larger expression.</exception>
         public static bool ExpandAssignments(List<Token> tokens)
         {
@@ -86,7 +86,7 @@ namespace Host.Shaders
             return any;
         }
 
-        // Where the expression that ends at that token begins: names, members, indices and calls.
+        // Returns where the expression that ends at that token begins: names, members, indices and calls.
         static int Begin(List<Token> tokens, int last)
         {
             int at = last;

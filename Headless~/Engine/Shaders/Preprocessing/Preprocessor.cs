@@ -31,7 +31,7 @@ namespace Host.Shaders
     sealed class PreprocessedSource
     {
         public string Text;
-        /// <summary>Where each line of the text came from.</summary>
+        /// <summary>Source of each line of the text.</summary>
         public List<SourceLine> Lines = new List<SourceLine>();
         /// <summary>#pragma lines of the root and of files included with #include_with_pragmas.</summary>
         public List<PragmaLine> Pragmas = new List<PragmaLine>();

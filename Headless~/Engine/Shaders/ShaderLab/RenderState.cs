@@ -55,7 +55,7 @@ namespace Host.Shaders
 
         public RenderState Copy() => (RenderState)MemberwiseClone();
 
-        /// <summary>What the options alpha and decal of a surface shader ask for.</summary>
+        /// <summary>State for the options alpha and decal of a surface shader.</summary>
         public RenderState With(SurfaceBlend mode)
         {
             RenderState state = Copy();
@@ -69,7 +69,7 @@ namespace Host.Shaders
             return state;
         }
 
-        /// <summary>Of the pass that casts the shadow of a surface shader: depth alone.</summary>
+        /// <summary>State of the pass that casts the shadow of a surface shader: depth alone.</summary>
         public RenderState ForCaster()
         {
             RenderState state = Copy();
@@ -81,34 +81,34 @@ namespace Host.Shaders
         /// <summary>Reads one command when the reader stands at one. Adds to the notes what this host leaves out.</summary>
         public bool TryRead(ShaderLabReader reader, List<string> notes)
         {
-            if (reader.TakeWord("Cull"))
+            if (reader.TryReadWord("Cull"))
                 cull = Choice(reader, CullModes);
-            else if (reader.TakeWord("ZWrite"))
+            else if (reader.TryReadWord("ZWrite"))
                 zWrite = Choice(reader, Switch);
-            else if (reader.TakeWord("ZTest"))
-                zTest = reader.TakeWord("Off") ? new StateValue(8) : Choice(reader, Compares);
-            else if (reader.TakeWord("Offset"))
+            else if (reader.TryReadWord("ZTest"))
+                zTest = reader.TryReadWord("Off") ? new StateValue(8) : Choice(reader, Compares);
+            else if (reader.TryReadWord("Offset"))
             {
                 offsetFactor = Number(reader);
                 reader.Expect(',');
                 offsetUnits = Number(reader);
             }
-            else if (reader.TakeWord("ColorMask"))
+            else if (reader.TryReadWord("ColorMask"))
                 ReadColorMask(reader, notes);
-            else if (reader.TakeWord("BlendOp"))
+            else if (reader.TryReadWord("BlendOp"))
                 ReadBlendOp(reader, notes);
-            else if (reader.TakeWord("Blend"))
+            else if (reader.TryReadWord("Blend"))
                 ReadBlend(reader, notes);
-            else if (reader.TakeWord("Stencil"))
+            else if (reader.TryReadWord("Stencil"))
             {
                 stencil = StencilState.Read(reader, Choice, Number, notes);
             }
-            else if (reader.TakeWord("Fog"))
+            else if (reader.TryReadWord("Fog"))
                 reader.SkipBraces();    // of the fixed-function pipeline, without meaning beside a program
             else if (reader.IsWord("AlphaToMask") || reader.IsWord("ZClip") || reader.IsWord("Conservative") || reader.IsWord("Lighting"))
             {
-                string command = reader.ExpectWord("a command");
-                string value = reader.IsSymbol('[') ? reader.TakeBrackets() : reader.ExpectWord("On or Off");
+                string command = reader.ReadWord("a command");
+                string value = reader.IsSymbol('[') ? reader.ReadBrackets() : reader.ReadWord("On or Off");
                 bool usual = command.Equals("ZClip", StringComparison.OrdinalIgnoreCase)
                     ? value.Equals("True", StringComparison.OrdinalIgnoreCase) : value.Equals("Off", StringComparison.OrdinalIgnoreCase)
                     || value.Equals("False", StringComparison.OrdinalIgnoreCase);
@@ -123,7 +123,7 @@ namespace Host.Shaders
         static StateValue Choice(ShaderLabReader reader, string[] names)
         {
             if (reader.IsSymbol('['))
-                return new StateValue(0, reader.TakeBrackets());
+                return new StateValue(0, reader.ReadBrackets());
             int index = reader.Kind == LabTokenKind.Word ? Array.FindIndex(names, n => reader.IsWord(n)) : -1;
             if (index < 0 && ReferenceEquals(names, Switch))
                 index = reader.IsWord("True") ? 1 : reader.IsWord("False") ? 0 : -1;
@@ -133,15 +133,15 @@ namespace Host.Shaders
             return new StateValue(index);
         }
 
-        static StateValue Number(ShaderLabReader reader) => reader.IsSymbol('[') ? new StateValue(0, reader.TakeBrackets())
-            : new StateValue(reader.ExpectNumber());
+        static StateValue Number(ShaderLabReader reader) => reader.IsSymbol('[') ? new StateValue(0, reader.ReadBrackets())
+            : new StateValue(reader.ReadNumber());
 
-        // A leading number names one render target; only all of them share state here.
+        // A leading number names one render target; here all of them have one state.
         static bool TakesOtherTarget(ShaderLabReader reader, List<string> notes)
         {
             if (reader.Kind != LabTokenKind.Number)
                 return false;
-            int target = (int)reader.ExpectNumber();
+            int target = (int)reader.ReadNumber();
             if (target > 0)
                 notes.Add($"line {reader.Line}: state of render target {target} alone is left out");
             return target > 0;
@@ -150,13 +150,13 @@ namespace Host.Shaders
         void ReadBlend(ShaderLabReader reader, List<string> notes)
         {
             bool other = TakesOtherTarget(reader, notes);
-            if (reader.TakeWord("Off"))
+            if (reader.TryReadWord("Off"))
             {
                 blend = blend && other;
                 return;
             }
             StateValue source = Choice(reader, Factors), target = Choice(reader, Factors), sourceAlpha = source, targetAlpha = target;
-            if (reader.TakeSymbol(','))
+            if (reader.TryReadSymbol(','))
             {
                 sourceAlpha = Choice(reader, Factors);
                 targetAlpha = Choice(reader, Factors);
@@ -171,7 +171,7 @@ namespace Host.Shaders
         {
             bool other = TakesOtherTarget(reader, notes);
             StateValue color = Choice(reader, Operations);
-            StateValue alpha = reader.TakeSymbol(',') ? Choice(reader, Operations) : color;
+            StateValue alpha = reader.TryReadSymbol(',') ? Choice(reader, Operations) : color;
             if (!other)
                 (colorOp, alphaOp) = (color, alpha);
         }
@@ -180,17 +180,17 @@ namespace Host.Shaders
         {
             StateValue mask;
             if (reader.IsSymbol('['))
-                mask = new StateValue(0, reader.TakeBrackets());
+                mask = new StateValue(0, reader.ReadBrackets());
             else if (reader.Kind == LabTokenKind.Number)
-                mask = new StateValue(reader.ExpectNumber());
+                mask = new StateValue(reader.ReadNumber());
             else
             {
                 int bits = 0;
-                foreach (char channel in reader.ExpectWord("channels such as RGB").ToUpperInvariant())
+                foreach (char channel in reader.ReadWord("channels such as RGB").ToUpperInvariant())
                 {
                     int bit = "ABGR".IndexOf(channel);
                     if (bit < 0)
-                        throw reader.Error($"'{channel}' is no channel; ColorMask takes R, G, B, A or 0");
+                        throw reader.Error($"'{channel}' is not a channel; ColorMask takes R, G, B, A or 0");
                     bits |= 1 << bit;
                 }
                 mask = new StateValue(bits);
@@ -199,7 +199,7 @@ namespace Host.Shaders
                 colorMask = mask;
         }
 
-        /// <summary>As the device takes it: compares for a reversed depth buffer, an offset that pushes away from the viewer.</summary>
+        /// <summary>Converts to the device's state: compares for a reversed depth buffer, an offset that pushes away from the viewer.</summary>
         public DeviceRasterState Resolve(Func<string, float> properties)
         {
             int compare = zTest.ResolveInt(properties);

@@ -35,7 +35,7 @@ namespace Host.Shaders
                 parsed.Notes.Add("no SubShader is for the pipeline and packages of this project");
         }
 
-        // Of the pipeline that is stood in for the version is known; that of other packages is not asked for.
+        // The version of the pipeline with a stand-in is known; that of other packages is not needed.
         static bool HasPackage(IncludeResolver resolver, string package, string versions)
             => resolver?.Invoke($"Packages/{package}/package.json") != null
             && (package != Player.PipelinePackage || VersionRange.Contains(versions, Player.PipelineVersion));
@@ -74,7 +74,7 @@ namespace Host.Shaders
             int offset = 0;
             if (!Queues.TryGetValue(name, out int queue) || sign >= 0
                 && !int.TryParse(compact.Substring(sign), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out offset))
-                throw new ShaderCompileException(Path, 1, $"'{text}' is no render queue");
+                throw new ShaderCompileException(Path, 1, $"'{text}' is not a render queue");
             return queue + offset;
         }
     }
@@ -239,7 +239,7 @@ namespace Host.Shaders
             };
         }
 
-        // What it looks like depends on the variant: the Input may have members under #if.
+        // Its text depends on the variant: the Input may have members under #if.
         SourceSegment Generated(List<KeyValuePair<string, string>> defines, SourceLine pragma)
         {
             string own = compiler.Preprocess(segments, defines);

@@ -33,7 +33,7 @@ namespace Host.Shaders
         public List<ParsedSubShader> SubShaders = new List<ParsedSubShader>();
         /// <summary>The shader named by Fallback; empty for none and for Off.</summary>
         public string Fallback = "";
-        /// <summary>What the file asks for and the host leaves out.</summary>
+        /// <summary>Requests of the file that the host leaves out.</summary>
         public List<string> Notes = new List<string>();
     }
 
@@ -60,7 +60,7 @@ namespace Host.Shaders
             return parser.shader;
         }
 
-        /// <summary>What a Category, SubShader or Pass takes over from what surrounds it.</summary>
+        /// <summary>Inherited state of a Category, SubShader or Pass.</summary>
         sealed class Scope
         {
             public RenderState State = new RenderState();
@@ -78,9 +78,9 @@ namespace Host.Shaders
 
         void ReadShader()
         {
-            if (!reader.TakeWord("Shader"))
+            if (!reader.TryReadWord("Shader"))
                 throw reader.Unexpected("Shader");
-            shader.Name = reader.ExpectText();
+            shader.Name = reader.ReadText();
             reader.Expect('{');
             ReadShaderBody(new Scope());
             if (reader.Kind != LabTokenKind.End)
@@ -89,48 +89,48 @@ namespace Host.Shaders
 
         void ReadShaderBody(Scope scope)
         {
-            while (!reader.TakeSymbol('}'))
+            while (!reader.TryReadSymbol('}'))
             {
-                if (reader.TakeWord("Properties"))
+                if (reader.TryReadWord("Properties"))
                     ReadProperties();
-                else if (reader.TakeWord("SubShader"))
+                else if (reader.TryReadWord("SubShader"))
                     ReadSubShader(scope.Inner());
-                else if (reader.TakeWord("Category"))
+                else if (reader.TryReadWord("Category"))
                 {
                     reader.Expect('{');
                     ReadShaderBody(scope.Inner());
                 }
-                else if (reader.TakeWord("Fallback"))
+                else if (reader.TryReadWord("Fallback"))
                 {
-                    shader.Fallback = reader.TakeWord("Off") ? "" : reader.ExpectText();
+                    shader.Fallback = reader.TryReadWord("Off") ? "" : reader.ReadText();
                 }
-                else if (reader.TakeWord("CustomEditor"))
-                    reader.ExpectText();
-                else if (reader.TakeWord("CustomEditorForRenderPipeline"))
+                else if (reader.TryReadWord("CustomEditor"))
+                    reader.ReadText();
+                else if (reader.TryReadWord("CustomEditorForRenderPipeline"))
                 {
-                    reader.ExpectText();
-                    reader.ExpectText();
+                    reader.ReadText();
+                    reader.ReadText();
                 }
-                else if (reader.TakeWord("Dependency"))
+                else if (reader.TryReadWord("Dependency"))
                 {
-                    reader.ExpectText();
+                    reader.ReadText();
                     reader.Expect('=');
-                    reader.ExpectText();
+                    reader.ReadText();
                 }
                 else if (!TryReadCommon(scope))
                     throw reader.Unexpected("Properties, SubShader or '}'");
             }
         }
 
-        // What may stand in a shader, a SubShader and a pass alike.
+        // Reads what may stand in a shader, a SubShader and a pass alike.
         bool TryReadCommon(Scope scope)
         {
             if (reader.TryTakeCode("INCLUDE", out CodeBlock include))
                 scope.Includes.Add(include);
-            else if (reader.TakeWord("Tags"))
+            else if (reader.TryReadWord("Tags"))
                 ReadPairs('=', scope.Tags);
-            else if (reader.TakeWord("LOD"))
-                reader.ExpectNumber();
+            else if (reader.TryReadWord("LOD"))
+                reader.ReadNumber();
             else
                 return scope.State.TryRead(reader, shader.Notes);
             return true;
@@ -139,12 +139,12 @@ namespace Host.Shaders
         void ReadPairs(char between, Dictionary<string, string> pairs)
         {
             reader.Expect('{');
-            while (!reader.TakeSymbol('}'))
+            while (!reader.TryReadSymbol('}'))
             {
-                string key = reader.ExpectText();
+                string key = reader.ReadText();
                 string value = "";
-                if (reader.TakeSymbol(between))
-                    value = reader.ExpectText();
+                if (reader.TryReadSymbol(between))
+                    value = reader.ReadText();
                 else if (between == '=')
                     throw reader.Unexpected("'='");
                 pairs[key] = value;
@@ -153,7 +153,7 @@ namespace Host.Shaders
 
         bool TryReadRequirements(Scope scope)
         {
-            if (!reader.TakeWord("PackageRequirements"))
+            if (!reader.TryReadWord("PackageRequirements"))
                 return false;
             var packages = new Dictionary<string, string>();
             ReadPairs(':', packages);
@@ -167,13 +167,13 @@ namespace Host.Shaders
             var subShader = new ParsedSubShader();
             int notes = shader.Notes.Count;
             reader.Expect('{');
-            while (!reader.TakeSymbol('}'))
+            while (!reader.TryReadSymbol('}'))
             {
-                if (reader.TakeWord("Pass"))
+                if (reader.TryReadWord("Pass"))
                     ReadPass(subShader, scope);
-                else if (reader.TakeWord("UsePass"))
-                    shader.Notes.Add($"line {reader.Line}: UsePass \"{reader.ExpectText()}\" is left out");
-                else if (reader.TakeWord("GrabPass"))
+                else if (reader.TryReadWord("UsePass"))
+                    shader.Notes.Add($"line {reader.Line}: UsePass \"{reader.ReadText()}\" is left out");
+                else if (reader.TryReadWord("GrabPass"))
                 {
                     shader.Notes.Add($"line {reader.Line}: GrabPass is left out");
                     reader.SkipBraces();
@@ -206,10 +206,10 @@ namespace Host.Shaders
             scope.Tags.Clear();     // the SubShader's tags may still follow; they are joined later
             CodeBlock program = null;
             reader.Expect('{');
-            while (!reader.TakeSymbol('}'))
+            while (!reader.TryReadSymbol('}'))
             {
-                if (reader.TakeWord("Name"))
-                    pass.Name = reader.ExpectText();
+                if (reader.TryReadWord("Name"))
+                    pass.Name = reader.ReadText();
                 else if (reader.TryTakeCode("PROGRAM", out CodeBlock code))
                     program = code;
                 else if (reader.IsWord("SetTexture") || reader.IsWord("Material") || reader.IsWord("GLSLPROGRAM"))
@@ -234,10 +234,10 @@ namespace Host.Shaders
         void ReadProperties()
         {
             reader.Expect('{');
-            while (!reader.TakeSymbol('}'))
+            while (!reader.TryReadSymbol('}'))
             {
                 while (reader.IsSymbol('['))
-                    reader.TakeBrackets();      // HDR, Toggle ... concern the inspector
+                    reader.ReadBrackets();      // HDR, Toggle ... concern the inspector
                 if (!reader.IsSymbol('}'))
                     shader.Properties.Add(ReadProperty());
             }
@@ -245,11 +245,11 @@ namespace Host.Shaders
 
         ShaderProperty ReadProperty()
         {
-            var property = new ShaderProperty { Name = reader.ExpectWord("a property's name") };
+            var property = new ShaderProperty { Name = reader.ReadWord("a property's name") };
             reader.Expect('(');
-            property.Description = reader.ExpectText();
+            property.Description = reader.ReadText();
             reader.Expect(',');
-            string type = reader.ExpectWord("a property's type");
+            string type = reader.ReadWord("a property's type");
             switch (type.ToLowerInvariant())
             {
                 case "float": property.Kind = ShaderPropertyKind.Float; break;
@@ -266,13 +266,13 @@ namespace Host.Shaders
                 case "range":
                     property.Kind = ShaderPropertyKind.Range;
                     reader.Expect('(');
-                    reader.ExpectNumber();
+                    reader.ReadNumber();
                     reader.Expect(',');
-                    reader.ExpectNumber();
+                    reader.ReadNumber();
                     reader.Expect(')');
                     break;
                 default:
-                    throw reader.Error($"'{type}' is no type of a property");
+                    throw reader.Error($"'{type}' is not a type of a property");
             }
             reader.Expect(')');
             reader.Expect('=');
@@ -284,7 +284,7 @@ namespace Host.Shaders
         {
             if (property.Kind >= ShaderPropertyKind.Texture2D)
             {
-                property.DefaultTexture = reader.ExpectText();
+                property.DefaultTexture = reader.ReadText();
                 if (reader.IsSymbol('{'))
                     reader.SkipBraces();
             }
@@ -293,8 +293,8 @@ namespace Host.Shaders
                 var values = new List<float>();
                 reader.Expect('(');
                 do
-                    values.Add(reader.ExpectNumber());
-                while (reader.TakeSymbol(','));
+                    values.Add(reader.ReadNumber());
+                while (reader.TryReadSymbol(','));
                 reader.Expect(')');
                 if (values.Count < 3 || values.Count > 4)
                     throw reader.Error($"'{property.Name}' has {values.Count} components; a {property.Kind} takes 4");
@@ -303,7 +303,7 @@ namespace Host.Shaders
                 property.Default = values.ToArray();
             }
             else
-                property.Default = new[] { reader.ExpectNumber() };
+                property.Default = new[] { reader.ReadNumber() };
         }
     }
 }

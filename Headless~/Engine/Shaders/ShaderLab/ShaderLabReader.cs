@@ -41,7 +41,7 @@ namespace Host.Shaders
         public bool IsWord(string word) => Kind == LabTokenKind.Word && string.Equals(Value, word, StringComparison.OrdinalIgnoreCase);
         public bool IsSymbol(char symbol) => Kind == LabTokenKind.Symbol && Value[0] == symbol;
 
-        public bool TakeWord(string word)
+        public bool TryReadWord(string word)
         {
             if (!IsWord(word))
                 return false;
@@ -49,7 +49,7 @@ namespace Host.Shaders
             return true;
         }
 
-        public bool TakeSymbol(char symbol)
+        public bool TryReadSymbol(char symbol)
         {
             if (!IsSymbol(symbol))
                 return false;
@@ -59,12 +59,12 @@ namespace Host.Shaders
 
         public void Expect(char symbol)
         {
-            if (!TakeSymbol(symbol))
+            if (!TryReadSymbol(symbol))
                 throw Unexpected($"'{symbol}'");
         }
 
-        public string ExpectText() => Expect(LabTokenKind.Text, "a \"string\"");
-        public string ExpectWord(string what) => Expect(LabTokenKind.Word, what);
+        public string ReadText() => Expect(LabTokenKind.Text, "a \"string\"");
+        public string ReadWord(string what) => Expect(LabTokenKind.Word, what);
 
         string Expect(LabTokenKind kind, string what)
         {
@@ -75,7 +75,7 @@ namespace Host.Shaders
             return value;
         }
 
-        public float ExpectNumber()
+        public float ReadNumber()
         {
             string value = Expect(LabTokenKind.Number, "a number");
             if (!float.TryParse(value.TrimEnd('f', 'F'), NumberStyles.Float, CultureInfo.InvariantCulture, out float number))
@@ -159,7 +159,7 @@ namespace Host.Shaders
         }
 
         /// <summary>With an opening bracket as the present token: the text up to the closing one, e.g. of [Header(Surface, again)].</summary>
-        public string TakeBrackets()
+        public string ReadBrackets()
         {
             if (!IsSymbol('['))
                 throw Unexpected("'['");

@@ -25,10 +25,10 @@ namespace Host.Shaders
         {
             var state = new StencilState();
             reader.Expect('{');
-            while (!reader.TakeSymbol('}'))
+            while (!reader.TryReadSymbol('}'))
             {
                 int line = reader.Line;
-                string command = reader.ExpectWord("a command of Stencil");
+                string command = reader.ReadWord("a command of Stencil");
                 switch (command.ToLowerInvariant())
                 {
                     case "ref": state.reference = number(reader); break;
@@ -46,7 +46,7 @@ namespace Host.Shaders
                         choice(reader, Operations);
                         notes.Add($"line {line}: {command} is left out; back faces take the state of front faces");
                         break;
-                    default: throw reader.Error($"'{command}' is no command of Stencil");
+                    default: throw reader.Error($"'{command}' is not a command of Stencil");
                 }
             }
             return state;

@@ -16,7 +16,7 @@ namespace Host.Shaders
             if (char.IsDigit(expression[0])) return Compare(version, expression) >= 0;
             char first = expression[0], last = expression[expression.Length - 1];
             if (first != '[' && first != '(' || last != ']' && last != ')' || expression.Length < 3)
-                throw new FormatException($"'{expression}' is no range of versions, as 1.2.0 or [1.2.0,2.0.0) are");
+                throw new FormatException($"'{expression}' is not a range of versions, as 1.2.0 or [1.2.0,2.0.0) are");
             var ends = expression.Substring(1, expression.Length - 2).Split(',');
             if (ends.Length == 1) return Compare(version, ends[0]) == 0;
             if (ends[0].Length > 0 && Compare(version, ends[0]) is var low && (low < 0 || low == 0 && first == '(')) return false;
@@ -43,7 +43,7 @@ namespace Host.Shaders
                 // "0f1" of a Unity version counts by its leading number.
                 var digits = new string(parts[i].TakeWhile(char.IsDigit).ToArray());
                 if (!int.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out numbers[i]))
-                    throw new FormatException($"'{version}' is no version");
+                    throw new FormatException($"'{version}' is not a version");
             }
             return numbers;
         }

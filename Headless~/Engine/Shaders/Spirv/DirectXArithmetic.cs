@@ -5,7 +5,7 @@ using System.Linq;
 namespace Host.Shaders
 {
     /// <summary>
-    /// Where Vulkan leaves a result open and Direct3D does not (Direct3D 11.3 functional specification, 22.10 to 22.13):
+    /// Adds Direct3D's results where Vulkan leaves them open (Direct3D 11.3 functional specification, 22.10 to 22.13):
     /// a shift takes the low five bits of its amount; integers divided by zero give all ones; a float that an integer cannot
     /// hold becomes the nearest one that it can, and NaN becomes 0; the minimum and maximum with a NaN are the other number.
     /// </summary>

@@ -169,7 +169,7 @@ namespace Host.Shaders
             return startsRegister || straddles ? RoundUp(offset, Register) : offset;
         }
 
-        // Of the largest scalar inside.
+        // Alignment of the largest scalar inside.
         int Alignment(Instruction type)
         {
             switch (type.Op)

@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 
 namespace Host.Shaders
 {
-    /// <summary>Where glslang's HLSL front end (12.0) differs from Direct3D, or Vulkan does.</summary>
+    /// <summary>Fixes for differences of glslang's HLSL front end (12.0), or of Vulkan, from Direct3D.</summary>
     sealed partial class ProgramBuilder
     {
         // ByteAddressBuffer.GetDimensions gives bytes; glslang gives the length of its array of uints.
@@ -30,7 +30,7 @@ namespace Host.Shaders
 
         Dictionary<uint, uint> localTypes;
 
-        // Of a value or pointer.
+        // Type of a value or pointer.
         uint TypeOf(uint id)
         {
             if (types.Has(id))
@@ -38,7 +38,7 @@ namespace Host.Shaders
             if (localTypes == null)
             {
                 localTypes = new Dictionary<uint, uint>();
-                // What has a result is defined before any use, so that the operands of what has none come too late.
+                // Instructions with a result are defined before any use, so the operands of those without come too late.
                 foreach (Instruction i in code.Where(i => i.Words.Length > 1))
                     localTypes.TryAdd(i[1], i[0]);
             }

@@ -20,7 +20,7 @@ namespace Host.Shaders
         public ShaderProgram Program;
         /// <summary>Vertex programs only.</summary>
         public Varying[] Outputs = Array.Empty<Varying>();
-        /// <summary>Where FXC's bytecode was asked for and could not be had: why; otherwise null.</summary>
+        /// <summary>Reason why requested bytecode of FXC was not available; otherwise null.</summary>
         public string WhyGlslang;
     }
 
@@ -217,7 +217,7 @@ namespace Host.Shaders
             };
         }
 
-        // Of the runtime array in a structured buffer's block; 0 for a hidden counter's.
+        // Stride of the runtime array in a structured buffer's block; 0 for a hidden counter's.
         uint StrideOf(Instruction block) => types.Decorated(block[1], Decoration.ArrayStride)?[2] ?? 0;
 
         ShaderResource DescribeConstants(string name, Instruction block)

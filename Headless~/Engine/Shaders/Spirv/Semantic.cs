@@ -21,7 +21,7 @@ namespace Host.Shaders
         }
 
         public string Full => Name + Index;
-        /// <summary>As one writes it: POSITION, NORMAL, COLOR, but TEXCOORD0.</summary>
+        /// <summary>Usual spelling: POSITION, NORMAL, COLOR, but TEXCOORD0.</summary>
         public string Short => Index == 0 && Name != "TEXCOORD" ? Name : Full;
     }
 }

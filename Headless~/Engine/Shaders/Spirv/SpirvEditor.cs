@@ -17,7 +17,7 @@ namespace Host.Shaders
         public SpirvEditor(SpirvModule module)
         {
             this.module = module;
-            // What has a result is defined before its uses, so that the operands of what has none come too late.
+            // Instructions with a result are defined before their uses, so the operands of those without come too late.
             foreach (Instruction i in module.Instructions.SkipWhile(i => !IsType(i)))
                 if (IsType(i))
                     definitions[i[0]] = i;
@@ -31,7 +31,7 @@ namespace Host.Shaders
         public Instruction Definition(uint id) => definitions[id];
         public Instruction TypeOf(uint value) => definitions[definitions[value][0]];
 
-        /// <summary>Of a vector the type of its components, of a scalar itself.</summary>
+        /// <summary>Type of a vector's components, or of a scalar itself.</summary>
         public Instruction Scalar(Instruction type) => type.Op == Op.TypeVector ? definitions[type[1]] : type;
 
         /// <summary>The type with these operands after its id.</summary>

@@ -5,7 +5,7 @@ using UnityEngine.Headless;
 
 namespace Host.Shaders
 {
-    /// <summary>How a surface shader mixes with what is behind it.</summary>
+    /// <summary>How a surface shader mixes with the background.</summary>
     enum SurfaceBlend { Opaque, Fade, Premultiplied, DecalAdd, DecalBlend }
 
     /// <summary>"#pragma surface function model options" (manual, "Writing Surface Shaders").</summary>
@@ -24,7 +24,7 @@ namespace Host.Shaders
         public readonly SurfaceBlend Blend;
         public readonly bool NoAmbient, KeepAlpha, NoInstancing, AddShadow, NoShadow;
 
-        /// <summary>Of the main light; what is transparent receives none.</summary>
+        /// <summary>Whether it receives shadows of the main light; transparent surfaces do not.</summary>
         public bool ReceivesShadows => !NoShadow && Blend == SurfaceBlend.Opaque;
 
         /// <exception cref="ShaderCompileException"/>
@@ -51,7 +51,7 @@ namespace Host.Shaders
                     case "alpha":
                         bool auto = value == "" || value == "auto";
                         if (!auto && value != "blend" && value != "fade" && value != "premul")
-                            throw Fault(pragma, $"'{option}' is no option of a surface shader");
+                            throw Fault(pragma, $"'{option}' is not an option of a surface shader");
                         Blend = value == "premul" || auto && Model.StartsWith("Standard", StringComparison.Ordinal)
                             ? SurfaceBlend.Premultiplied : SurfaceBlend.Fade;
                         break;

@@ -21,7 +21,7 @@ namespace Host.Shaders
 
         public bool Mentions(string word) => tokens.Any(t => t.Text == word);
 
-        /// <summary>Null when there is no such struct.</summary>
+        /// <summary>Returns a struct; null if it does not exist.</summary>
         public List<SourceField> Struct(string name)
         {
             for (int i = 0; i + 2 < tokens.Count; i++)

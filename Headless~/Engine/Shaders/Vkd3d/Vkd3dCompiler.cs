@@ -36,7 +36,7 @@ namespace Host.Shaders
             }
         }
 
-        // What it remarks on (in version 1.2) where nothing is wrong.
+        // Remarks (in version 1.2) on code without a fault.
         static readonly Regex[] Harmless =
         {
             // The type that shader model 5 repeats in each load.

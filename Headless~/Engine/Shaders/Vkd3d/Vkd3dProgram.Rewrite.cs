@@ -6,7 +6,7 @@ using System.Text;
 
 namespace Host.Shaders
 {
-    /// <summary>Where vkd3d (1.2) differs from what this host binds, or from Direct3D.</summary>
+    /// <summary>Fixes for differences of vkd3d (1.2) from what this host binds, or from Direct3D.</summary>
     sealed partial class Vkd3dProgram
     {
         const uint DeviceScope = 1, WorkgroupScope = 2;
@@ -160,7 +160,7 @@ namespace Host.Shaders
                 : new Instruction(Op.MemoryBarrier, scope, semantics);
         }
 
-        // What a barrier orders has to be visible to the others, which Vulkan promises for coherent memory alone.
+        // Accesses that a barrier orders must be visible to the others, which Vulkan promises for coherent memory alone.
         void MakeCoherent()
         {
             foreach (BoundResource bound in definitions.Resources.Where(r => RegisterOf(r).StartsWith('u')))

@@ -103,7 +103,7 @@ namespace Host.Shaders
         {
             Match match = RegisterName.Match(variable);
             if (!match.Success)
-                throw new ProgramException($"vkd3d calls a resource '{variable}', which is no register.");
+                throw new ProgramException($"vkd3d calls a resource '{variable}', which is not a register.");
             return match.Groups[1].Value + match.Groups[2].Value + match.Groups[3].Value + match.Groups[4].Value + match.Groups[5].Value;
         }
 

@@ -64,7 +64,7 @@ namespace Reloaded
     {
         int ofBase;
         protected void FillBase() => ofBase = 8;
-        protected string TellBase() => $"ofBase: {ofBase}";
+        protected string DescribeBase() => $"ofBase: {ofBase}";
     }
 
     public class Values : ValuesBase
@@ -78,7 +78,8 @@ namespace Reloaded
             [NonSerialized] string initial = "initial";
 
             public static Nested Filled() => new Nested { text = "filled", skipped = 3, initial = "changed" };
-            public override string ToString() => $"{(text == null ? "null" : text.Length == 0 ? "''" : text)} {skipped} [{string.Join(" ", none ?? new[] { -1 })}] {initial}";
+            public override string ToString() => $"{(text == null ? "null" : text.Length == 0 ? "''" : text)} {skipped} " +
+                $"[{string.Join(" ", none ?? new[] { -1 })}] {initial}";
         }
 
         [Serializable]
@@ -166,7 +167,7 @@ namespace Reloaded
                 $"skippedProperty: {SkippedProperty}", $"constant: {string.Join(" ", constant)}", $"dictionary: {Shown(dictionary)}",
                 $"callback: {Shown(callback)}", $"listeners: {heard}", $"unmarked: {Shown(unmarked)}", $"unmarkedStruct: {unmarkedStruct.value}",
                 $"table: {Shown(table)}", $"maybe: {Shown(maybe)}", $"any: {Shown(any)}", $"owner: {(owner.of == this ? "itself" : "another")}",
-                $"missing: {Shown(missing)}", TellBase(), $"managed: {(managed as Any)?.text}",
+                $"missing: {Shown(missing)}", DescribeBase(), $"managed: {(managed as Any)?.text}",
             };
         }
 
@@ -189,7 +190,7 @@ namespace Reloaded
 
     public static class Statics
     {
-        // Before what it uses, by name and by place.
+        // Before what it uses, by name and by position.
         static readonly List<int> shared = Used.list;
         static readonly List<int> numbers = new List<int> { 1 };
         static int count = 3;
@@ -205,7 +206,8 @@ namespace Reloaded
             Used.list = new List<int> { 5 };
         }
 
-        public static string Tell() => $"{count}, {string.Join(" ", numbers)}, {text}, {Used.list.Count} of {(shared == Used.list ? "one" : "other")} list, {Property}";
+        public static string Tell() => $"{count}, {string.Join(" ", numbers)}, {text}, {Used.list.Count} of " +
+            $"{(shared == Used.list ? "one" : "other")} list, {Property}";
 
         static class Used
         {
@@ -241,7 +243,7 @@ namespace Reloaded
             throws = true;
         }
 
-        public static void HearReadback(AsyncGPUReadbackRequest request) => Story.Tell("heard a read-back");
+        public static void OnReadback(AsyncGPUReadbackRequest request) => Story.Tell("heard a read-back");
 
         void OnDisable()
         {

@@ -1,6 +1,6 @@
 namespace UnityEngine.Headless
 {
-    /// <summary>Where a body is, how it moves, what acts on it in the coming step. Its object shows a place between the last two steps
+    /// <summary>Pose and motion of a body, and what acts on it in the coming step. Its object shows a pose between the last two steps
     /// where the body interpolates.</summary>
     internal struct BodyState
     {
@@ -34,7 +34,7 @@ namespace UnityEngine.Headless
             isTeleported = false;
         }
 
-        /// <summary>What moved the object other than its body moved the body.</summary>
+        /// <summary>Motions of the object by others than its body move the body.</summary>
         public void Follow(Transform transform)
         {
             if (!transform.position.Equals(shownPosition) || !transform.rotation.Equals(shownRotation))
@@ -81,7 +81,7 @@ namespace UnityEngine.Headless
             Remember(transform);
         }
 
-        // As it comes back from the hierarchy, rounded.
+        // Remembers the pose as it comes back from the hierarchy, rounded.
         void Remember(Transform transform)
         {
             shownPosition = transform.position;

@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What Instantiate gives to the copy of a component of the physics: the values that its own properties hold.</summary>
+    /// <summary>Properties that Instantiate gives to the copy of a component of the physics: the values that its own properties hold.</summary>
     internal static class CopiedProperties
     {
         public static void Into(Component source, Component copy)
@@ -15,7 +15,8 @@ namespace UnityEngine.Headless
         }
 
         static bool HoldsAField(PropertyInfo property)
-            => property.GetMethod?.IsDefined(typeof(System.Runtime.CompilerServices.CompilerGeneratedAttribute)) == true && property.SetMethod != null;
+            => property.GetMethod?.IsDefined(typeof(System.Runtime.CompilerServices.CompilerGeneratedAttribute)) == true
+                && property.SetMethod != null;
     }
 
     /// <summary>A component with values that are more than a property's own field.</summary>

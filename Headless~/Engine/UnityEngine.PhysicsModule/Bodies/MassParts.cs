@@ -58,7 +58,7 @@ namespace UnityEngine.Headless
             Volume += part.Volume;
         }
 
-        /// <summary>Of a mass of 1, m².</summary>
+        /// <summary>Tensor of a mass of 1, m².</summary>
         public static Vector3 BoxTensor(Vector3 size)
         {
             Vector3 squares = Vector3.Scale(size, size) * (1f / 12f);

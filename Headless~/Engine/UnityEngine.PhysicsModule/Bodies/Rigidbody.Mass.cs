@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 
 namespace UnityEngine
 {
-    // Where a body's mass is and how it turns: set by hand or found from its colliders, as Unity does.
+    // Mass, its center and the inertia of a body: set by hand or found from its colliders, as Unity does.
     public partial class Rigidbody : ICopiesMore
     {
         const float DefaultInertia = 1f;        // kg m², of a body without a shape, as Unity has it

@@ -3,7 +3,7 @@ using UnityEngine.Headless;
 
 namespace UnityEngine
 {
-    // What a body would meet, and pushes of explosions.
+    // Sweeps of a body, and pushes of explosions.
     public partial class Rigidbody
     {
         public bool SweepTest(Vector3 direction, out RaycastHit hitInfo) => SweepTest(direction, out hitInfo, Mathf.Infinity);

@@ -23,7 +23,7 @@ namespace UnityEngine
         {
             PhysicsWorld.Bodies.Remove(this);
             PhysicsWorld.ShapesVersion++;
-            PhysicsWorld.Forget(this);
+            PhysicsWorld.Remove(this);
         }
 
         internal override void OnCopied(Component source) => CopiedProperties.Into(source, this);

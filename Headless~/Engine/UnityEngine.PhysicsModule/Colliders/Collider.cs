@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 namespace UnityEngine
 {
     /// <summary>
-    /// As in Unity a query finds it where its object was at the last physics step, when it was enabled, or at the last
+    /// Like in Unity, a query finds it where its object was at the last physics step, when it was enabled, or at the last
     /// Physics.SyncTransforms.
     /// </summary>
     public class Collider : Component
@@ -140,17 +140,17 @@ namespace UnityEngine
             Scale = transform.lossyScale;
         }
 
-        /// <summary>Where it was synced last, for queries.</summary>
+        /// <summary>Pose at the last sync, for queries.</summary>
         internal BodyPose SyncedPose => PoseAt(Position, Rotation, Scale);
 
-        /// <summary>Where it is when its object is there.</summary>
+        /// <summary>Pose if its object is there.</summary>
         internal BodyPose PoseAt(Vector3 position, Quaternion rotation, Vector3 scale)
         {
             rotation = Turns ? rotation : Quaternion.identity;
             return new BodyPose(position + rotation * Vector3.Scale(IsScaled ? scale : Vector3.one, Center), rotation);
         }
 
-        /// <summary>Where it is now, in a frame above it without that frame's scale. Steps through the hierarchy, so that it stays the same
+        /// <summary>Current pose in a frame above it without that frame's scale. Steps through the hierarchy, so that it stays the same
         /// to the last digit while the frame moves.</summary>
         /// <param name="frame">Null for the world.</param>
         internal BodyPose PoseIn(Transform frame)

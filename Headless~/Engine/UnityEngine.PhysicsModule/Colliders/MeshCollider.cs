@@ -10,7 +10,7 @@ namespace UnityEngine
         [NonSerialized] MeshTriangles triangles;
         [NonSerialized] int version;
 
-        /// <summary>As in Unity a changed mesh counts when it is set again.</summary>
+        /// <summary>Mesh; like in Unity, a changed mesh counts when it is set again.</summary>
         public Mesh sharedMesh
         {
             get => m_Mesh;

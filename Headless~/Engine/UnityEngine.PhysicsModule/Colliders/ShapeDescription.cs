@@ -15,10 +15,10 @@ namespace UnityEngine.Headless
         /// <summary>m. Box: half sides. Sphere: x is the radius. Capsule: x is the radius, y from its center to that of a cap.</summary>
         public Vector3 Size;
 
-        /// <summary>Of a capsule: 0 along x, 1 along y, 2 along z.</summary>
+        /// <summary>Axis of a capsule: 0 along x, 1 along y, 2 along z.</summary>
         public int Axis;
 
-        /// <summary>Of a hull and of triangles: what they are of, in which state, and their scale.</summary>
+        /// <summary>Source of a hull and of triangles, its state, and their scale.</summary>
         public ITriangles Triangles;
         public int Version;
         public Vector3 Scale;

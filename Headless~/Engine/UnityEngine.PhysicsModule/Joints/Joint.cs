@@ -106,7 +106,7 @@ namespace UnityEngine
         /// <returns>Whether Bullet solves this kind of joint.</returns>
         private protected virtual bool Describe(JointAxis[] axes) => false;
 
-        /// <summary>What it is has changed: its axes are described again.</summary>
+        /// <summary>Marks the joint as changed: its axes are described again.</summary>
         private protected void Changed() => isChanged = true;
 
         /// <summary>It is made again at the next step.</summary>

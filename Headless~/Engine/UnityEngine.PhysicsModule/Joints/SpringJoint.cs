@@ -29,7 +29,8 @@ namespace UnityEngine
             Vector3 here = own.State.Pose.Of(new BodyPose(Vector3.Scale(anchor, transform.lossyScale), Quaternion.identity)).Position;
             Vector3 there = other != null ? other.State.Pose.Of(new BodyPose(Vector3.Scale(connectedAnchor, other.transform.lossyScale),
                 Quaternion.identity)).Position : connectedAnchor;
-            float distance = Vector3.Distance(here, there), error = distance - Mathf.Clamp(distance, minDistance, Mathf.Max(minDistance, maxDistance));
+            float distance = Vector3.Distance(here, there),
+                error = distance - Mathf.Clamp(distance, minDistance, Mathf.Max(minDistance, maxDistance));
             currentForce = Vector3.zero;
             if (distance < 1e-6f || Mathf.Abs(error) <= 0f)
                 return;
@@ -37,7 +38,8 @@ namespace UnityEngine
             float stiffness = time * (damper + time * spring);
             if (stiffness <= 0f)
                 return;
-            float softness = 1f / stiffness, speed = Vector3.Dot(along, own.GetPointVelocity(here) - (other != null ? other.GetPointVelocity(there) : Vector3.zero));
+            float softness = 1f / stiffness, speed = Vector3.Dot(along,
+                own.GetPointVelocity(here) - (other != null ? other.GetPointVelocity(there) : Vector3.zero));
             float inverse = Ease(own, here, along) + (other != null ? Ease(other, there, along) : 0f);
             float impulse = -(speed + error * time * spring * softness) / (inverse + softness);
             Push(own, here, along * impulse);

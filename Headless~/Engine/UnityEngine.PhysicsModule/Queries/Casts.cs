@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What rays and moved or standing shapes find in a physics scene. Nothing is allocated where nothing has to grow: each kind of
+    /// <summary>Hits of rays and of moved or standing shapes in a physics scene. Nothing is allocated where nothing has to grow: each kind of
     /// query fills one list, which holds until the next.</summary>
     internal static class Casts
     {
@@ -30,7 +30,7 @@ namespace UnityEngine.Headless
             return rays;
         }
 
-        /// <summary>Nearest first. What overlaps at the start is hit at distance 0, with the way back as its normal.</summary>
+        /// <summary>Nearest first. What overlaps at the start is hit at distance 0, with the reversed direction as its normal.</summary>
         public static List<RaycastHit> Sweeps(SceneData scene, in ShapeDescription shape, BodyPose from, Vector3 direction, float distance,
             int layerMask, QueryTriggerInteraction triggers)
         {

@@ -14,7 +14,7 @@ namespace UnityEngine
         /// <summary>Below it nothing bounces, m/s.</summary>
         public static float bounceThreshold { get; set; } = 2f;
 
-        /// <summary>What new bodies have, J/kg.</summary>
+        /// <summary>Threshold of new bodies, J/kg.</summary>
         public static float sleepThreshold { get; set; } = 0.005f;
 
         /// <summary>Transforms are taken over at steps and by SyncTransforms alone.</summary>
@@ -59,7 +59,7 @@ namespace UnityEngine
         public static void IgnoreCollision(Collider collider1, Collider collider2, bool ignore)
             => CollisionLayers.Ignore(collider1, collider2, ignore);
 
-        /// <summary>Of convex shapes; false with a mesh that is not convex.</summary>
+        /// <summary>Computes for convex shapes; false with a mesh that is not convex.</summary>
         public static bool ComputePenetration(Collider colliderA, Vector3 positionA, Quaternion rotationA, Collider colliderB, Vector3 positionB,
             Quaternion rotationB, out Vector3 direction, out float distance)
         {

@@ -46,7 +46,7 @@ namespace UnityEngine
         /// <summary>Bodies of the default scene are shown between steps by the player's loop; here this does nothing.</summary>
         public void InterpolateBodies() { }
 
-        /// <summary>As <see cref="InterpolateBodies"/>.</summary>
+        /// <summary>Works like <see cref="InterpolateBodies"/>.</summary>
         public void ResetInterpolationPoses() { }
 
         // ---- overlaps: how many of the results are of the call; what does not fit is left out
@@ -134,7 +134,7 @@ namespace UnityEngine
             QueryTriggerInteraction triggers)
             => Casts.Sweeps(scene, shape, from, direction, distance, layerMask, triggers);
 
-        // As in Unity the first hit leaves out what overlaps at the start.
+        // Like in Unity, the first hit leaves out what overlaps at the start.
         bool FirstSwept(in ShapeDescription shape, BodyPose from, Vector3 direction, float distance, int layerMask,
             QueryTriggerInteraction triggers, out RaycastHit hit)
         {

@@ -48,7 +48,7 @@ namespace UnityEngine.Headless
 
         public void Delete() => Bullet.ActorDelete(world.Handle, Handle);
 
-        /// <summary>Where it is, how it moves and what it is, before a step or a query.</summary>
+        /// <summary>Gives pose, motion and properties, before a step or a query.</summary>
         public void Give()
         {
             BodyPose now = Center;
@@ -76,7 +76,7 @@ namespace UnityEngine.Headless
             Bullet.BodySet(world.Handle, Handle, before);
         }
 
-        /// <summary>What contacts and joints made of it. A body that nothing touched goes on to the last digit as a free one.</summary>
+        /// <summary>Takes the result of contacts and joints. A body that nothing touched goes on to the last digit as a free one.</summary>
         public void Take()
         {
             if (Rigidbody.isKinematic)
@@ -103,7 +103,8 @@ namespace UnityEngine.Headless
                 return state.IsTouched || state.Velocity != Vector3.zero || state.AngularVelocity != Vector3.zero ? BodyActivity.Awake
                     : BodyActivity.Asleep;
             // Bullet may have woken since what it had put to sleep.
-            return state.Sleeps ? isAsleep ? BodyActivity.Unchanged : BodyActivity.Asleep : state.IsTouched ? BodyActivity.Awake : BodyActivity.Unchanged;
+            return state.Sleeps ? isAsleep ? BodyActivity.Unchanged : BodyActivity.Asleep : state.IsTouched ? BodyActivity.Awake
+            : BodyActivity.Unchanged;
         }
 
         Vector3 Free(RigidbodyConstraints first)

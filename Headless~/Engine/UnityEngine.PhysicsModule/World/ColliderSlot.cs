@@ -28,7 +28,7 @@ namespace UnityEngine.Headless
             World = world;
         }
 
-        /// <summary>Takes over what changed: shape, body, place, material.</summary>
+        /// <summary>Takes over what changed: shape, body, pose, material.</summary>
         /// <param name="body">That it belongs to; null for none.</param>
         public void Sync(Rigidbody body)
         {
@@ -50,7 +50,7 @@ namespace UnityEngine.Headless
         public void Leave()
         {
             Detach();
-            World.Events.Forget(Collider);
+            World.Events.Remove(Collider);
             Bullet.ColliderRemove(World.Handle, Collider.Id);
             World.Slots.Remove(Collider.Id);
             Collider.Slot = null;

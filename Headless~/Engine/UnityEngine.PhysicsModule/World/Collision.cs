@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine
 {
-    /// <summary>What a script hears of a contact: of the other collider, seen from its own.</summary>
+    /// <summary>Contact as a script gets it: the other collider, seen from its own.</summary>
     public class Collision
     {
         readonly ContactPoint[] points;

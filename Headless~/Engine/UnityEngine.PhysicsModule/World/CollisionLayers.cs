@@ -10,7 +10,7 @@ namespace UnityEngine.Headless
 
         static CollisionLayers() => Reset();
 
-        /// <summary>Of each layer those that it meets.</summary>
+        /// <summary>Masks of the layers that each layer meets.</summary>
         public static uint[] Masks => masks;
 
         public static IEnumerable<(int A, int B)> Ignored => ignored;

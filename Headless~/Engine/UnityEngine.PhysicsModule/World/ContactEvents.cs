@@ -22,7 +22,7 @@ namespace UnityEngine.Headless
         public ContactEvents(ContactWorld world) => this.world = world;
 
         /// <summary>A collider is gone: as in Unity nothing is told of the contacts that it had.</summary>
-        public void Forget(Collider collider)
+        public void Remove(Collider collider)
         {
             foreach ((int, int) ids in order)
                 if (ids.Item1 == collider.Id || ids.Item2 == collider.Id)

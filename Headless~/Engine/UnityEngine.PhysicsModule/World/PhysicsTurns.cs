@@ -18,7 +18,7 @@ namespace UnityEngine.Headless
         public override void BeginUpdate()
         {
             if (PhysicsWorld.Stepped == PhysicsStepping.FixedUpdate)
-                PhysicsWorld.Show(Time.Clock.StepShare);
+                PhysicsWorld.Show(Time.Clock.StepFraction);
             else if (PhysicsWorld.Stepped == PhysicsStepping.Update && Time.deltaTime > 0f)
                 PhysicsWorld.Step(null, Time.deltaTime);
         }

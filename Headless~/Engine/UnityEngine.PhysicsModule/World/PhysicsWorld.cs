@@ -104,7 +104,7 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>A body is gone: its colliders stand alone from the next step on.</summary>
-        public static void Forget(Rigidbody body)
+        public static void Remove(Rigidbody body)
         {
             foreach (ContactWorld contacts in contactWorlds.Values)
                 contacts.Remove(body);

@@ -22,7 +22,7 @@ namespace UnityEngine.TestTools.Constraints
 
         ConstraintResult Measure(Action code)
         {
-            // What the first call makes the runtime compile is not the code's allocation.
+            // Compilation in the first call is not the code's allocation.
             code();
             long before = NativeWork.ScriptBytes;
             code();

@@ -77,7 +77,7 @@ namespace UnityEngine.Headless
             }
         }
 
-        /// <summary>As <see cref="Check"/>, and every expectation must have been met.</summary>
+        /// <summary>Works like <see cref="Check"/>, and every expectation must have been met.</summary>
         public void CheckAtEnd()
         {
             Check();

@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>A test method as NUnit sees it, played the way Unity does: coroutines over frames, the log watched, [UnitySetUp] around it.</summary>
+    /// <summary>A test method as NUnit sees it, played like in Unity: coroutines over frames, the log watched, [UnitySetUp] around it.</summary>
     internal sealed class PlayedMethod : IMethodInfo
     {
         readonly IMethodInfo method;

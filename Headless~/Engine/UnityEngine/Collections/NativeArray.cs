@@ -10,7 +10,7 @@ namespace Unity.Collections
     public enum Allocator { Invalid = 0, None = 1, Temp = 2, TempJob = 3, Persistent = 4, AudioKernel = 5, FirstUserIndex = 64 }
     public enum NativeArrayOptions { UninitializedMemory = 0, ClearMemory = 1 }
 
-    /// <summary>Copies of the struct share one memory; disposing of any invalidates all, and their use throws.</summary>
+    /// <summary>Copies of the struct refer to one memory; disposing of any invalidates all, and their use throws.</summary>
     public unsafe struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<NativeArray<T>> where T : struct
     {
         internal void* m_Buffer;

@@ -101,7 +101,7 @@ namespace Unity.Collections.LowLevel.Unsafe
 
         static ref T Ref<T>(void* ptr) => ref MemoryMarshal.GetReference(new Span<T>(ptr, 1));
 
-        /// <summary>Of something that does not move: a local, a field of one, unmanaged memory.</summary>
+        /// <summary>Address of something that does not move: a local, a field of one, unmanaged memory.</summary>
         public static void* AddressOf<T>(ref T output) where T : struct
         {
             fixed (byte* address = MemoryMarshal.AsBytes(MemoryMarshal.CreateSpan(ref output, 1)))

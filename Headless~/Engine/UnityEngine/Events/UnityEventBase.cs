@@ -22,7 +22,7 @@ namespace UnityEngine.Events
         public UnityEventCallState GetPersistentListenerState(int index) => m_PersistentCalls.m_Calls[index].m_CallState;
         public void SetPersistentListenerState(int index, UnityEventCallState state) => m_PersistentCalls.m_Calls[index].m_CallState = state;
 
-        /// <summary>Of listeners that scripts added; stored ones stay.</summary>
+        /// <summary>Removes listeners that scripts added; stored ones stay.</summary>
         public void RemoveAllListeners() => added.Clear();
 
         public override string ToString() => base.ToString() + " " + GetType().FullName;
@@ -45,7 +45,7 @@ namespace UnityEngine.Events
         internal void Add(Delegate call) => added.Add(call ?? throw new ArgumentNullException("action"));
         internal void Remove(Delegate call) => added.RemoveAll(c => c.Equals(call));
 
-        /// <summary>As in Unity, a listener that throws keeps the later ones from being called.</summary>
+        /// <summary>Like in Unity, a listener that throws keeps the later ones from being called.</summary>
         internal void Call(Type[] types, params object[] arguments)
         {
             foreach (PersistentCall stored in m_PersistentCalls.m_Calls.ToArray())

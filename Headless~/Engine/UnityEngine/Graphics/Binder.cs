@@ -124,7 +124,7 @@ namespace UnityEngine.Headless
             return complete;
         }
 
-        // Of the program whose slots were bound last.
+        // Checks the program whose slots were bound last.
         static void CheckFilters(ProgramLayout layout)
         {
             if (!Player.Strict)

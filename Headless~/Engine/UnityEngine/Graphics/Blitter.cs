@@ -66,7 +66,7 @@ namespace UnityEngine.Headless
             BuiltinVariables.SetViewProjection(view, projection);
         }
 
-        /// <summary>Of the source the part that begins at the offset and is as large as the scale, in its own units.</summary>
+        /// <summary>Copies the part of the source that begins at the offset and is as large as the scale, in its own units.</summary>
         public static void Blit(Texture source, RenderTexture target, Vector2 scale, Vector2 offset)
         {
             Material material = Copy();

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What may be done to a buffer: its creation, and calls that read, write or copy it.</summary>
+    /// <summary>Checks of operations on a buffer: its creation, and calls that read, write or copy it.</summary>
     internal static class BufferChecks
     {
         const int MaxStride = 2048;
@@ -98,7 +98,7 @@ namespace UnityEngine.Headless
                     $"CopyBuffer: {source} holds {source.Bytes:N0} bytes and {target} {target.Bytes:N0}; both must be equal.");
         }
 
-        /// <summary>Arguments of an indirect dispatch or draw that runs now: their place, and that something wrote them.</summary>
+        /// <summary>Arguments of an indirect dispatch or draw that runs now: their position, and that something wrote them.</summary>
         public static bool Arguments(BufferStorage buffer, string call, long offset, int bytes)
         {
             if (!ArgumentsPlace(buffer, call, offset, bytes))

@@ -8,7 +8,7 @@ namespace UnityEngine.Headless
     /// <summary>The GPU memory behind a GraphicsBuffer or a ComputeBuffer, and what is known of its state.</summary>
     internal sealed class BufferStorage
     {
-        /// <summary>What new buffers hold in strict mode: a NaN as a float, far out of range as an index.</summary>
+        /// <summary>Content of new buffers in strict mode: a NaN as a float, far out of range as an index.</summary>
         public const uint Garbage = 0xFFC0DEAD;
 
         const GraphicsBuffer.Target HasCounter = GraphicsBuffer.Target.Append | GraphicsBuffer.Target.Counter;

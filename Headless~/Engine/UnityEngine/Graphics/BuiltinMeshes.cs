@@ -13,7 +13,7 @@ namespace UnityEngine.Headless
 
         public static Mesh Of(PrimitiveType type) => Find(type + ".fbx");
 
-        /// <summary>By the name that scene files know, e.g. "Cube.fbx"; null when there is no such mesh.</summary>
+        /// <summary>Finds a mesh by the name that scene files know, e.g. "Cube.fbx"; null if it does not exist.</summary>
         public static Mesh Find(string file)
         {
             if (meshes.TryGetValue(file, out Mesh mesh) && mesh != null)

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What Resources.GetBuiltinResource and scene files find by name, and GameObject.CreatePrimitive is made of.</summary>
+    /// <summary>Resources that Resources.GetBuiltinResource and scene files find by name, and GameObject.CreatePrimitive uses.</summary>
     internal static class BuiltinResources
     {
         const string DefaultMaterialName = "Default-Material.mat", ErrorMaterialName = "Error.mat";
@@ -37,7 +37,7 @@ namespace UnityEngine.Headless
         /// <summary>Null, and nothing is drawn with it, when there is no Standard shader.</summary>
         public static Material DefaultMaterial => MaterialOf(DefaultMaterialName);
 
-        /// <summary>Magenta, for what a broken shader should have drawn; null when there are no built-in shaders.</summary>
+        /// <summary>Magenta, for what a broken shader should have drawn; null without built-in shaders.</summary>
         public static Material ErrorMaterial => MaterialOf(ErrorMaterialName);
 
         static Material MaterialOf(string file)

@@ -39,7 +39,7 @@ namespace UnityEngine.Headless
             Globals.SetVector(worldTransformParams, new Vector4(0, 0, 0, toWorld.determinant < 0 ? -1 : 1));
         }
 
-        /// <summary>Of an indirect draw of several commands.</summary>
+        /// <summary>Sets the index in an indirect draw of several commands.</summary>
         public static void SetCommand(int index) => Globals.SetInt(baseCommand, index);
 
         public static void SetViewProjection(in Matrix4x4 view, in Matrix4x4 projection)
@@ -75,7 +75,7 @@ namespace UnityEngine.Headless
         static readonly Matrix4x4[] eyeViews = new Matrix4x4[2], eyeInverseViews = new Matrix4x4[2], eyeProjections = new Matrix4x4[2],
             eyeInverseProjections = new Matrix4x4[2], eyeViewProjections = new Matrix4x4[2];
 
-        /// <summary>Of two eyes in one pass, left first.</summary>
+        /// <summary>Sets two eyes in one pass, left first.</summary>
         public static void SetStereo(Matrix4x4[] views, Matrix4x4[] projections)
         {
             for (int eye = 0; eye < 2; eye++)

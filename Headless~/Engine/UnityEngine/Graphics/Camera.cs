@@ -112,7 +112,7 @@ namespace UnityEngine
             set => rect = new Rect(value.x / TargetWidth, value.y / TargetHeight, value.width / TargetWidth, value.height / TargetHeight);
         }
 
-        /// <summary>Of one eye, where there are two.</summary>
+        /// <summary>Width of one eye, if there are two.</summary>
         public int pixelWidth => Mathf.RoundToInt(pixelRect.width) / (stereoEnabled ? 2 : 1);
         public int pixelHeight => Mathf.RoundToInt(pixelRect.height);
         public int scaledPixelWidth => pixelWidth;

@@ -122,7 +122,7 @@ namespace UnityEngine.Rendering
             Texture source = targets[c.A].Resolve();
             if (targets[c.A].Type == BuiltinRenderTextureType.CameraTarget && ReferenceEquals(source, ScreenTarget.Texture))
             {
-                GpuError.Report("CopyTexture from CameraTarget: this camera draws straight to the screen, which is no texture; use Blit.",
+                GpuError.Report("CopyTexture from CameraTarget: this camera draws straight to the screen, which is not a texture; use Blit.",
                     "CommandBuffer: CopyTexture can not copy from the back buffer");
                 return;
             }

@@ -59,7 +59,7 @@ namespace UnityEngine.Headless
             DrawShaderPass(call, passIndex);
         }
 
-        /// <summary>As above, the pass after the last included, which is the fallback's.</summary>
+        /// <summary>Draws likewise; the pass after the last included, which is the fallback's.</summary>
         internal static void DrawShaderPass(in DrawCall call, int passIndex)
         {
             if (call.Matrices != null)
@@ -74,7 +74,7 @@ namespace UnityEngine.Headless
             Material material = call.Material;
             if (!material.Programs(passIndex, call.Instancing, out ProgramLayout vertex, out ProgramLayout fragment))
             {
-                // What has a mesh is drawn in magenta, as Unity does.
+                // Draws with a mesh are magenta, as in Unity.
                 material = call.Mesh is object ? BuiltinResources.ErrorMaterial : null;
                 passIndex = 0;
                 if (material is null || !material.Programs(passIndex, Instancing.None, out vertex, out fragment))

@@ -2,7 +2,7 @@ using UnityEngine.Headless;
 
 namespace UnityEngine
 {
-    /// <summary>There is no global illumination here but that of the sky.</summary>
+    /// <summary>The host's only global illumination is that of the sky.</summary>
     public sealed class DynamicGI
     {
         /// <summary>The sky's reflection and ambient light follow what its material and the sun have become; without a call they stay as

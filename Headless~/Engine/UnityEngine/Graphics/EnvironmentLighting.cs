@@ -21,7 +21,7 @@ namespace UnityEngine.Headless
                 samplesId = Shader.PropertyToID("_Samples"),
             cameraPosition = Shader.PropertyToID("_WorldSpaceCameraPos");
 
-        // What runs to the right, downwards and outwards on each face, in the order of CubemapFace.
+        // Axes to the right, downwards and outwards on each face, in the order of CubemapFace.
         static readonly Vector3[]
             right = { Vector3.back, Vector3.forward, Vector3.right, Vector3.right, Vector3.right, Vector3.left },
             down = { Vector3.down, Vector3.down, Vector3.forward, Vector3.back, Vector3.down, Vector3.down },
@@ -31,7 +31,7 @@ namespace UnityEngine.Headless
         static Material filter;
         static bool isCurrent;
 
-        /// <summary>Of the sky: nine coefficients of what a white surface reflects of it, a color each; null without a sky.</summary>
+        /// <summary>Light of the sky: nine coefficients of what a white surface reflects of it, a color each; null without a sky.</summary>
         public static Vector3[] Harmonics { get; private set; }
 
         /// <summary>It is made again before the next camera draws.</summary>
@@ -58,7 +58,7 @@ namespace UnityEngine.Headless
             sky = null;
         }
 
-        /// <summary>For the draws of a camera; in between, unity_SpecCube0 is no one's.</summary>
+        /// <summary>For the draws of a camera; in between, unity_SpecCube0 belongs to none.</summary>
         public static void Bind()
         {
             Shader.Globals.SetTexture(cubeId, DefaultCube);
@@ -116,7 +116,7 @@ namespace UnityEngine.Headless
         {
             for (int mip = 0; mip < reflection.mipmapCount; mip++)
             {
-                // Of the perceptual roughness whose mip it is: mip / steps = r (1.7 - 0.7 r).
+                // Perceptual roughness of a mip: mip / steps = r (1.7 - 0.7 r).
                 float step = Math.Min(1, (float)mip / RoughnessSteps), perceptual = (1.7f - Mathf.Sqrt(1.7f * 1.7f - 2.8f * step)) / 1.4f;
                 filter.SetTexture(sourceId, sky);
                 filter.SetFloat(sizeId, Math.Max(1, size >> mip));

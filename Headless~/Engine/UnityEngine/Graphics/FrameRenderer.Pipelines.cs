@@ -3,13 +3,13 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    // What scriptable pipelines draw a camera's picture from.
+    // Draws from which scriptable pipelines make a camera's picture.
     internal static partial class FrameRenderer
     {
-        /// <summary>Of the camera's layers, seen or not; casters among them.</summary>
+        /// <summary>Draws in the camera's layers, seen or not; casters among them.</summary>
         internal static IReadOnlyList<QueuedDraw> InLayers => all;
 
-        /// <summary>Of its frustum.</summary>
+        /// <summary>Draws in its frustum.</summary>
         internal static IReadOnlyList<QueuedDraw> Seen => seen;
 
         /// <summary>Culls: what was submitted until now for this camera, and the renderers.</summary>
@@ -30,7 +30,7 @@ namespace UnityEngine.Headless
             Action<QueuedDraw> beforeEach = null) =>
             DrawCulled(opaque ? 0 : LastOpaqueQueue + 1, opaque ? LastOpaqueQueue : int.MaxValue, wanted, ofDraws, beforeEach);
 
-        /// <summary>Of the render queues from one to another, both included.</summary>
+        /// <summary>Draws the render queues from one to another, both included.</summary>
         internal static void DrawCulled(int firstQueue, int lastQueue, Func<string, bool> wanted, Func<QueuedDraw, bool> ofDraws = null,
             Action<QueuedDraw> beforeEach = null)
         {

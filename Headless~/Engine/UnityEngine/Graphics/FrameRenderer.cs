@@ -150,7 +150,7 @@ namespace UnityEngine.Headless
 
         static bool IsPart(Camera camera) => camera.rect != new Rect(0, 0, 1, 1);
 
-        // As scripts of Unity's own rely on (PostProcessing 2, PostProcessLayer.OnEnable, which copies the camera's target into a texture
+        // Scripts of Unity's own rely on this (PostProcessing 2, PostProcessLayer.OnEnable, which copies the camera's target into a texture
         // of the camera's
         // size): a camera that is forced to draws a part of its target by way of a texture of that part's size. Others draw into the target itself.
         static RenderTexture Begin(Camera camera)

@@ -48,7 +48,7 @@ namespace UnityEngine.Headless
                 throw NoDevice(what);
         }
 
-        /// <summary>Throws where there is no graphics at all: textures and drawing need no compute shaders.</summary>
+        /// <summary>Throws without any graphics: textures and drawing need no compute shaders.</summary>
         public static void RequireDevice(string what)
         {
             if (Player.Device == null)

@@ -3,13 +3,13 @@ using System.Runtime.InteropServices;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What Direct3D 11 demands of a dispatch or draw: its size, its kernel's limits, and everything bound to it.</summary>
+    /// <summary>Demands of Direct3D 11 on a dispatch or draw: its size, its kernel's limits, and everything bound to it.</summary>
     internal static class GpuChecks
     {
         public const int MaxGroups = 65535;
         const int MaxUavs = 8;
 
-        /// <summary>What the player's limits, and Unity's own of 8 views to write, do not hold is refused.</summary>
+        /// <summary>Refuses programs above the player's limits, and above Unity's own of 8 views to write.</summary>
         public static bool Program(ProgramLayout layout)
         {
             ShaderProgram program = layout.Program;

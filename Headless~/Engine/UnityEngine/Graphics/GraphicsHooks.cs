@@ -35,7 +35,7 @@ namespace UnityEngine.Headless
             Shader.Globals.Clear();
             GlobalKeywords.Set.Replace(System.Array.Empty<string>());
             RenderState.Reset();
-            // Unity frees what no one asked for again after some frames: what lies in the pool is no leak.
+            // Unity frees what no one asked for again after some frames: textures in the pool are not leaks.
             RenderTexture.ForgetTemporaries();
         }
     }

@@ -1,6 +1,6 @@
 using System;
 
-// Of these ImageEffectOpaque would run an effect before the transparent objects; here every effect runs at the end.
+// In Unity, ImageEffectOpaque would run an effect before the transparent objects; here every effect runs at the end.
 namespace UnityEngine
 {
     [AttributeUsage(AttributeTargets.Method)] public sealed class ImageEffectTransformsToLDR : Attribute { }

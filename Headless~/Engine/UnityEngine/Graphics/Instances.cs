@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>Where the instances of a draw have their matrices from, which decides a keyword of the shader.</summary>
+    /// <summary>Source of the matrices of a draw's instances, which decides a keyword of the shader.</summary>
     internal enum Instancing { None, Matrices, Procedural }
 
     /// <summary>GPU instancing: as many instances a draw as the shader's arrays hold (UnityInstancing.cginc).</summary>
@@ -50,7 +50,7 @@ namespace UnityEngine.Headless
             }
         }
 
-        /// <summary>Of RenderMeshInstanced: Matrix4x4, or a struct with a field objectToWorld.</summary>
+        /// <summary>Matrices of RenderMeshInstanced: Matrix4x4, or a struct with a field objectToWorld.</summary>
         public static Matrix4x4[] MatricesOf<T>(T[] data, int start, int count) where T : unmanaged
         {
             var result = new Matrix4x4[count];

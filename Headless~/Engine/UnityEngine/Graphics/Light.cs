@@ -30,7 +30,7 @@ namespace UnityEngine
         internal static Light Find(int id) => active.Find(light => light.GetInstanceID() == id);
         internal static IReadOnlyList<Light> Directional() => active.FindAll(light => light.type == LightType.Directional);
 
-        /// <summary>As culling hands it to a scriptable pipeline: with the intensity, linear where GraphicsSettings says so.</summary>
+        /// <summary>Color that culling hands to a scriptable pipeline: with the intensity, linear if GraphicsSettings has it so.</summary>
         internal Color FinalColor
         {
             get

@@ -33,7 +33,7 @@ namespace UnityEngine
             return new MeshDataArray(all);
         }
 
-        /// <summary>What a mesh holds now. Its arrays are replaced when it changes, never written to.</summary>
+        /// <summary>Current content of a mesh. Its arrays are replaced when it changes, never written to.</summary>
         internal sealed class Frozen
         {
             public readonly string Name;

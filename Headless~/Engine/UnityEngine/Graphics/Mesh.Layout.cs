@@ -38,7 +38,7 @@ namespace UnityEngine
                     $"that kind; for kernels use Raw.");
             if (!isReadable)
                 throw new InvalidOperationException($"Mesh '{name}': {what} has to be set while the mesh is readable, since its buffers are " +
-                    $"made anew from the data on the CPU; UploadMeshData gave that back.");
+                    $"made again from the data on the CPU; UploadMeshData gave that back.");
             target = value;
             Changed();
         }
@@ -107,7 +107,7 @@ namespace UnityEngine
                 throw new ArgumentException($"Mesh '{name}': SetSubMesh with indices {desc.indexStart} to " +
                     $"{(long)desc.indexStart + desc.indexCount}; there is room for {indexRoom}.");
             if (desc.topology == MeshTopology.Triangles && desc.indexCount % 3 != 0)
-                throw new ArgumentException($"Mesh '{name}': {desc.indexCount} indices are no whole number of triangles.");
+                throw new ArgumentException($"Mesh '{name}': {desc.indexCount} indices are not a whole number of triangles.");
             // The data on the CPU is what counts for both, and there is none.
             if ((flags & MeshUpdateFlags.DontValidateIndices) == 0)
                 GpuError.Strictly($"Mesh '{name}': SetSubMesh compares indices with the vertices, but nothing has set them on the CPU; pass " +

@@ -23,7 +23,7 @@ namespace UnityEngine
         public static bool operator !=(BoneWeight lhs, BoneWeight rhs) => !lhs.Equals(rhs);
     }
 
-    // What a skinned mesh follows.
+    // Data that a skinned mesh follows.
     public sealed partial class Mesh
     {
         BoneWeight[] weightData = Array.Empty<BoneWeight>();

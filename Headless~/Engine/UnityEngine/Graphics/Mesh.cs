@@ -24,7 +24,7 @@ namespace UnityEngine
         readonly int[] uvSize = new int[8];
         readonly List<Submesh> submeshes = new List<Submesh> { new Submesh { Indices = Array.Empty<int>() } };
         MeshBuffers buffers;
-        /// <summary>The engine's own: what it holds on the device is no one's leak.</summary>
+        /// <summary>The engine's own: its memory on the device is not a leak.</summary>
         internal bool IsBuiltIn;
 
         public Mesh() { }
@@ -332,7 +332,7 @@ namespace UnityEngine
             At(submesh);
             if (topology == MeshTopology.Triangles && indices.Length % 3 != 0)
             {
-                GpuError.Report($"Mesh '{name}': {indices.Length} indices are no whole number of triangles.",
+                GpuError.Report($"Mesh '{name}': {indices.Length} indices are not a whole number of triangles.",
                     "Failed setting triangles. The number of supplied triangle indices must be a multiple of 3.");
                 return;
             }

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What a compiled program wants bound, with names turned into property ids once.</summary>
+    /// <summary>Bindings that a compiled program needs, with names turned into property ids once.</summary>
     internal sealed class ProgramLayout
     {
         internal struct Field
@@ -22,7 +22,7 @@ namespace UnityEngine.Headless
             public int Id;
             /// <summary>For a sampler that takes a texture's own state: that texture's id, otherwise -1.</summary>
             public int SamplerOf;
-            /// <summary>Of a sampler: the slots of the textures that are read through it.</summary>
+            /// <summary>Slots of the textures that are read through a sampler.</summary>
             public int[] Sampled;
             public Field[] Fields;
             /// <summary>A buffer of UNITY_INSTANCING_BUFFER_START: an array has an element for each instance.</summary>

@@ -28,7 +28,7 @@ namespace UnityEngine.Headless
             Length = bytes.Length;
         }
 
-        /// <summary>As a compute shader stores: the bytes given replace the front, what lay behind them stays.</summary>
+        /// <summary>Stores like a compute shader: the bytes given replace the front, what lay behind them stays.</summary>
         public void Overwrite(PropertyKind kind, ReadOnlySpan<byte> bytes)
         {
             Kind = kind;
@@ -53,7 +53,7 @@ namespace UnityEngine.Headless
         public void WriteConverted(Span<byte> constants, in ConstantField field)
             => Write(constants, field, 0, Math.Min(Math.Max(1, field.ArrayLength), Count), 1);
 
-        /// <summary>A value for each instance from one on; a value that is no array is that of all.</summary>
+        /// <summary>A value for each instance from one on; a value that is not an array is that of all.</summary>
         public void WriteInstances(Span<byte> constants, in ConstantField field, int first)
         {
             int length = Math.Max(1, field.ArrayLength);
@@ -100,7 +100,7 @@ namespace UnityEngine.Headless
         public BufferStorage Buffer;
         /// <summary>Window of a buffer bound as a whole constant buffer.</summary>
         public int Offset, Size;
-        /// <summary>Of the compute shader's keywords when this was bound to one of its kernels.</summary>
+        /// <summary>Version of the compute shader's keywords when this was bound to one of its kernels.</summary>
         public int KeywordVersion;
     }
 

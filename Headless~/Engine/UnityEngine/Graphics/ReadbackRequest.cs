@@ -30,7 +30,7 @@ namespace UnityEngine.Headless
             Fill = data => Copy(data, Transfer.Bytes(array)),      // throws when the array was disposed meanwhile
         };
 
-        // Of large ones most of the time goes into the pages of memory that is new, which cores can touch side by side.
+        // Large ones spend most of the time on the pages of memory that is new, which cores can touch side by side.
         static unsafe void Copy(ReadOnlySpan<byte> data, Span<byte> target)
         {
             const int piece = 1 << 20;
@@ -87,7 +87,7 @@ namespace UnityEngine.Headless
         public int DueFrame, DoneFrame = -1;
         /// <summary>For messages: the buffer or texture.</summary>
         public object Source;
-        /// <summary>What it reads; null for a texture.</summary>
+        /// <summary>Buffer that it reads; null for a texture.</summary>
         public BufferStorage Buffer;
 
         public List<DeviceReadback> Copies = new List<DeviceReadback>();
@@ -103,7 +103,8 @@ namespace UnityEngine.Headless
         public bool IsDone => DoneFrame >= 0;
         public bool HasError => expired || failed;
 
-        public string WhyUnavailable() => failed ? $"the request for {Source} ended with an error." : !IsDone ? $"the request for {Source} is not done; it arrives at the beginning of the second frame after it."
+        public string WhyUnavailable() => failed ? $"the request for {Source} ended with an error." : !IsDone
+            ? $"the request for {Source} is not done; it arrives at the beginning of the second frame after it."
             : $"the data of {Source} was valid in the frame in which it arrived; copy it there, or request into a NativeArray.";
 
         /// <summary>Completes the request if the device is through with it, and sees to it that it gets there.</summary>

@@ -2,7 +2,8 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    /// <summary>What the Graphics.Render* calls share. Without worldBounds a procedural draw is a point at the origin, and culled like one.</summary>
+    /// <summary>Common parameters of the Graphics.Render* calls. Without worldBounds a procedural draw is a point at the origin, and culled like
+    /// one.</summary>
     public struct RenderParams
     {
         public RenderParams(Material mat)

@@ -59,7 +59,7 @@ namespace UnityEngine.Rendering
         public override int GetHashCode() => 0;
     }
 
-    /// <summary>Of what a camera sees: the directional lights.</summary>
+    /// <summary>Results of culling for a camera: the directional lights.</summary>
     public struct CullingResults : IEquatable<CullingResults>
     {
         NativeArray<VisibleLight> lights;

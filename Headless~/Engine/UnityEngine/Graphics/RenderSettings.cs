@@ -58,7 +58,7 @@ namespace UnityEngine
         public static float flareFadeSpeed { get => scene.flareFadeSpeed; set => scene.flareFadeSpeed = value; }
         public static Color ambientLight { get => ambientSkyColor; set => ambientSkyColor = value; }
 
-        /// <summary>As a scene has them that sets none: they are the scene's, and go with it.</summary>
+        /// <summary>Sets the values of a scene that has none: they are the scene's, and go with it.</summary>
         internal static void Reset() => scene = new Values();
     }
 }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>Where draws go and with which matrices: what the render thread holds between two commands.</summary>
+    /// <summary>Targets and matrices of draws: what the render thread holds between two commands.</summary>
     internal static class RenderState
     {
         const int MaxColors = 4;
@@ -16,14 +16,14 @@ namespace UnityEngine.Headless
 
         /// <summary>RenderTexture.active: null is the screen.</summary>
         public static RenderTexture ActiveTexture { get; private set; }
-        /// <summary>What BuiltinRenderTextureType.CameraTarget means now.</summary>
+        /// <summary>Current meaning of BuiltinRenderTextureType.CameraTarget.</summary>
         public static RenderTexture CameraTarget => cameraTarget is object ? cameraTarget : ScreenTarget.Texture;
         static RenderTexture cameraTarget;
 
         public static Material CurrentMaterial;
         public static int CurrentPass;
         public static bool InvertCulling;
-        /// <summary>Of the instances of draws that are not indirect: 2 for two eyes in one pass.</summary>
+        /// <summary>Factor of the instances of draws that are not indirect: 2 for two eyes in one pass.</summary>
         public static int InstanceMultiplier = 1;
         public static Matrix4x4 View = Matrix4x4.identity, Projection = Matrix4x4.identity;
 

@@ -14,7 +14,7 @@ namespace UnityEngine
     {
         RenderTextureDescriptor description;
         DeviceTexture color, depthTexture;
-        /// <summary>The engine's own: what it holds on the device is no one's leak.</summary>
+        /// <summary>The engine's own: its memory on the device is not a leak.</summary>
         internal bool IsBuiltIn;
         /// <summary>Row 0 is the top of the picture, as of Direct3D's back buffer.</summary>
         internal bool IsUpright;

@@ -2,7 +2,7 @@ using UnityEngine.Experimental.Rendering;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What stands for the window: cameras without a target texture draw here.</summary>
+    /// <summary>Stand-in for the window: cameras without a target texture draw here.</summary>
     internal static class ScreenTarget
     {
         static RenderTexture texture;

@@ -40,7 +40,7 @@ namespace UnityEngine
         /// <summary>A pass by its number; the one after the last is the ShadowCaster pass of the fallback.</summary>
         internal ShaderPassSource PassAt(int pass) => pass < source.Passes.Count ? source.Passes[pass] : FallbackCaster;
 
-        /// <summary>What casts the shadow where no pass of this shader does; null for nothing.</summary>
+        /// <summary>Pass that casts the shadow if no pass of this shader does; null for none.</summary>
         internal ShaderPassSource FallbackCaster => Fallback is null ? null : Fallback.OwnCaster ?? Fallback.FallbackCaster;
 
         ShaderPassSource OwnCaster

@@ -26,7 +26,7 @@ namespace UnityEngine
 
         bool IsSkinned => sharedMesh != null && sharedMesh.IsSkinned && boneData.Length > 0;
 
-        // As Unity's vertex buffer: relative to the root bone, without its scale.
+        // Equals Unity's vertex buffer: relative to the root bone, without its scale.
         internal override Matrix4x4 LocalToWorld => Unscaled(rootBone != null ? rootBone : transform);
 
         internal override Mesh MeshToDraw

@@ -64,7 +64,7 @@ namespace UnityEngine.Headless
                 RenderState.SetTarget(target is object ? target : eyes, 0, RenderTargetIdentifier.AllDepthSlices);
         }
 
-        /// <summary>The same without a target: of a scriptable pipeline's own (XRPass.StartSinglePass, StopSinglePass).</summary>
+        /// <summary>Sets instancing without a target: of a scriptable pipeline's own (XRPass.StartSinglePass, StopSinglePass).</summary>
         public static void SetInstancing(bool isOn)
         {
             RenderState.InstanceMultiplier = isOn ? 2 : 1;

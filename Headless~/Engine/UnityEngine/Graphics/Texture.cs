@@ -18,7 +18,7 @@ namespace UnityEngine
         /// <summary>The device's texture; null when not created or destroyed.</summary>
         internal abstract DeviceTexture GetDevice(RenderTextureSubElement element);
 
-        // What subclasses answer with: Unity's subclasses do not override the public members.
+        // Answers of subclasses: Unity's subclasses do not override the public members.
         internal virtual int WidthOf => 0;
         internal virtual int HeightOf => 0;
         internal virtual TextureDimension DimensionOf => TextureDimension.Tex2D;

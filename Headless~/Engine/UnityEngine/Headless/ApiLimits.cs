@@ -4,10 +4,10 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What a graphics API, or a class of devices, grants a program, and what SystemInfo says there.</summary>
+    /// <summary>Limits that a graphics API, or a class of devices, grants a program, and SystemInfo's answers there.</summary>
     internal sealed class ApiLimits
     {
-        /// <summary>As the command line names it; null for one that cannot be run under.</summary>
+        /// <summary>Name on the command line; null for one that cannot be run under.</summary>
         public string Name;
         /// <summary>For messages.</summary>
         public string Title;
@@ -108,7 +108,7 @@ namespace UnityEngine.Headless
                 yield return $"{needs.GroupsharedBytes} shared bytes of {GroupsharedBytes}";
         }
 
-        /// <summary>The same with what a pipeline may fall short of although the API states more.</summary>
+        /// <summary>Explains refusals, also for what a pipeline may fall short of although the API states more.</summary>
         public string WhyNot(ProgramNeeds needs)
         {
             List<string> reasons = Excesses(needs).ToList();

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>Behind FrameTimingManager. Nothing is stamped before the first capture.</summary>
+    /// <summary>Times for FrameTimingManager. Nothing is stamped before the first capture.</summary>
     internal static class FrameTimes
     {
         /// <summary>Unity's documented delay.</summary>

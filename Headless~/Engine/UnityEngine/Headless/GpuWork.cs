@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What the device was asked to do: how often, for the test runner, and what, for those who ask.</summary>
+    /// <summary>Work that the device was given: how often, for the test runner, and which.</summary>
     internal static class GpuWork
     {
         /// <summary>Compute dispatches handed to the device, direct and indirect.</summary>

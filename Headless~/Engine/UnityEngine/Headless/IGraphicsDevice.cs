@@ -107,7 +107,7 @@ namespace UnityEngine.Headless
     /// <summary>A moment of the stream. Dispose when it is no longer wanted, read or not.</summary>
     internal abstract class DeviceTimeMark : IDisposable
     {
-        /// <summary>GPU clock, ms since some start that all marks share; false while the stream has not got there. Never waits.</summary>
+        /// <summary>GPU clock, ms since a common start of all marks; false while the stream has not got there. Never waits.</summary>
         public abstract bool TryRead(out double milliseconds);
         public abstract void Dispose();
     }
@@ -147,7 +147,7 @@ namespace UnityEngine.Headless
 
     internal enum DeviceWrap { Repeat, Clamp, Mirror, MirrorOnce }
 
-    /// <summary>What one <see cref="ShaderResource"/> of a program is bound to; the field that fits its kind is set.</summary>
+    /// <summary>Binding of one <see cref="ShaderResource"/> of a program; the field that fits its kind is set.</summary>
     internal struct DeviceBinding
     {
         public DeviceBuffer Buffer;     // any buffer kind; null = reads 0, writes vanish

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What the host hands to the engine assembly before anything runs, and what both sides look up.</summary>
+    /// <summary>State that the host gives to the engine assembly before anything runs, and that both look up.</summary>
     internal static class Player
     {
-        /// <summary>Null = no graphics: SystemInfo says so and every GPU object refuses by name.</summary>
+        /// <summary>Null = no graphics: SystemInfo reports it and every GPU object refuses by name.</summary>
         public static IGraphicsDevice Device;
         /// <summary>Throw where Unity is undefined or logs and goes on; garbage-fill new buffers. Off for foreign projects.</summary>
         public static bool Strict = true;
@@ -18,9 +18,9 @@ namespace UnityEngine.Headless
         public static GpuTimes GpuTimes = GpuTimes.Samples;
         /// <summary>While the device times, each dispatch of a command buffer is a sample of its own, named after its kernel.</summary>
         public static bool TimesKernels;
-        /// <summary>Of the graphics API, or class of devices, that the player pretends to run on. Never null.</summary>
+        /// <summary>Limits of the graphics API, or class of devices, that the player pretends to run on. Never null.</summary>
         public static ApiLimits Limits = ApiLimits.Direct3D11;
-        /// <summary>Of the scriptable pipeline that draws: the RenderPipeline tag of its SubShaders, and its package with its version; ""
+        /// <summary>Scriptable pipeline that draws: the RenderPipeline tag of its SubShaders, and its package with its version; ""
         /// and null for the Built-in pipeline.</summary>
         public static string PipelineTag = "", PipelinePackage, PipelineVersion;
         /// <summary>A headset is on: cameras without a target texture draw two eyes in one pass.</summary>
@@ -31,18 +31,18 @@ namespace UnityEngine.Headless
 
     internal enum GpuTimes
     {
-        /// <summary>As a development player on a device with GPU recorders.</summary>
+        /// <summary>Like a development player on a device with GPU recorders.</summary>
         Samples,
-        /// <summary>As a release player with Frame Timing Stats.</summary>
+        /// <summary>Like a release player with Frame Timing Stats.</summary>
         Frames,
-        /// <summary>As a release player.</summary>
+        /// <summary>Like a release player.</summary>
         None,
     }
 
     /// <summary>Assets by path, name and GUID; implemented over a project's folders by the host.</summary>
     internal interface IAssetSource
     {
-        /// <summary>As Resources.Load: path without extension below any Resources folder; null when there is none.</summary>
+        /// <summary>Works like Resources.Load: path without extension below any Resources folder; null if it does not exist.</summary>
         Object LoadResource(string path, Type type);
         IEnumerable<Object> LoadAllResources(string path, Type type);
         /// <summary>By the name behind the Shader keyword; null when there is none.</summary>
@@ -55,13 +55,13 @@ namespace UnityEngine.Headless
         Object LoadAtPath(string assetPath, Type type);
         string GuidOfPath(string assetPath);
         string PathOfGuid(string guid);
-        /// <summary>Of every file of the project.</summary>
+        /// <summary>Paths of every file of the project.</summary>
         IEnumerable<string> AllPaths();
         /// <summary>Paths of the files that a text asset refers to; nothing for another kind of file.</summary>
         IEnumerable<string> ReferencesIn(string assetPath);
         /// <summary>Everything in the file, if it is one that makes objects.</summary>
         IEnumerable<Object> LoadAllAtPath(string assetPath);
-        /// <summary>Where a loaded asset, or a part of one, came from. A built-in one is in "Library/unity default resources".</summary>
+        /// <summary>Tells where a loaded asset, or a part of one, came from. A built-in one is in "Library/unity default resources".</summary>
         bool TryIdentify(Object asset, out string assetPath, out string guid, out long fileId);
     }
 }

@@ -2,7 +2,7 @@ using System.Linq;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What a program takes of a device, counted as other graphics APIs count it.</summary>
+    /// <summary>Resources that a program needs of a device, counted as other graphics APIs count them.</summary>
     internal sealed class ProgramNeeds
     {
         public readonly ShaderStage Stage;

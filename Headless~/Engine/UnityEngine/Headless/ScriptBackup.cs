@@ -5,7 +5,8 @@ using System.Reflection;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What a reload of scripts carries over of one script object. The object stays the same in C#, and is otherwise made anew.</summary>
+    /// <summary>State of one script object that a reload of scripts carries over. The object stays the same in C#, and is otherwise made
+    /// again.</summary>
     internal sealed class ScriptBackup
     {
         const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;

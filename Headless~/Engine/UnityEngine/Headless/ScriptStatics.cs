@@ -7,7 +7,7 @@ using System.Reflection.Emit;
 namespace UnityEngine.Headless
 {
     /// <summary>The statics of scripts as a new domain has them: each type's initializer runs again, after those of the types that it uses.
-    /// Statics of generic types stay, since nobody knows with which arguments they are in use.</summary>
+    /// Statics of generic types stay, since the arguments in use are unknown.</summary>
     internal sealed class ScriptStatics
     {
         const BindingFlags Static = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;

@@ -54,7 +54,7 @@ namespace UnityEngine.Headless
         public DeviceSampler? InlineSampler;
         /// <summary>For a sampler named sampler_X: "X", whose texture's own filter and wrap it takes.</summary>
         public string SamplerOf;
-        /// <summary>Of a sampler: the textures that the program reads through it; null where that is not known (FXC's bytecode).</summary>
+        /// <summary>Textures that the program reads through a sampler; null where that is not known (FXC's bytecode).</summary>
         public string[] SampledTextures;
         public ConstantLayout Constants;
     }
@@ -91,7 +91,7 @@ namespace UnityEngine.Headless
         public abstract IReadOnlyList<string> Kernels { get; }
         /// <summary>Every keyword of multi_compile / multi_compile_local / shader_feature lines.</summary>
         public abstract IReadOnlyList<string> Keywords { get; }
-        /// <summary>Of the enabled keywords only those that this kernel declares matter; results are cached.</summary>
+        /// <summary>Only the enabled keywords that this kernel declares matter; results are cached.</summary>
         /// <exception cref="ShaderCompileException"/>
         public abstract ShaderProgram Compile(int kernel, ICollection<string> enabledKeywords);
     }
@@ -110,7 +110,7 @@ namespace UnityEngine.Headless
         public abstract int RenderQueue { get; }
         /// <summary>The shader whose ShadowCaster pass stands in where this one has none; empty for none.</summary>
         public virtual string Fallback => "";
-        /// <summary>What the file asks for and this host leaves out (UsePass, Stencil ...), a line each.</summary>
+        /// <summary>Requests of the file that this host leaves out (UsePass, Stencil ...), a line each.</summary>
         public virtual IReadOnlyList<string> Notes => Array.Empty<string>();
     }
 

@@ -13,7 +13,7 @@ namespace UnityEngine.Headless
 
         JsonReader(string json) { this.json = json; }
 
-        /// <exception cref="ArgumentException">With the place of the fault.</exception>
+        /// <exception cref="ArgumentException">With the position of the fault.</exception>
         public static object Read(string json)
         {
             var reader = new JsonReader(json);

@@ -1,6 +1,6 @@
 namespace UnityEngine.Headless
 {
-    /// <summary>What the player's loop and new objects ask of the physics, which lies in an assembly of its own.</summary>
+    /// <summary>Calls of the player's loop and of new objects to the physics, which lies in an assembly of its own.</summary>
     internal abstract class PhysicsLoop
     {
         /// <summary>Null as long as nothing uses the physics.</summary>
@@ -15,7 +15,7 @@ namespace UnityEngine.Headless
         /// <summary>After the fixed steps of a frame, before Update.</summary>
         public abstract void BeginUpdate();
 
-        /// <summary>As a primitive is made: Unity gives each a collider.</summary>
+        /// <summary>Adds a collider to a new primitive, as Unity does.</summary>
         public abstract void AddCollider(GameObject primitive, PrimitiveType type);
 
         public abstract void Reset();

@@ -52,7 +52,7 @@ namespace UnityEngine.Headless
                 Guarded(PlayDirectors);
             lateUpdates.Run();
             Destruction.RunPending();
-            Guarded(Application.SayBeforeRender);
+            Guarded(Application.RaiseBeforeRender);
             Guarded(Render);
             CoroutineScheduler.Resume(CoroutinePoint.EndOfFrame);
             NativeMemory.FreeTemporary();
@@ -111,7 +111,7 @@ namespace UnityEngine.Headless
             Messages.Send(script, Message.Start);
         }
 
-        /// <summary>As leaving play mode and entering it again: all scenes go, time starts over, SubsystemRegistration methods run.</summary>
+        /// <summary>Leaves play mode and enters it again: all scenes go, time starts over, SubsystemRegistration methods run.</summary>
         public static void Reset()
         {
             SceneManager.UnloadEverything();

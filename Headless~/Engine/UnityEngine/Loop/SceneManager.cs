@@ -9,7 +9,7 @@ namespace UnityEngine.SceneManagement
     {
         /// <summary>
         /// Set by the part that reads scene files: takes a name or path, builds the objects asleep in a scene that it
-        /// gets from <see cref="CreateForLoading"/> and returns it, or an invalid one when there is no such scene.
+        /// gets from <see cref="CreateForLoading"/> and returns it, or an invalid one if the scene does not exist.
         /// </summary>
         internal static Func<string, Scene> SceneLoader;
         /// <summary>Paths in the order of the build settings.</summary>

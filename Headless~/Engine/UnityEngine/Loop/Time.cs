@@ -7,7 +7,7 @@ namespace UnityEngine
     {
         internal static readonly Clock Clock = new Clock();
 
-        /// <summary>Inside FixedUpdate the fixed time, as everything below that says so.</summary>
+        /// <summary>Inside FixedUpdate the fixed time, as everything below that mentions it.</summary>
         public static float time => (float)timeAsDouble;
         public static double timeAsDouble => Clock.InFixedStep ? Clock.Fixed : Clock.Scaled;
         public static float deltaTime => Clock.InFixedStep ? Clock.FixedDelta : Clock.Delta;
@@ -102,8 +102,8 @@ namespace UnityEngine.Headless
             Scaled += Delta;
         }
 
-        /// <summary>Of the coming fixed step what has passed of it, 0 to 1.</summary>
-        public float StepShare => Mathf.Clamp01((float)((Scaled - Fixed) / FixedDelta));
+        /// <summary>Fraction of the coming fixed step that has passed, 0 to 1.</summary>
+        public float StepFraction => Mathf.Clamp01((float)((Scaled - Fixed) / FixedDelta));
 
         /// <summary>Enters the next fixed step that is due; false when there is none.</summary>
         public bool StepFixed()

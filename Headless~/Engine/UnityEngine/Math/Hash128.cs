@@ -15,7 +15,7 @@ namespace UnityEngine
 
         public bool isValid => low != 0 || high != 0;
 
-        /// <summary>Text that is no hash gives the invalid one, as in Unity.</summary>
+        /// <summary>Text that is not a hash gives the invalid one, as in Unity.</summary>
         public static Hash128 Parse(string hashString)
         {
             var hash = new Hash128();

@@ -86,7 +86,7 @@ namespace UnityEngine
         public Matrix4x4 inverse => Inverse(this);
         public float determinant => Determinant(this);
 
-        /// <summary>Of the upper 3x3; a mirroring matrix gets its sign on x.</summary>
+        /// <summary>Scale of the upper 3x3; a mirroring matrix gets its sign on x.</summary>
         public Vector3 lossyScale
         {
             get
@@ -181,7 +181,7 @@ namespace UnityEngine
                 new Vector4(0, 0, 0, 1));
         }
 
-        /// <summary>Places an object at from, its z axis to the target (not a view matrix, which is the inverse of one with z flipped).</summary>
+        /// <summary>Puts an object at from, its z axis to the target (not a view matrix, which is the inverse of one with z flipped).</summary>
         public static Matrix4x4 LookAt(Vector3 from, Vector3 to, Vector3 up) => TRS(from, Quaternion.LookRotation(to - from, up), Vector3.one);
 
         /// <summary>OpenGL's clip space (-1 to 1, looking down -z), whatever the platform.</summary>

@@ -58,7 +58,7 @@ namespace UnityEngine
             return length < Mathf.Epsilon ? identity : new Quaternion(q.x / length, q.y / length, q.z / length, q.w / length);
         }
 
-        /// <summary>Of a unit quaternion.</summary>
+        /// <summary>Inverse of a unit quaternion.</summary>
         public static Quaternion Inverse(Quaternion rotation) => new Quaternion(-rotation.x, -rotation.y, -rotation.z, rotation.w);
 
         public static float Angle(Quaternion a, Quaternion b)

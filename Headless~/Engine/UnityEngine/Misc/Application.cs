@@ -82,7 +82,7 @@ namespace UnityEngine
         }
 
         /// <summary>By the host when its loop ends: OnApplicationQuit for all active scripts, then quitting.</summary>
-        internal static void SayQuitting()
+        internal static void RaiseQuitting()
         {
             foreach (Object script in ObjectSearch.InScenes(typeof(MonoBehaviour), false))
                 Messages.Send(script, Message.OnApplicationQuit);
@@ -90,9 +90,9 @@ namespace UnityEngine
             exit.Cancel();
         }
 
-        internal static void SayBeforeRender() => onBeforeRender?.Invoke();
+        internal static void RaiseBeforeRender() => onBeforeRender?.Invoke();
 
-        internal static void SayLogged(in LogEntry entry)
+        internal static void RaiseLogged(in LogEntry entry)
         {
             logMessageReceived?.Invoke(entry.Message, entry.StackTrace, entry.Type);
             logMessageReceivedThreaded?.Invoke(entry.Message, entry.StackTrace, entry.Type);

@@ -141,12 +141,12 @@ namespace UnityEngine.Headless
         public override string ToString() => $"{Type}: {Message}";
     }
 
-    /// <summary>Where all log messages end: handlers of the host, then of the application, then the console.</summary>
+    /// <summary>End of all log messages: handlers of the host, then of the application, then the console.</summary>
     internal sealed class LogSink : ILogHandler
     {
         /// <summary>Every message, e.g. for a test run that fails on unexpected errors.</summary>
         public static event Action<LogEntry> Received;
-        /// <summary>Prints; the host may put another in its place, or null for silence.</summary>
+        /// <summary>Prints; the host may replace it, or set null for silence.</summary>
         public static Action<LogEntry> Writer = ToConsole;
 
         public void LogFormat(LogType logType, Object context, string format, params object[] args)
@@ -164,7 +164,7 @@ namespace UnityEngine.Headless
         static void Emit(LogEntry entry)
         {
             Received?.Invoke(entry);
-            Application.SayLogged(entry);
+            Application.RaiseLogged(entry);
             Writer?.Invoke(entry);
         }
 

@@ -62,7 +62,7 @@ namespace UnityEngine
         public float fixedHeight { get; set; }
         public float lineHeight => 13;
         public Vector2 contentOffset { get; set; }
-        /// <summary>As if every letter were equally wide: about what the editor's font takes, and enough to see what is clipped.</summary>
+        /// <summary>Takes every letter as equally wide: about what the editor's font takes, and enough to see what is clipped.</summary>
         public Vector2 CalcSize(GUIContent content) => new Vector2(GuiDrawing.LetterWidth * (content.text ?? "").Length, lineHeight);
         public float CalcHeight(GUIContent content, float width) => lineHeight * (wordWrap ? GuiDrawing.Lines(content.text ?? "", width) : 1);
         public void Draw(Rect position, GUIContent content, int controlID) { }

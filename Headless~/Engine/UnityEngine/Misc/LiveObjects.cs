@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>What holds GPU or native memory and has not been given back: the proof that nothing leaks.</summary>
+    /// <summary>Objects that hold GPU or native memory and were not released: the proof that nothing leaks.</summary>
     internal static class LiveObjects
     {
         struct Entry { public object Object; public string Kind, Name; public long Order; }

@@ -99,12 +99,12 @@ namespace UnityEngine.Headless
                     break;
                 case Component component:
                     Lifecycle.Deactivate(component);
-                    Lifecycle.SayDestroyed(component);
+                    Lifecycle.RaiseDestroyed(component);
                     component.Owner.Components.Remove(component);
                     Finish(component);
                     break;
                 case ScriptableObject asset:
-                    Lifecycle.SayDestroyed(asset);
+                    Lifecycle.RaiseDestroyed(asset);
                     Finish(asset);
                     break;
                 default:
@@ -127,7 +127,7 @@ namespace UnityEngine.Headless
                     Lifecycle.Deactivate(component);
             foreach (GameObject go in tree)
                 foreach (Component component in go.Components.ToArray())
-                    Lifecycle.SayDestroyed(component);
+                    Lifecycle.RaiseDestroyed(component);
 
             root.transform.Detach();
             for (int i = tree.Count - 1; i >= 0; i--)

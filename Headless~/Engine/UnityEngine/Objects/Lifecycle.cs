@@ -12,7 +12,7 @@ namespace UnityEngine.Headless
         {
             if (component.Owner.Asleep || !component.Owner.activeInHierarchy || component is MonoBehaviour script && !EditMode.Runs(script))
                 return;
-            SayAwake(component);
+            RaiseAwake(component);
             Refresh(component);
         }
 
@@ -88,7 +88,7 @@ namespace UnityEngine.Headless
                 Guarded(component.OnDeactivated, component);
         }
 
-        static void SayAwake(Component component)
+        static void RaiseAwake(Component component)
         {
             if (!(component is MonoBehaviour script) || script.Awoken)
                 return;
@@ -96,7 +96,7 @@ namespace UnityEngine.Headless
             Messages.Send(script, Message.Awake);
         }
 
-        public static void SayDestroyed(Component component)
+        public static void RaiseDestroyed(Component component)
         {
             // A script that never woke is not told either.
             if (component is MonoBehaviour script && script.Awoken && !script.Destroyed)
@@ -107,7 +107,7 @@ namespace UnityEngine.Headless
             }
         }
 
-        // As Unity's XR Core Utilities describe runInEditMode (MonoBehaviourExtensions.StartRunInEditMode).
+        // Runs as Unity's XR Core Utilities describe runInEditMode (MonoBehaviourExtensions.StartRunInEditMode).
         public static void BeginInEditMode(MonoBehaviour script)
         {
             if (script.Owner.Asleep || !script.Owner.activeInHierarchy)
@@ -151,7 +151,7 @@ namespace UnityEngine.Headless
             asset.Enabled = false;
         }
 
-        public static void SayDestroyed(ScriptableObject asset)
+        public static void RaiseDestroyed(ScriptableObject asset)
         {
             Deactivate(asset);
             if (asset.Awoken)

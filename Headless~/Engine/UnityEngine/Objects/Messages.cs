@@ -47,7 +47,7 @@ namespace UnityEngine.Headless
             return null;
         }
 
-        /// <summary>By name with no or one argument; false when there is no fitting method.</summary>
+        /// <summary>Calls by name with no or one argument; false without a fitting method.</summary>
         public static bool Call(Object target, string name, object value, out object result)
         {
             result = null;

@@ -53,7 +53,8 @@ namespace UnityEngine.Headless
         }
 
         static object New(Type type)
-            => Constructed(() => Activator.CreateInstance(type, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, null, null));
+            => Constructed(() => Activator.CreateInstance(type, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, null,
+                null));
 
         /// <summary>Runs the constructor on an object that is there.</summary>
         internal static void Construct(Object made)

@@ -14,7 +14,7 @@ namespace UnityEngine.Headless
         /// <summary>Base classes' fields first. For the engine's own components: values and object references not marked NonSerialized.</summary>
         public static FieldInfo[] Of(Type type) => All(type, stored, IsStored);
 
-        /// <summary>What a reload of scripts carries over: private fields too, whether they have an attribute or not, unless it is
+        /// <summary>Fields that a reload of scripts carries over: private fields too, whether they have an attribute or not, unless it is
         /// NonSerialized (manual, "Script serialization", Hot reloading).</summary>
         public static FieldInfo[] BackedUp(Type type) => All(type, backedUp, IsBackedUp);
 
@@ -92,7 +92,7 @@ namespace UnityEngine.Headless
             return name == "mscorlib" || name == "netstandard" || name.StartsWith("System", StringComparison.Ordinal);
         }
 
-        /// <summary>Of a one-dimensional array or a List; null for anything else.</summary>
+        /// <summary>Element type of a one-dimensional array or a List; null for anything else.</summary>
         public static Type ElementType(Type type)
         {
             if (type.IsArray)

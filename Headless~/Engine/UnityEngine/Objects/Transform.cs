@@ -64,7 +64,7 @@ namespace UnityEngine
             }
         }
 
-        // What is no place is refused with Unity's message, and the old one stays.
+        // An invalid position is refused with Unity's message, and the old one stays.
         bool IsValidPosition(string property, Vector3 value)
         {
             if (float.IsFinite(value.x) && float.IsFinite(value.y) && float.IsFinite(value.z))
@@ -105,7 +105,7 @@ namespace UnityEngine
         {
             get
             {
-                // What is left of the matrix once the rotation is taken out; its diagonal, as shear has no place in a scale.
+                // Rest of the matrix once the rotation is removed; its diagonal, as a scale holds no shear.
                 Matrix4x4 m = Matrix4x4.Rotate(Quaternion.Inverse(rotation)) * localToWorldMatrix;
                 return new Vector3(m.m00, m.m11, m.m22);
             }

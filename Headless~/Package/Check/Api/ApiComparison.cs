@@ -28,7 +28,7 @@ namespace Host.Check.Api
 
         static bool EndsWith(ApiTypeName compiled, ApiTypeName listed)
         {
-            // Where Unity's source says Object, it means its own.
+            // Object in Unity's source means its own.
             if (listed.Path.Count == 1 && listed.Name == "Object")
                 return compiled.Key == "UnityEngine.Object";
             return compiled.Key == listed.Key || compiled.Key.EndsWith("." + listed.Key, StringComparison.Ordinal);
@@ -83,7 +83,8 @@ namespace Host.Check.Api
             if (arguments == null || arguments.Count == 0)
                 return member;
             ApiTypeName Substituted(ApiTypeName type) => type == null ? null : ApiCatalog.Substitute(type, arguments);
-            return member.With(Substituted(member.Type), member.Parameters.Select(parameter => parameter with { Type = Substituted(parameter.Type) }).ToList());
+            return member.With(Substituted(member.Type),
+                member.Parameters.Select(parameter => parameter with { Type = Substituted(parameter.Type) }).ToList());
         }
     }
 }

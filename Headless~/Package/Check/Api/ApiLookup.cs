@@ -8,8 +8,8 @@ namespace Host.Check.Api
     /// <summary>Looks compiled members and types up in one version's lists.</summary>
     static class ApiLookup
     {
-        /// <summary>What a reference meets in a version. Null: the member is there, and not obsolete; or its type is not, which is told of
-        /// the type.</summary>
+        /// <summary>Returns the fault of a reference in a version. Null: the member is there, and not obsolete; or its type is not, which is
+        /// reported for the type.</summary>
         /// <param name="arguments">For a member whose signature names the arguments of its generic type; a reference names the parameters.</param>
         public static string Complaint(ApiCatalog unity, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
         {

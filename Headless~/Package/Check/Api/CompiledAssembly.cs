@@ -80,7 +80,7 @@ namespace Host.Check.Api
             return null;
         }
 
-        /// <summary>Of a method without code, nothing.</summary>
+        /// <summary>Instructions of a method; none for a method without code.</summary>
         public IEnumerable<(OpCode Op, int Operand)> Instructions(MethodDefinition method) => method.RelativeVirtualAddress == 0
             ? Enumerable.Empty<(OpCode, int)>() : Il.Instructions(file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes());
 

@@ -67,7 +67,7 @@ namespace Host.Check.Api
         public ApiTypeName GetArrayType(ApiTypeName element, ArrayShape shape) => ApiTypeName.ArrayOf(element, shape.Rank);
         public ApiTypeName GetByReferenceType(ApiTypeName element) => ApiTypeName.ReferenceTo(element);
         public ApiTypeName GetPointerType(ApiTypeName element) => ApiTypeName.PointerTo(element);
-        // 'in' and 'volatile' are no part of the type; parameters' own flags tell 'in'.
+        // 'in' and 'volatile' are not a part of the type; parameters' own flags tell 'in'.
         public ApiTypeName GetModifiedType(ApiTypeName modifier, ApiTypeName type, bool isRequired) => type;
         public ApiTypeName GetPinnedType(ApiTypeName element) => element;
         public ApiTypeName GetFunctionPointerType(MethodSignature<ApiTypeName> signature)

@@ -71,18 +71,21 @@ namespace Host.Check.Api
             public static IEnumerable<Declared> Of(PackageType type)
             {
                 MetadataReader metadata = type.Assembly.Metadata;
-                IEnumerable<Declared> fields = type.Definition.GetFields().Select(metadata.GetFieldDefinition).Select(field => Named(type, field.Name));
-                IEnumerable<Declared> nested = type.Definition.GetNestedTypes().Select(metadata.GetTypeDefinition).Select(inner => Named(type, inner.Name));
+                IEnumerable<Declared> fields = type.Definition.GetFields().Select(metadata.GetFieldDefinition).Select(field => Named(type,
+                    field.Name));
+                IEnumerable<Declared> nested = type.Definition.GetNestedTypes().Select(metadata.GetTypeDefinition).Select(inner => Named(type,
+                    inner.Name));
                 IEnumerable<Declared> properties = type.Definition.GetProperties().Select(metadata.GetPropertyDefinition)
                     .Where(property => !Overrides(metadata, property.GetAccessors().Getter) && !Overrides(metadata, property.GetAccessors().Setter))
                     .Select(property => Named(type, property.Name));
                 IEnumerable<Declared> events = type.Definition.GetEvents().Select(metadata.GetEventDefinition)
                     .Where(@event => !Overrides(metadata, @event.GetAccessors().Adder)).Select(@event => Named(type, @event.Name));
                 IEnumerable<Declared> methods = type.Definition.GetMethods()
-                    .Where(handle => (metadata.GetMethodDefinition(handle).Attributes & MethodAttributes.SpecialName) == 0 && !Overrides(metadata, handle))
+                    .Where(handle => (metadata.GetMethodDefinition(handle).Attributes & MethodAttributes.SpecialName) == 0
+                        && !Overrides(metadata, handle))
                     .Select(handle => type.Assembly.Member(type.Name, metadata.GetMethodDefinition(handle)))
                     .Select(method => new Declared(method.Name, method));
-                // What the compiler makes has a name in angles, what implements an interface explicitly one with a dot.
+                // Members that the compiler makes have a name in angles, explicit interface implementations one with a dot.
                 return fields.Concat(nested).Concat(properties).Concat(events).Concat(methods)
                     .Where(member => member.Name[0] != '<' && !member.Name.Contains('.', StringComparison.Ordinal));
             }

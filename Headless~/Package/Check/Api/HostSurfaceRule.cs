@@ -6,7 +6,7 @@ using Host.UnityApi;
 namespace Host.Check.Api
 {
     /// <summary>
-    /// What compiles against the host compiles against Unity: every public and protected member of the host's assemblies is
+    /// Code that compiles against the host compiles against Unity: every public and protected member of the host's assemblies is
     /// in the lists of the version that the host says it is, as the lists have it. What is missing here stops a project from compiling
     /// and so cannot mislead; what is too much would.
     /// </summary>
@@ -29,7 +29,7 @@ namespace Host.Check.Api
             ApiCatalog unity = UnityCatalogs.All.FirstOrDefault(catalog => catalog.Version == version);
             if (unity == null)
             {
-                findings.Fault($"The host says it is Unity {version}, of which there is no list; there are " +
+                findings.Fault($"The host says it is Unity {version}, which has no list; there are " +
                     $"{string.Join(", ", UnityCatalogs.All.Select(catalog => catalog.Version))}.");
                 return findings;
             }
@@ -41,7 +41,7 @@ namespace Host.Check.Api
             return findings;
         }
 
-        /// <summary>What of one assembly is too much for a version.</summary>
+        /// <summary>Lists what of one assembly is too much for a version.</summary>
         internal static void Examine(CompiledAssembly assembly, ApiCatalog unity, ref int types, ref int members, Findings findings)
         {
             foreach (OfferedType type in OfferedType.Of(assembly))

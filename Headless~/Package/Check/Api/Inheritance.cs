@@ -14,7 +14,7 @@ namespace Host.Check.Api
         readonly CompiledAssembly assembly;
         readonly ApiTypeName type;
         readonly bool isAbstract;
-        // Of the type, then of its bases in the same assembly.
+        // Methods of the type, then of its bases in the same assembly.
         readonly List<MethodDefinition> methods = new();
         readonly int own;
         readonly ApiTypeName unityBase;

@@ -36,7 +36,7 @@ namespace Host.Check.Api
             return findings;
         }
 
-        // What Unity sends to the heirs of a class, by its lineage in the lists.
+        // Messages that Unity sends to the heirs of a class, by its lineage in the lists.
         static List<UnityMessage> Receives(PackageTypes types, PackageType type)
         {
             if (types.ForeignBase(type) is not { } parent)

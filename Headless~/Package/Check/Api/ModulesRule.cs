@@ -55,7 +55,7 @@ namespace Host.Check.Api
                         bool isOptional = definition != null && definition.NeedsPresent(module) || assembly.Name == Samples
                             && optional.Contains(module) || isTest && !module.StartsWith(BuiltIn, StringComparison.Ordinal);
                         if (!isOptional)
-                            findings.Fault($"{assembly.Name}.dll uses {type} of {module}, which is no dependency of package.json: a " +
+                            findings.Fault($"{assembly.Name}.dll uses {type} of {module}, which is not a dependency of package.json: a " +
                                 $"project without that module does not compile it. Add \"{module}\", or a version define and a define " +
                                 $"constraint to the .asmdef");
                         else if (isTest && !inTestProject.Contains(module))

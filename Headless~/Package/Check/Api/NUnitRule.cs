@@ -7,7 +7,7 @@ namespace Host.Check.Api
     /// <summary>Unity's Test Framework carries NUnit 3.5; here the tests are compiled against 3.6, the oldest to be had.</summary>
     sealed class NUnitRule : Rule
     {
-        // What 3.6 brought, by NUnit's change log: multiple asserts, warnings, the mark of assemblies without tests.
+        // Additions of 3.6, by NUnit's change log: multiple asserts, warnings, the mark of assemblies without tests.
         static readonly HashSet<string> NewTypes = new() { "NUnit.Framework.Warn", "NUnit.Framework.MultipleAssertException",
             "NUnit.Framework.NonTestAssemblyAttribute" };
         static readonly HashSet<string> NewMembers = new() { "NUnit.Framework.Assert.Multiple", "NUnit.Framework.Assert.Warn" };

@@ -8,7 +8,7 @@ namespace Host.Check.Api
     {
         public CompiledMember Member;
         public bool Protected, Obsolete, Constant, ReadOnly, Virtual;
-        /// <summary>As declared: names, ref, in and out, params, optional. Null: a field, or a property's accessor.</summary>
+        /// <summary>Parameters as declared: names, ref, in and out, params, optional. Null: a field, or a property's accessor.</summary>
         public IReadOnlyList<ApiParameter> Parameters;
 
         public override string ToString() => Member.ToString();

@@ -5,16 +5,16 @@ using System.Linq;
 
 namespace Host.Check.Api
 {
-    /// <summary>Where the assemblies to examine lie: beside the host, or where the build puts each.</summary>
+    /// <summary>Location of the assemblies to examine: beside the host, or where the build puts each.</summary>
     static class PackageAssemblies
     {
-        /// <summary>Of the package: what its users compile, its samples' scripts, and its tests.</summary>
+        /// <summary>Assemblies of the package: what its users compile, its samples' scripts, and its tests.</summary>
         public static readonly string[] Package = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.TerrainPhysics", "Rill.Timeline",
             "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor", "Rill.TerrainPhysics.Editor",
             "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests", "Rill.TerrainPhysics.Tests", "Rill.Timeline.Tests", "Rill.Editor.Tests" };
         /// <summary>Those whose texts a user reads.</summary>
         public static readonly string[] WithoutTests = Package.Where(name => !name.EndsWith(".Tests", StringComparison.Ordinal)).ToArray();
-        /// <summary>Of the host: what stands in for Unity.</summary>
+        /// <summary>Assemblies of the host that stand in for Unity.</summary>
         public static readonly string[] StandIns = { "UnityEngine", "UnityEngine.PhysicsModule", "UnityEngine.TerrainModule",
             "UnityEngine.TerrainPhysicsModule", "UnityEngine.DirectorModule", "Unity.Timeline", "UnityEditor", "Unity.Mathematics",
             "UnityEngine.TestRunner" };

@@ -35,7 +35,7 @@ namespace Host.Check.Api
         }
 
         public string Name => Member.Name;
-        /// <summary>Of an explicit implementation, the interface's name for it.</summary>
+        /// <summary>Short name; of an explicit implementation, the interface's name for it.</summary>
         public string ShortName => Name[0] == '.' ? Name : Name.Substring(Name.LastIndexOf('.') + 1);
         public bool IsVirtual => (Definition.Attributes & System.Reflection.MethodAttributes.Virtual) != 0;
 
@@ -83,7 +83,8 @@ namespace Host.Check.Api
                 if (inherited.Name.Key == other.Key || BaseOf(inherited)?.Key == other.Key)
                     return true;
                 foreach (InterfaceImplementationHandle handle in inherited.Definition.GetInterfaceImplementations())
-                    if (CompiledTypeNames.Of(inherited.Assembly.Metadata, inherited.Assembly.Metadata.GetInterfaceImplementation(handle).Interface).Key
+                    if (CompiledTypeNames.Of(inherited.Assembly.Metadata,
+                        inherited.Assembly.Metadata.GetInterfaceImplementation(handle).Interface).Key
                         == other.Key)
                         return true;
             }
@@ -96,7 +97,7 @@ namespace Host.Check.Api
         static ApiTypeName BaseOf(PackageType type) =>
             type.Definition.BaseType.IsNil ? null : CompiledTypeNames.Of(type.Assembly.Metadata, type.Definition.BaseType);
 
-        // Of the version in which an adapter has all of its paths.
+        // Adapters in the version in which each has all of its paths.
         static IEnumerable<CompiledAssembly> Adapters(PackageTree package, Findings findings)
         {
             foreach (string file in PipelineKind.All.Select(PipelineAdapters.FileOf).Where(package.Has))

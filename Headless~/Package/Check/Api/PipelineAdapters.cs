@@ -2,7 +2,7 @@ using Host.Pipelines;
 
 namespace Host.Check.Api
 {
-    /// <summary>Where the package's adapters to render pipelines are.</summary>
+    /// <summary>Locations of the package's adapters to render pipelines.</summary>
     static class PipelineAdapters
     {
         /// <summary>The assembly definition, from the package's root.</summary>

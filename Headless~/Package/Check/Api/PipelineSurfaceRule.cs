@@ -7,7 +7,7 @@ using Host.UnityApi;
 
 namespace Host.Check.Api
 {
-    /// <summary>What compiles against the stand-ins of a render pipeline compiles against its packages: each public member is in the lists
+    /// <summary>Code that compiles against the stand-ins of a render pipeline compiles against its packages: each public member is in the lists
     /// of that version.</summary>
     sealed class PipelineSurfaceRule : Rule
     {

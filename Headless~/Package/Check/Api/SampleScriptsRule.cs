@@ -19,13 +19,14 @@ namespace Host.Check.Api
     {
         const string Folder = "Samples~/", Loose = "Assembly-CSharp", TestFramework = "com.unity.test-framework";
 
-        static readonly string[] Always = { "UNITY_5_3_OR_NEWER", "UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_STANDALONE", "UNITY_INCLUDE_TESTS" };
+        static readonly string[] Always = { "UNITY_5_3_OR_NEWER", "UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_STANDALONE",
+            "UNITY_INCLUDE_TESTS" };
         static readonly string[] Switches = { "UNITY_EDITOR", "ENABLE_LEGACY_INPUT_MANAGER" };
-        // What the host lacks. That Unity has these, with these signatures, is compared as all else.
+        // Declarations that the host lacks. That Unity has these, with these signatures, is compared as all else.
         const string Input = "namespace UnityEngine { public class Input { public static bool anyKeyDown => false; " +
             "public static float GetAxisRaw(string axisName) => 0f; public static bool GetKey(KeyCode key) => false; " +
             "public static bool GetKeyDown(KeyCode key) => false; } }";
-        // Of a package that no list has: after its public sources, Devices/Keyboard.cs and Controls/ButtonControl.cs.
+        // Package that no list has: declared after its public sources, Devices/Keyboard.cs and Controls/ButtonControl.cs.
         const string InputSystemAssembly = "Unity.InputSystem", InputSystemPackage = "com.unity.inputsystem";
         const string InputSystem = "namespace UnityEngine.InputSystem { public abstract class InputControl { } " +
             "public abstract class InputControl<TValue> : InputControl where TValue : struct { public TValue ReadValue() => default; } " +
@@ -37,7 +38,7 @@ namespace Host.Check.Api
             "public class ButtonControl : AxisControl { public bool isPressed => false; public bool wasPressedThisFrame => false; } " +
             "public class AnyKeyControl : ButtonControl { } public class KeyControl : ButtonControl { } }";
 
-        /// <summary>An assembly of the samples; loose scripts are the project's own, whose Assembly-CSharp refers to what is there.</summary>
+        /// <summary>An assembly of the samples; loose scripts are the project's own, whose Assembly-CSharp refers to all that exists.</summary>
         sealed class SampleAssembly
         {
             public string Name = Loose;
@@ -191,7 +192,7 @@ namespace Host.Check.Api
                 SourceNamesRule.Examine(compilation, names, UnityCatalogs.Supported, new HashSet<string>(), findings);
                 foreach ((string module, ApiTypeName type) in ModulesRule.Uses(compiled, modules, findings, InputSystemAssembly)
                     .Where(use => !dependencies.Contains(use.Module) && !assembly.NeedsPresent(use.Module)))
-                    findings.Fault($"{assembly.Where}: it uses {type} of {module}, which is no dependency of package.json: a project without " +
+                    findings.Fault($"{assembly.Where}: it uses {type} of {module}, which is not a dependency of package.json: a project without " +
                         "that module does not compile. Give the scripts an .asmdef with a version define and a define constraint");
             }
             return compilation.ToMetadataReference();
@@ -209,7 +210,7 @@ namespace Host.Check.Api
                 foreach (string symbol in condition.Condition.DescendantNodesAndSelf().OfType<IdentifierNameSyntax>()
                     .Select(name => name.Identifier.ValueText).Except(asked))
                     findings.Fault($"{SourceNamesRule.Where(condition.GetLocation())}: #if {symbol}: only {string.Join(" and ", asked)} are " +
-                        $"compiled both ways here, so that a branch would go unexamined. Do without it, or add it to {nameof(SampleScriptsRule)}.");
+                        $"compiled for both here, so that a branch would go unexamined. Do without it, or add it to {nameof(SampleScriptsRule)}.");
         }
     }
 }

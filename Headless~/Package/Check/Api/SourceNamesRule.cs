@@ -12,8 +12,8 @@ using Microsoft.CodeAnalysis.Text;
 namespace Host.Check.Api
 {
     /// <summary>
-    /// What the compiler leaves no trace of: values of enums and constants are written into the code as numbers, arguments that are
-    /// passed by name by their place, and what stands behind an #if that is not met is not compiled at all. So this rule reads the sources.
+    /// Names of which the compiler leaves no trace: values of enums and constants are written into the code as numbers, arguments that are
+    /// passed by name by their position, and code under an #if that is not met is not compiled at all. So this rule reads the sources.
     /// </summary>
     sealed class SourceNamesRule : Rule
     {
@@ -48,7 +48,7 @@ namespace Host.Check.Api
             return findings;
         }
 
-        /// <summary>What the sources of a compilation name of Unity, against these versions.</summary>
+        /// <summary>Compares what the sources of a compilation name of Unity with these versions.</summary>
         /// <param name="names">Of constants and values of enums that are there at all.</param>
         /// <param name="constants">Gets those that are used.</param>
         /// <returns>How many arguments were passed by name.</returns>

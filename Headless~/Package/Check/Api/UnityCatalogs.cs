@@ -22,7 +22,7 @@ namespace Host.Check.Api
             return new ApiCatalog(lists.WithOldestMathematics(), lists.Versions[0], only: ("Unity.Mathematics", UnityApiLists.OldestMathematics));
         });
 
-        /// <summary>What the package must compile with: every version, and the oldest with the lowest Unity.Mathematics that package.json
+        /// <summary>Versions that the package must compile with: every version, and the oldest with the lowest Unity.Mathematics that package.json
         /// lets a project have.</summary>
         public static IReadOnlyList<ApiCatalog> Supported => All.Append(oldest.Value).ToList();
 

@@ -39,7 +39,8 @@ namespace Host.Check.Api
             if (package.Has("package.json") && PackageManifest.Read(package, findings)?.Dependencies.Find(d => d.Key == Mathematics).Value
                 is string lowest && lowest != UnityApiLists.OldestMathematics)
                 findings.Fault($"package.json lets projects have {Mathematics} {lowest}, and what is compared is " +
-                    $"{UnityApiLists.OldestMathematics}: make Headless~/Engine/data/unity-api/mathematics-after-{UnityApiLists.OldestMathematics}.txt over");
+                    $"{UnityApiLists.OldestMathematics}: make " +
+                    $"Headless~/Engine/data/unity-api/mathematics-after-{UnityApiLists.OldestMathematics}.txt over");
 
             var types = new HashSet<string>();
             var members = new HashSet<string>();
@@ -52,7 +53,7 @@ namespace Host.Check.Api
             return findings;
         }
 
-        /// <summary>What one assembly names, against these versions.</summary>
+        /// <summary>Compares what one assembly names with these versions.</summary>
         /// <param name="isKnown">Faults that are meant so: what is named, and the complaint. Null: none.</param>
         internal static void Examine(CompiledAssembly assembly, IReadOnlyList<ApiCatalog> versions, ISet<string> types,
             ISet<string> members, Findings findings, Func<string, string, bool> isKnown = null)

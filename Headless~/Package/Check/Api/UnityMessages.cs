@@ -8,7 +8,8 @@ namespace Host.Check.Api
     /// <summary>A method that Unity calls by its name.</summary>
     /// <param name="Receiver">The class whose heirs it is sent to.</param>
     /// <param name="Optional">Whether the method may do without its parameters.</param>
-    sealed record UnityMessage(string Receiver, string Name, bool IsStatic, IReadOnlyList<string> Returns, IReadOnlyList<string> Parameters, bool Optional)
+    sealed record UnityMessage(string Receiver, string Name, bool IsStatic, IReadOnlyList<string> Returns, IReadOnlyList<string> Parameters,
+    bool Optional)
     {
         public override string ToString() =>
             $"{(IsStatic ? "static " : "")}{string.Join(" or ", Returns)} {Name}({string.Join(", ", Parameters)})";
@@ -60,7 +61,8 @@ namespace Host.Check.Api
             }),
             ("UnityEditor.AssetPostprocessor", new[]
             {
-                "OnPreprocessAsset()", "OnPreprocessAnimation()", "OnPreprocessAudio()", "OnPreprocessCameraDescription(UnityEditor.AssetImporters.CameraDescription, UnityEngine.Camera, UnityEngine.AnimationClip[])",
+                "OnPreprocessAsset()", "OnPreprocessAnimation()", "OnPreprocessAudio()",
+                    "OnPreprocessCameraDescription(UnityEditor.AssetImporters.CameraDescription, UnityEngine.Camera, UnityEngine.AnimationClip[])",
                 "OnPreprocessLightDescription(UnityEditor.AssetImporters.LightDescription, UnityEngine.Light, UnityEngine.AnimationClip[])",
                 "OnPreprocessMaterialDescription(UnityEditor.AssetImporters.MaterialDescription, UnityEngine.Material, UnityEngine.AnimationClip[])",
                 "OnPreprocessModel()", "OnPreprocessSpeedTree()", "OnPreprocessTexture()",

@@ -52,7 +52,7 @@ namespace Host.Check.Build
             .Where(type => typeof(IProcessSceneWithReport).IsAssignableFrom(type) && !type.IsAbstract)
             .Select(type => (IProcessSceneWithReport)Activator.CreateInstance(type, nonPublic: true)).OrderBy(step => step.callbackOrder);
 
-        // Of the component and of the serializable classes in it.
+        // Lists of the component and of the serializable classes in it.
         static List<(string[], Object[])> Lists(MonoBehaviour component)
         {
             var lists = new List<(string[], Object[])>();

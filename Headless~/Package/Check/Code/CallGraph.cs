@@ -33,7 +33,8 @@ namespace Host.Check
             foreach (CompiledCall call in Named(method).Where(call => !call.IsPointer))
             {
                 IEnumerable<PackageMethod> targets = call.Method.Name == "Invoke" ? made[call.Method.Owner.ToString()]
-                    : types.Find(call.Method.Owner) == null && call.Method.Name != ".ctor" ? GivenTo(call, method) : Enumerable.Empty<PackageMethod>();
+                    : types.Find(call.Method.Owner) == null && call.Method.Name != ".ctor" ? GivenTo(call, method)
+                        : Enumerable.Empty<PackageMethod>();
                 foreach (PackageMethod target in targets.Concat(Targets(call)))
                     yield return target;
             }

@@ -6,7 +6,7 @@ using UnityEngine.Headless;
 
 namespace Host.Check
 {
-    /// <summary>What a method's body stores to and calls.</summary>
+    /// <summary>Lists what a method's body stores to and calls.</summary>
     static class Code
     {
         /// <summary>Metadata tokens of the static fields that the code stores to.</summary>

@@ -66,7 +66,8 @@ namespace Host.Check
             ("SnapshotCapture.Complete", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
         };
 
-        public override string Name => "code: the runtime calls nothing that waits for the GPU, walks the scene, allocates by LINQ or takes a format for granted";
+        public override string Name => "code: the runtime calls nothing that waits for the GPU, walks the scene, allocates by LINQ or takes a " +
+            "format for granted";
 
         public override Findings Examine(PackageTree package)
         {
@@ -136,7 +137,7 @@ namespace Host.Check
         public static Stream Open(PackageTree package, AssemblyDefinition definition) =>
             definition.IsAdapter ? new MemoryStream(ImageOf(package, definition, new Findings())) : File.OpenRead(PathOf(package, definition));
 
-        // Of the version in which it has both paths.
+        // Image in the version in which it has both paths.
         static byte[] ImageOf(PackageTree package, AssemblyDefinition definition, Findings findings)
         {
             byte[] image = PipelineAssemblies.Of(PipelineVersion.Find("17"))

@@ -8,7 +8,7 @@ using Host.UnityApi;
 namespace Host.Check
 {
     /// <summary>
-    /// What Unity may call on another thread calls nothing of Unity's that needs the main one: OnValidate, constructors and field initializers
+    /// Methods that Unity may call on another thread call nothing of Unity's that needs the main one: OnValidate, constructors and field initializers
     /// of its objects, and callbacks of serialization. Followed through the package's calls, with every override that a call may reach and
     /// every method that a delegate field is given.
     /// </summary>
@@ -38,7 +38,7 @@ namespace Host.Check
             "UnityEngine.Object.op_Implicit", "UnityEngine.Object.Equals", "UnityEngine.Object.GetHashCode",
         };
 
-        const int MostOfRoot = 3;
+        const int MaxPerRoot = 3;
 
         readonly IReadOnlyList<string> names;
 
@@ -91,7 +91,7 @@ namespace Host.Check
                 PackageMethod method = open.Dequeue();
                 if (!reached.Add(method))
                     continue;
-                foreach (string called in graph.ForeignCalls(method).Where(IsUnsafe).Distinct().TakeWhile(_ => told++ < MostOfRoot))
+                foreach (string called in graph.ForeignCalls(method).Where(IsUnsafe).Distinct().TakeWhile(_ => told++ < MaxPerRoot))
                     findings.Fault($"{root.Type.Assembly.Name}.dll: {Path(method, from)} calls {called}, which needs the main thread: let what " +
                         $"Unity calls there check data alone, and do the rest where the change is applied");
                 foreach (PackageMethod next in graph.Calls(method))
@@ -121,9 +121,10 @@ namespace Host.Check
 
         static bool IsBaseConstructor(string type, string member) => member == ".ctor" && (type.EndsWith("Attribute", StringComparison.Ordinal)
             || UnityCatalogs.All.Any(unity => unity.Find(type) is { } listed && (listed.Kind == ApiKind.Struct
-                || type is "UnityEngine.MonoBehaviour" or "UnityEngine.ScriptableObject" || listed.Kind == ApiKind.Class && IsScript(unity, listed))));
+                || type is "UnityEngine.MonoBehaviour" or "UnityEngine.ScriptableObject" || listed.Kind == ApiKind.Class
+                && IsScript(unity, listed))));
 
-        // What only heirs construct: an Editor, a window, an asset.
+        // Tells whether only heirs construct it: an Editor, a window, an asset.
         static bool IsScript(ApiCatalog unity, ApiType type) => unity.Lineage(type).Any(inherited =>
             inherited.Type.Key is "UnityEngine.MonoBehaviour" or "UnityEngine.ScriptableObject");
     }

@@ -1,6 +1,6 @@
 namespace Host.Check
 {
-    /// <summary>A message of FXC that is no fault, and why. One that nothing needs any more is a fault itself.</summary>
+    /// <summary>A message of FXC that is not a fault, and why. One that nothing needs any more is a fault itself.</summary>
     sealed class FxcAllowance
     {
         /// <summary>"X3568".</summary>

@@ -52,7 +52,7 @@ namespace Host.Check
             return findings;
         }
 
-        // What cannot get as far as FXC is a fault already.
+        // Variants that do not reach FXC are faults already.
         static List<ShaderVariant> Compilable(IReadOnlyList<ShaderVariant> variants, Findings findings)
         {
             var compilable = new List<ShaderVariant>();

@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 
 namespace Host.Check
 {
-    /// <summary>What a program takes of a Direct3D 11.0 device, from its bytecode.</summary>
+    /// <summary>Resources of a Direct3D 11.0 device that a program takes, from its bytecode.</summary>
     sealed class KernelBudget
     {
         // Direct3D 11.0, cs_5_0 (D3D11_PS_CS_UAV_REGISTER_COUNT, D3D11_CS_TGSM_REGISTER_COUNT words, D3D11_CS_THREAD_GROUP_MAX_THREADS_PER_GROUP).

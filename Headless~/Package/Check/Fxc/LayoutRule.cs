@@ -7,7 +7,7 @@ using UnityEngine.Headless;
 namespace Host.Check
 {
     /// <summary>
-    /// What runs on this host lies in buffers as in Unity: the programs that the host makes, and those made of FXC's bytecode,
+    /// Data lies in buffers on this host as in Unity: the programs that the host makes, and those made of FXC's bytecode,
     /// want the same resources, constants at the same bytes and elements of the same size. Both stages of a pass fit together
     /// as Direct3D demands.
     /// </summary>

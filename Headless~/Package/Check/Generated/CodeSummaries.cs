@@ -14,7 +14,8 @@ namespace Host.Check
     {
         static readonly Dictionary<string, string> Ascii = new()
         {
-            ["²"] = "^2", ["³"] = "^3", ["⁴"] = "^4", ["⁶"] = "^6", ["−"] = "-", ["·"] = " ", ["×"] = "x", ["≤"] = "<=", ["≥"] = ">=", ["ρ"] = "rho", ["ω"] = "omega", ["ℓ"] = "l", ["Δ"] = "delta ", ["π"] = "pi", ["λ"] = "lambda", ["ε"] = "epsilon",
+            ["²"] = "^2", ["³"] = "^3", ["⁴"] = "^4", ["⁶"] = "^6", ["−"] = "-", ["·"] = " ", ["×"] = "x", ["≤"] = "<=", ["≥"] = ">=", ["ρ"] = "rho",
+                ["ω"] = "omega", ["ℓ"] = "l", ["Δ"] = "delta ", ["π"] = "pi", ["λ"] = "lambda", ["ε"] = "epsilon",
         };
 
         readonly Dictionary<string, string> byId;
@@ -26,8 +27,10 @@ namespace Host.Check
         /// <summary>Without the file all are empty.</summary>
         public static CodeSummaries Load(string path) => File.Exists(path) ? Parse(File.ReadAllText(path)) : None;
 
-        public static CodeSummaries Parse(string xml) => new(XDocument.Parse(xml).Descendants("member").Where(member => member.Element("summary") != null)
-            .GroupBy(member => (string)member.Attribute("name")).ToDictionary(members => members.Key, members => Text(members.First().Element("summary"))));
+        public static CodeSummaries Parse(string xml)
+            => new(XDocument.Parse(xml).Descendants("member").Where(member => member.Element("summary") != null)
+            .GroupBy(member => (string)member.Attribute("name")).ToDictionary(members => members.Key,
+                members => Text(members.First().Element("summary"))));
 
         /// <summary>In one line; empty where there is none.</summary>
         public string Of(MemberInfo member)
@@ -43,7 +46,8 @@ namespace Host.Check
                 if (node is XText words)
                     text.Append(words.Value);
                 else if (node is XElement { Name.LocalName: "see" or "paramref" } reference)
-                    text.Append(((string)reference.Attribute("cref") ?? (string)reference.Attribute("name") ?? "").Split('(')[0].Split('.', ':').Last());
+                    text.Append(((string)reference.Attribute("cref") ?? (string)reference.Attribute("name") ?? "").Split('(')[0].Split('.',
+                        ':').Last());
             string line = Regex.Replace(text.ToString(), @"\s+", " ").Trim();
             foreach ((string letter, string ascii) in Ascii)
                 line = line.Replace(letter, ascii);

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Host.Check
 {
-    /// <summary>What components and their fields cost, by a table of the research: component, field, cost, with tabs between. A
+    /// <summary>Costs of components and their fields, by a table of the research: component, field, cost, with tabs between. A
     /// row without a field is of the component. Names are those of the inspector.</summary>
     sealed class FieldCosts
     {
@@ -13,7 +13,7 @@ namespace Host.Check
         readonly Dictionary<(string Component, string Field), string> costs = new Dictionary<(string, string), string>();
         readonly HashSet<(string, string)> asked = new HashSet<(string, string)>();
 
-        /// <param name="text">The table; what is no row of it is a fault.</param>
+        /// <param name="text">The table; a malformed row is a fault.</param>
         public static FieldCosts Of(string text, Findings findings)
         {
             var read = new FieldCosts();
@@ -24,7 +24,7 @@ namespace Host.Check
                     continue;
                 string[] cells = lines[i].Split('\t');
                 if (cells.Length != 3 || cells[0].Length == 0 || cells[2].Length == 0 || !read.costs.TryAdd((cells[0], cells[1]), cells[2]))
-                    findings.Fault($"{File}({i + 1}) is no new row: write component, field and cost, with a tab between, each once.");
+                    findings.Fault($"{File}({i + 1}) is not a new row: write component, field and cost, with a tab between, each once.");
             }
             return read;
         }

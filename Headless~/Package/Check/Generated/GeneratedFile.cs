@@ -8,7 +8,7 @@ namespace Host.Check
         /// <summary>Below the package's root, with '/'.</summary>
         public abstract string Path { get; }
 
-        /// <summary>What it has to hold; null where its sources are not in the package, or where they have faults, which are named.</summary>
+        /// <summary>Content that it has to hold; null where its sources are not in the package, or where they have faults, which are named.</summary>
         public abstract string Text(PackageTree package, Findings findings);
 
         public sealed override IReadOnlyDictionary<string, string> Texts(PackageTree package, Findings findings) =>

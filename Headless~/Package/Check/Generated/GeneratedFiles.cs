@@ -20,12 +20,13 @@ namespace Host.Check
         /// <summary>A folder that holds no other files, below the package's root with '/' at its end; null where they lie among others.</summary>
         public virtual string Folder => null;
 
-        /// <summary>What each has to hold, by its path below the package's root; null where their sources are not in the package, or where these
-        /// have faults, which are named.</summary>
+        /// <summary>Content that each has to hold, by its path below the package's root; null where their sources are not in the package, or where
+        /// these have faults, which are named.</summary>
         public abstract IReadOnlyDictionary<string, string> Texts(PackageTree package, Findings findings);
 
         /// <summary>Files of the folder that nothing generates any more.</summary>
         public IEnumerable<string> Leftover(PackageTree package, IReadOnlyDictionary<string, string> texts) =>
-            Folder == null ? Enumerable.Empty<string>() : package.Files.Where(file => file.StartsWith(Folder, StringComparison.Ordinal) && !texts.ContainsKey(file));
+            Folder == null ? Enumerable.Empty<string>()
+            : package.Files.Where(file => file.StartsWith(Folder, StringComparison.Ordinal) && !texts.ContainsKey(file));
     }
 }

@@ -7,7 +7,7 @@ using System.Text;
 
 namespace Host.Check
 {
-    /// <summary>What C# and HLSL share, in HLSL: a file for each name that [GenerateHlsl] gives in the package's main assembly.</summary>
+    /// <summary>Declarations common to C# and HLSL, in HLSL: a file for each name that [GenerateHlsl] gives in the package's main assembly.</summary>
     sealed class HlslFiles : GeneratedFiles
     {
         const string OfThePackage = "Runtime/Gpu/GenerateHlslAttribute.cs";
@@ -24,10 +24,12 @@ namespace Host.Check
                 findings.Fault($"{assembly} is not there: build it first (Headless~/rill does)");
                 return null;
             }
-            IReadOnlyDictionary<string, string> files = GeneratedHlsl.Files(Assembly.LoadFrom(assembly).GetTypes(), CodeSummaries.Load(Path.ChangeExtension(assembly, ".xml")), findings);
+            IReadOnlyDictionary<string, string> files = GeneratedHlsl.Files(Assembly.LoadFrom(assembly).GetTypes(),
+                CodeSummaries.Load(Path.ChangeExtension(assembly, ".xml")), findings);
             if (files == null)
                 return null;
-            var texts = new Dictionary<string, string> { [Folder.TrimEnd('/') + ".meta"] = Meta(Folder.TrimEnd('/'), "folderAsset: yes\nDefaultImporter") };
+            var texts = new Dictionary<string, string> { [Folder.TrimEnd('/') + ".meta"] = Meta(Folder.TrimEnd('/'),
+                "folderAsset: yes\nDefaultImporter") };
             foreach ((string name, string text) in files)
             {
                 string path = $"{Folder}{name}.hlsl";
@@ -37,8 +39,10 @@ namespace Host.Check
             return texts;
         }
 
-        // As Headless~/Engine/tools/make-meta writes them: the GUID comes from the path.
+        // Writes them like Headless~/Engine/tools/make-meta: the GUID comes from the path.
         static string Meta(string path, string importer) =>
-            $"fileFormatVersion: 2\nguid: {Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant()}\n{importer}:\n  externalObjects: {{}}\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n";
+            $"fileFormatVersion: 2\nguid: " +
+            $"{Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant()}\n{importer}:\n  " +
+            "externalObjects: {}\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n";
     }
 }

@@ -39,7 +39,8 @@ namespace Host.Check
         readonly CodeSummaries summaries;
         readonly Findings findings;
 
-        HlslStruct(Type type, HlslMark mark, CodeSummaries summaries, Findings findings) => (this.type, this.mark, this.summaries, this.findings) = (type, mark, summaries, findings);
+        HlslStruct(Type type, HlslMark mark, CodeSummaries summaries, Findings findings) => (this.type, this.mark, this.summaries,
+            this.findings) = (type, mark, summaries, findings);
 
         /// <summary>Null where it has a fault, which is named.</summary>
         public static HlslDeclaration Of(Type type, HlslMark mark, CodeSummaries summaries, Findings findings)
@@ -47,14 +48,16 @@ namespace Host.Check
             int before = findings.Faults.Count;
             var made = new HlslStruct(type, mark, summaries, findings);
             List<Member> members = made.Members();
-            HlslDeclaration declaration = findings.Faults.Count > before ? null : mark.ConstantBuffer == null ? made.Element(members) : made.Constants(members);
+            HlslDeclaration declaration = findings.Faults.Count > before ? null : mark.ConstantBuffer == null ? made.Element(members)
+                : made.Constants(members);
             return findings.Faults.Count > before ? null : declaration;
         }
 
         List<Member> Members()
         {
             var members = new List<Member>();
-            foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).OrderBy(field => field.MetadataToken))
+            foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).OrderBy(field
+                => field.MetadataToken))
             {
                 var member = new Member { Name = field.Name, Summary = summaries.Of(field) };
                 Type element = field.FieldType;
@@ -67,7 +70,8 @@ namespace Host.Check
                 }
                 if (!Types.TryGetValue(element.FullName, out (string kind, int count) shape))
                 {
-                    findings.Fault($"{type.FullName}.{field.Name} is a {field.FieldType.Name}, which HLSL cannot hold at the same bytes: use int, uint, float, a vector of them, or a struct of equal ones for an array.");
+                    findings.Fault($"{type.FullName}.{field.Name} is a {field.FieldType.Name}, which HLSL cannot hold at the same bytes: use " +
+                        "int, uint, float, a vector of them, or a struct of equal ones for an array.");
                     continue;
                 }
                 bool isSigned = HlslMark.Of(field)?.Signed ?? mark.Signed;
@@ -111,16 +115,19 @@ namespace Host.Check
                 {
                     string nextName = Property(next.Name), both = $"{name}And{nextName.Substring(1)}";
                     text.Append($"    {member.Kind}4 {both};\n");
-                    defines.Append(GeneratedHlsl.Line($"#define {name} ({both}.xyz)", member.Summary)).Append(GeneratedHlsl.Line($"#define {nextName} ({both}.w)", next.Summary));
+                    defines.Append(GeneratedHlsl.Line($"#define {name} ({both}.xyz)",
+                        member.Summary)).Append(GeneratedHlsl.Line($"#define {nextName} ({both}.w)", next.Summary));
                     names.Add(nextName);
                     (count, i) = (4, i + 1);
                 }
                 else
                 {
                     if (count is 2 or 3)
-                        findings.Fault($"{type.FullName}.{member.Name} is a {member.Type} of a constant buffer, which graphics APIs put at different bytes: put a {member.Kind} behind a {member.Kind}3, or use scalars or a {member.Kind}4.");
+                        findings.Fault($"{type.FullName}.{member.Name} is a {member.Type} of a constant buffer, which graphics APIs put at " +
+                            $"different bytes: put a {member.Kind} behind a {member.Kind}3, or use scalars or a {member.Kind}4.");
                     else if (member.ArrayLength > 0 && count != 4)
-                        findings.Fault($"{type.FullName}.{member.Name} is an array of {member.Type} in a constant buffer, of which each would take 16 bytes: use a {member.Kind}4 for each.");
+                        findings.Fault($"{type.FullName}.{member.Name} is an array of {member.Type} in a constant buffer, of which each would " +
+                            $"take 16 bytes: use a {member.Kind}4 for each.");
                     text.Append("    " + GeneratedHlsl.Line(member.Declaration(name), member.Summary));
                 }
                 declared.Add((member.Name, member.Offset, new ConstantField { Rows = 1, Columns = count, ArrayLength = member.ArrayLength }));
@@ -132,7 +139,8 @@ namespace Host.Check
                     Compare(declared[i].name, declared[i].offset, offsets[i], packing.Name);
             }
             if (Marshal.SizeOf(type) % 16 != 0)
-                findings.Fault($"{type.FullName} has {Marshal.SizeOf(type)} bytes, and a constant buffer has a multiple of 16: add scalars at its end.");
+                findings.Fault($"{type.FullName} has {Marshal.SizeOf(type)} bytes, and a constant buffer has a multiple of 16: add scalars at " +
+                    "its end.");
             text.Append("};\n");
             if (defines.Length > 0)
                 text.Append('\n').Append(defines);
@@ -142,7 +150,8 @@ namespace Host.Check
         void Compare(string member, int here, int there, string where)
         {
             if (here != there)
-                findings.Fault($"{type.FullName}: {member} lies at byte {here} in C# and at {there} in HLSL, by the rules of {where}: use LayoutKind.Sequential, and fill what lies before it with scalars.");
+                findings.Fault($"{type.FullName}: {member} lies at byte {here} in C# and at {there} in HLSL, by the rules of {where}: use " +
+                    "LayoutKind.Sequential, and fill what lies before it with scalars.");
         }
 
         static string Property(string name) => $"_{char.ToUpperInvariant(name[0])}{name.Substring(1)}";

@@ -26,7 +26,8 @@ namespace Host.Check
         public override string Text(PackageTree package, Findings findings)
         {
             var faults = new Findings();
-            List<ShaderVariant> variants = PackageShaders.Variants(package, new ShaderCache(cacheFolder), faults, out _).Where(v => v.File.StartsWith(Folder, StringComparison.Ordinal)).ToList();
+            List<ShaderVariant> variants = PackageShaders.Variants(package, new ShaderCache(cacheFolder), faults,
+                out _).Where(v => v.File.StartsWith(Folder, StringComparison.Ordinal)).ToList();
             if (variants.Count == 0)
                 return null;
             var programs = variants.AsParallel().AsOrdered().Select(Compile).ToList();
@@ -40,10 +41,12 @@ namespace Host.Check
             var text = new StringBuilder();
             text.Append("// Generated from the reflection of Shaders/ by `Headless~/rill generate`; `rill check` compares it. Do not edit.\n");
             text.Append("namespace Rill\n{\n    static partial class KernelNeeds\n    {\n");
-            text.Append("        // file, kernel, defines of its #pragma line and keywords; threads, groupshared bytes; storage buffers, writable resources, textures\n");
+            text.Append("        // file, kernel, defines of its #pragma line and keywords; threads, groupshared bytes; storage buffers, " +
+                "writable resources, textures\n");
             Append(text, "Kernels", programs.Where(p => p.variant.Stage == ShaderStage.Compute).Select(p => Row(p.variant, p.program)));
             text.Append("\n        // file, stage; the most of all passes and keywords\n");
-            Append(text, "Draws", programs.Where(p => p.variant.Stage != ShaderStage.Compute).GroupBy(p => (p.variant.File, p.variant.Stage)).Select(stage => DrawRow(stage.Key.File, stage.Key.Stage, stage.Select(p => p.program))));
+            Append(text, "Draws", programs.Where(p => p.variant.Stage != ShaderStage.Compute).GroupBy(p => (p.variant.File,
+                p.variant.Stage)).Select(stage => DrawRow(stage.Key.File, stage.Key.Stage, stage.Select(p => p.program))));
             text.Append("    }\n}\n");
             return text.ToString();
         }
@@ -72,16 +75,19 @@ namespace Host.Check
         {
             var needs = new ProgramNeeds(program);
             string defines = string.Join(" ", new[] { variant.Defines, variant.Keywords }.Where(words => words.Length > 0));
-            return Row(variant.File, variant.Program, defines, needs.Threads, needs.GroupsharedBytes, needs.StorageBuffers, program.UavCount, needs.Textures + needs.StorageTextures + needs.TypedBuffers);
+            return Row(variant.File, variant.Program, defines, needs.Threads, needs.GroupsharedBytes, needs.StorageBuffers, program.UavCount,
+                needs.Textures + needs.StorageTextures + needs.TypedBuffers);
         }
 
         static string DrawRow(string file, ShaderStage stage, IEnumerable<ShaderProgram> programs)
         {
             List<(ProgramNeeds needs, int writable)> all = programs.Select(program => (new ProgramNeeds(program), program.UavCount)).ToList();
-            return Row(file, stage.ToString(), "", 0, 0, all.Max(p => p.needs.StorageBuffers), all.Max(p => p.writable), all.Max(p => p.needs.Textures + p.needs.StorageTextures + p.needs.TypedBuffers));
+            return Row(file, stage.ToString(), "", 0, 0, all.Max(p => p.needs.StorageBuffers), all.Max(p => p.writable),
+                all.Max(p => p.needs.Textures + p.needs.StorageTextures + p.needs.TypedBuffers));
         }
 
         static string Row(string file, string program, string defines, int threads, int shared, int storage, int writable, int textures) =>
-            $"new KernelNeed(\"{System.IO.Path.GetFileNameWithoutExtension(file)}\", \"{program}\", \"{defines}\", {threads}, {shared}, {storage}, {writable}, {textures})";
+            $"new KernelNeed(\"{System.IO.Path.GetFileNameWithoutExtension(file)}\", \"{program}\", \"{defines}\", {threads}, {shared}, " +
+            $"{storage}, {writable}, {textures})";
     }
 }

@@ -34,15 +34,19 @@ namespace Host.Check
                     findings.Fault($"{file} is not there: build it first (Headless~/rill does)");
                     return null;
                 }
-                components.AddRange(Assembly.LoadFrom(file).GetTypes().Where(type => !type.IsAbstract && type.IsPublic && typeof(MonoBehaviour).IsAssignableFrom(type) && type.GetCustomAttribute<AddComponentMenu>() != null));
+                components.AddRange(Assembly.LoadFrom(file).GetTypes().Where(type => !type.IsAbstract && type.IsPublic
+                    && typeof(MonoBehaviour).IsAssignableFrom(type) && type.GetCustomAttribute<AddComponentMenu>() != null));
             }
 
             var text = new StringBuilder();
-            text.Append("<!-- Made by `Headless~/rill generate` from the tooltips, ranges and default values in the code; `rill check` compares it. Do not edit. -->\n");
+            text.Append("<!-- Made by `Headless~/rill generate` from the tooltips, ranges and default values in the code; `rill check` " +
+                "compares it. Do not edit. -->\n");
             text.Append("# Component reference\n\n");
-            text.Append("Every field of every component, as its tooltip has it. *Range* is what the inspector's control allows; where it is empty, the text names the limits.\n\n");
+            text.Append("Every field of every component, as its tooltip has it. *Range* is what the inspector's control allows; where it is " +
+                "empty, the text names the limits.\n\n");
             text.Append("*Cost* is GPU time of a step of 100,000 / 1,000,000 particles on an NVIDIA H100, unless noted otherwise; " +
-                "`Headless~/rill bench fields` measures it, [Sizing a scene](sizing.md) tells of other GPUs. Where it is empty, a field costs nothing of its own.\n");
+                "`Headless~/rill bench fields` measures it, [Sizing a scene](sizing.md) tells of other GPUs. Where it is empty, a field costs " +
+                "nothing of its own.\n");
             var costs = FieldCosts.Of(package.Read(FieldCosts.File), findings);
             foreach (Type type in components.OrderBy(type => type.Name != "FluidSimulation").ThenBy(Title, StringComparer.Ordinal))
                 text.Append(Describe(type, costs));
@@ -87,17 +91,20 @@ namespace Host.Check
 
         static string Title(Type component) => component.GetCustomAttribute<AddComponentMenu>().componentMenu.Split('/').Last();
 
-        // As declared. Where that is over several files the order is not known, so components sort their fields by name.
+        // Order as declared. Over several files it is unknown, so components sort their fields by name.
         static IEnumerable<FieldInfo> Fields(Type type)
         {
             const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
-            IEnumerable<FieldInfo> inherited = type.BaseType == null || type.BaseType == typeof(MonoBehaviour) ? Enumerable.Empty<FieldInfo>() : Fields(type.BaseType);
+            IEnumerable<FieldInfo> inherited = type.BaseType == null || type.BaseType == typeof(MonoBehaviour) ? Enumerable.Empty<FieldInfo>()
+                : Fields(type.BaseType);
             return inherited.Concat(type.GetFields(Own).Where(IsShown).OrderBy(field => field.MetadataToken));
         }
 
-        static bool IsShown(FieldInfo field) => (field.IsPublic || field.GetCustomAttribute<SerializeField>() != null) && !field.IsNotSerialized && !field.IsInitOnly && field.GetCustomAttribute<HideInInspector>() == null;
+        static bool IsShown(FieldInfo field) => (field.IsPublic || field.GetCustomAttribute<SerializeField>() != null) && !field.IsNotSerialized
+            && !field.IsInitOnly && field.GetCustomAttribute<HideInInspector>() == null;
 
-        static bool IsGroup(Type type) => type.IsValueType && !type.IsPrimitive && !type.IsEnum && type.Namespace != nameof(UnityEngine) && type.GetCustomAttribute<SerializableAttribute>() != null;
+        static bool IsGroup(Type type) => type.IsValueType && !type.IsPrimitive && !type.IsEnum && type.Namespace != nameof(UnityEngine)
+            && type.GetCustomAttribute<SerializableAttribute>() != null;
 
         static void AppendTable(StringBuilder text, string title, IEnumerable<string> rows, FieldCosts costs)
         {

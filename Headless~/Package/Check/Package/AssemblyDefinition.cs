@@ -60,7 +60,7 @@ namespace Host.Check
             OverrideReferences = Flag("overrideReferences");
         }
 
-        /// <summary>Of a render pipeline: compiled for each version of it against stand-ins, not by a project of its own.</summary>
+        /// <summary>Set for a render pipeline: compiled for each version of it against stand-ins, not by a project of its own.</summary>
         public bool IsAdapter => VersionDefines.Any(define => define.Package.StartsWith("com.unity.render-pipelines.", StringComparison.Ordinal));
 
         /// <summary>Whether Unity compiles it only where the package or module is there.</summary>

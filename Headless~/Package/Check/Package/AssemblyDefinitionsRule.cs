@@ -6,7 +6,8 @@ using System.Xml.Linq;
 
 namespace Host.Check
 {
-    /// <summary>What Unity compiles by its assembly definitions is what was compiled and tested here by projects of the same names.</summary>
+    /// <summary>The assemblies that Unity compiles by its assembly definitions are those that were compiled and tested here by projects of the same
+    /// names.</summary>
     sealed class AssemblyDefinitionsRule : Rule
     {
         const string Projects = "Headless~/Package/";
@@ -84,7 +85,7 @@ namespace Host.Check
             }
 
             Same("scripts", definition.Scripts(package, all), Compiled(package, project));
-            // The engine itself is no reference in Unity; both test runners are one assembly here.
+            // The engine itself is not a reference in Unity; both test runners are one assembly here.
             Same("references", definition.References.Where(r => r != "UnityEditor.TestRunner"),
                 project.Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include").Value))
                     .Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEngine.TerrainModule"

@@ -43,7 +43,7 @@ namespace Host.Check
 
         static bool IsEngine(string file) => file.StartsWith(Engine, StringComparison.Ordinal);
 
-        // What a project takes from files: packages of NuGet and names of assemblies are no paths.
+        // Files that a project refers to: packages of NuGet and names of assemblies are not paths.
         static IEnumerable<string> Paths(XElement element)
             => element.Name.LocalName is "PackageReference" or "PackageDownload" or "InternalsVisibleTo" ? Enumerable.Empty<string>()
             : element.Attributes().Where(attribute => attribute.Name.LocalName is "Include" or "Project")

@@ -26,7 +26,7 @@ namespace Host.Check
                 foreach (string part in file.Split('/'))
                     if (part.IndexOfAny(Forbidden) >= 0 || part.Any(char.IsControl) || part.EndsWith('.') || part.EndsWith(' ')
                         || Reserved.Contains(part.Split('.')[0]))
-                        findings.Fault($"{file}: \"{part}\" is no file name on Windows: rename it");
+                        findings.Fault($"{file}: \"{part}\" is not a file name on Windows: rename it");
                 if (file.Length > MaxPath)
                     findings.Fault($"{file}: the path has {file.Length} characters, more than {MaxPath}: shorten it, Windows ends at 260 in all");
                 long bytes = new FileInfo(package.FullPath(file)).Length;

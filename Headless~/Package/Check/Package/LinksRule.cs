@@ -74,8 +74,9 @@ namespace Host.Check
             return string.Join('/', path);
         }
 
-        // As GitHub names them: lower case, spaces to hyphens, other signs gone.
-        static HashSet<string> Anchors(string text) => text.Split('\n').Select(line => Heading.Match(line.TrimEnd('\r'))).Where(match => match.Success)
+        // Names by GitHub: lower case, spaces to hyphens, other signs gone.
+        static HashSet<string> Anchors(string text)
+        => text.Split('\n').Select(line => Heading.Match(line.TrimEnd('\r'))).Where(match => match.Success)
             .Select(match => Regex.Replace(match.Groups["text"].Value.ToLowerInvariant(), @"[^\w\- ]", "").Replace(' ', '-')).ToHashSet();
 
         static void CheckContents(PackageTree package, List<string> pages, string folder, string name, Findings findings)

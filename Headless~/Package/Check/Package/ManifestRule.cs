@@ -78,7 +78,7 @@ namespace Host.Check
                 if (sample.DisplayName.Length == 0 || sample.Description.Length == 0)
                     findings.Fault($"package.json: the sample at \"{sample.Path}\" needs a displayName and a description");
                 if (!folders.Remove(sample.Path))
-                    findings.Fault($"package.json: the sample \"{sample.DisplayName}\" lies at \"{sample.Path}\", but there is no such " +
+                    findings.Fault($"package.json: the sample \"{sample.DisplayName}\" lies at \"{sample.Path}\", but it has no such " +
                         $"folder, or it is listed twice");
                 else if (!package.Files.Any(f => f.StartsWith(sample.Path + "/", StringComparison.Ordinal)
                     && f.EndsWith(".unity", StringComparison.Ordinal)))

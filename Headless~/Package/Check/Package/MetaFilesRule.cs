@@ -13,7 +13,7 @@ namespace Host.Check
             var findings = new Findings();
             ProjectIndex index = ProjectView.Index(package);
             string root = index.Mounts[0].AssetPath + "/";
-            // What tools write at the root of a checkout is ignored by git, so no user has it.
+            // Files that tools write at the root of a checkout are ignored by git, so no user has them.
             foreach (string problem in index.Problems.Where(problem => !PackageTree.IsGenerated(problem.Replace(root, ""))))
                 findings.Fault(problem.Replace(root, ""));
             findings.Looked = $"{index.Entries.Count} assets";

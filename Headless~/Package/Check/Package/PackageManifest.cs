@@ -15,7 +15,7 @@ namespace Host.Check
         public readonly List<KeyValuePair<string, string>> Dependencies = new();
         public readonly List<PackageSample> Samples = new();
 
-        /// <summary>Null with a fault when there is no file that can be read.</summary>
+        /// <summary>Null with a fault when no file can be read.</summary>
         public static PackageManifest Read(PackageTree package, Findings findings)
         {
             const string file = "package.json";

@@ -8,7 +8,7 @@ using UnityEngine.Headless;
 namespace Host.Check
 {
     /// <summary>
-    /// What scenes, prefabs and assets draw is drawn in every render pipeline: by a material of the package's or sample's own whose shader
+    /// Objects of scenes, prefabs and assets are drawn in every render pipeline: by a material of the package's or sample's own whose shader
     /// has a SubShader for each. The editor's own materials are of the Built-in pipeline, and pink in others; so is a renderer without one.
     /// </summary>
     sealed class PipelineMaterialsRule : Rule
@@ -33,7 +33,8 @@ namespace Host.Check
                     {
                         foreach (FileReference builtIn in BuiltIn(document.Fields, null))
                             findings.Fault($"{builtIn.Location}: {document.TypeName} refers to the built-in " +
-                                $"{BuiltInAssets.NameOf(builtIn.FileId)}, which is pink in URP and HDRP: make a material of the sample's own with the shader Rill/Solid");
+                                $"{BuiltInAssets.NameOf(builtIn.FileId)}, which is pink in URP and HDRP: make a material of the sample's own " +
+                                "with the shader Rill/Solid");
                         if (document.ClassId == Material)
                         {
                             materials++;
@@ -88,7 +89,7 @@ namespace Host.Check
             FileReference reference = material.Fields.Reference("m_Shader");
             if (reference.IsNone)
                 findings.Fault($"{material.Location}: the material has no shader");
-            // What is no file of the package is told as built in, or by the rule about references.
+            // Assets outside of the package are reported as built in, or by the rule about references.
             if (reference.IsNone || index.ByGuid(reference.Guid ?? "") is not { Extension: ".shader" } file)
                 return;
             try

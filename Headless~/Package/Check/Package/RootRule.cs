@@ -7,10 +7,10 @@ namespace Host.Check
     /// <summary>The package's root cannot be opened as a Unity project: Unity would write Library/ and the like into the package.</summary>
     sealed class RootRule : Rule
     {
-        // What Unity and its Hub take a folder for a project by. Library/ and its kin are what opening one leaves behind.
+        // Folders by which Unity and its Hub recognize a project. Library/ and its kin are left by opening one.
         static readonly string[] OfProjects = { "Assets", "Packages", "ProjectSettings" };
 
-        public override string Name => "package: the root is no project that Unity could open";
+        public override string Name => "package: the root is not a project that Unity could open";
 
         public override Findings Examine(PackageTree package)
         {

@@ -12,7 +12,7 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Check
 {
-    /// <summary>What scenes and assets store is read by a field of the class: a renamed field without [FormerlySerializedAs] loses its
+    /// <summary>Values that scenes and assets store are read by a field of the class: a renamed field without [FormerlySerializedAs] loses its
     /// values in silence.</summary>
     sealed class ScriptFieldsRule : Rule
     {

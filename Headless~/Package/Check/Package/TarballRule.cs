@@ -7,7 +7,7 @@ using System.Text.Json;
 
 namespace Host.Check
 {
-    /// <summary>What a registry would hand out: all that Unity sees, samples and documentation, and nothing of the workshop.</summary>
+    /// <summary>Content that a registry would hand out: all that Unity sees, samples and documentation, and nothing of the workshop.</summary>
     sealed class TarballRule : Rule
     {
         // Read by Unity though hidden, and shipped.

@@ -14,7 +14,7 @@ namespace Host.Check
         // 2022.3 carries 1.1; the tests are written for 1.4.
         const string Framework = "com.unity.test-framework";
         static readonly Version MinFramework = new(1, 4);
-        // The same version twice.
+        // Matches the version, twice.
         static readonly Regex Revision = new(@"m_EditorVersion: (\S+)\s+m_EditorVersionWithRevision: \1 \([0-9a-f]{12}\)\s*$");
 
         public override string Name => "package: the test project opens and runs the tests";

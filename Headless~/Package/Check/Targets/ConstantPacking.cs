@@ -3,7 +3,7 @@ using UnityEngine.Headless;
 
 namespace Host.Check
 {
-    /// <summary>Where a graphics API puts the members of a constant buffer, from their declared types alone.</summary>
+    /// <summary>Offsets at which a graphics API puts the members of a constant buffer, from their declared types alone.</summary>
     sealed class ConstantPacking
     {
         const int Register = 16;

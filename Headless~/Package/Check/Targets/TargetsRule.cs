@@ -8,7 +8,7 @@ using UnityEngine.Headless;
 
 namespace Host.Check
 {
-    /// <summary>What graphics APIs beside Direct3D 11 make of every program; it has to be well for those that are stated as supported.</summary>
+    /// <summary>Translation of every program for graphics APIs beside Direct3D 11; it has to succeed for those stated as supported.</summary>
     sealed class TargetsRule : Rule
     {
         readonly string cacheFolder;
@@ -53,7 +53,7 @@ namespace Host.Check
         sealed class Verdict
         {
             public ShaderVariant Variant;
-            /// <summary>Why it is no program at all here; null when it is.</summary>
+            /// <summary>Reason why it is not a program at all here; null when it is.</summary>
             public string Fault;
             public ProgramNeeds Needs;
             /// <summary>A target each: empty when the program runs there.</summary>

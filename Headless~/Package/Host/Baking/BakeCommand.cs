@@ -110,7 +110,7 @@ namespace Host.Baking
                 : throw new HostException($"--memory {text}: the least is 1M, the most {int.MaxValue}M.");
         }
 
-        /// <summary>As "open-shell" for OpenShell.</summary>
+        /// <summary>Parses a choice, such as "open-shell" for OpenShell.</summary>
         internal static T Choice<T>(string text, string option) where T : struct, Enum
         {
             foreach (T value in Enum.GetValues<T>())

@@ -132,7 +132,7 @@ namespace Host.Baking
             return bake;
         }
 
-        /// <summary>Of the mesh's own asset, where it lies in a project; "" elsewhere.</summary>
+        /// <summary>GUID of the mesh's own asset in a project; "" elsewhere.</summary>
         string SourceGuid()
         {
             string meta = file + ".meta";

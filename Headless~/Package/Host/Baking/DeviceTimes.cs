@@ -18,7 +18,7 @@ namespace Host.Baking
             device.Timing = true;
         }
 
-        /// <summary>What has ended since they were collected last.</summary>
+        /// <summary>Returns the samples that ended since the last call.</summary>
         public IEnumerable<DeviceSample> Collect() => device.CollectSamples();
 
         public void Dispose() => device.Timing = before;

@@ -28,7 +28,7 @@ namespace Host.Baking
             return text.Substring(0, at) + line + (next < 0 ? "" : text.Substring(next + newLine.Length));
         }
 
-        /// <summary>The same for a list of references in a field that holds nothing else.</summary>
+        /// <summary>Replaces a list of references in a field that holds nothing else.</summary>
         /// <param name="list">Name of the list in the field's class.</param>
         /// <param name="values">As Unity writes them, with their braces.</param>
         /// <returns>Null where the file has no such component of its own.</returns>
@@ -45,7 +45,7 @@ namespace Host.Baking
                 : text.Insert(end, (text[end - 1] == '\n' ? "" : newLine) + lines);
         }
 
-        /// <summary>The same for a component that a prefab instance brings.</summary>
+        /// <summary>Sets a field of a component that a prefab instance brings.</summary>
         /// <param name="instance">File id of the instance.</param>
         /// <param name="target">File id of the component in the instance's prefab.</param>
         /// <returns>Null where the file has no such instance.</returns>

@@ -78,7 +78,7 @@ namespace Host.Baking
 
         static int Center(SdfVolume volume, SdfSlice view) => volume.Resolution[view.Normal] / 2;
 
-        /// <summary>Of the centers of the first voxels, m.</summary>
+        /// <summary>Coordinates of the centers of the first voxels, m.</summary>
         static float Lowest(SdfVolume volume, int axis) => volume.Bounds.min[axis] + 0.5f * volume.VoxelSize;
 
         static string Quote(string text) => "'" + text.Replace("'", "''") + "'";

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Host.Baking
 {
-    /// <summary>Where values on a grid change their sign: marching squares with linear interpolation.</summary>
+    /// <summary>Lines on which values on a grid change their sign: marching squares with linear interpolation.</summary>
     static class ZeroLine
     {
         /// <param name="values">[y, x]</param>

@@ -50,7 +50,8 @@ namespace Host.Bench
 
             var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
                 substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, kernels, json, shaders,
-                BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(), PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
+                BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(),
+                PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
                 SurfaceBench.Create() };
             command.SetAction(parsed =>
             {

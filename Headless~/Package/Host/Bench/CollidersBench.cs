@@ -157,7 +157,7 @@ namespace Host.Bench
                 colliders[i] = new ColliderMotion
                 {
                     shape = shape,
-                    // Of about the same volume.
+                    // All have about the same volume.
                     size = shape == ColliderShape.Box ? 0.8f * radius : shape == ColliderShape.Capsule
                         ? new float3(0.8f * radius, 0.64f * radius, 0f) : shape == ColliderShape.Mesh ? 0.5f * Voxel * FieldSide(radius)
                         : radius,
@@ -214,7 +214,7 @@ namespace Host.Bench
             }
         }
 
-        // Of the ball's field: three voxels around it.
+        // Side of the ball's field: three voxels around it.
         static int FieldSide(float radius) => (int)math.ceil(2f * radius / Voxel) + 6;
 
         static Texture3D Ball(float radius)

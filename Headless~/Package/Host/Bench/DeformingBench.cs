@@ -53,8 +53,10 @@ namespace Host.Bench
                 => times.Select(part).OrderBy(t => t).ElementAt(times.Count / 2).ToString("0.000", CultureInfo.InvariantCulture);
             int3 size = field.Resolution;
             output.WriteLine(string.Create(CultureInfo.InvariantCulture,
-                $"{mesh.TriangleCount,10:N0}  {size.x + " x " + size.y + " x " + size.z,-16}{Of(t => t.Follow),10}{Of(t => t.Record),10}{Of(t => Sum(t.Gpu, Whole)),10}"));
-            foreach (string name in stages ? times[0].Gpu.Select(sample => sample.Name).Distinct().Where(name => name != Whole) : Array.Empty<string>())
+                $"{mesh.TriangleCount,10:N0}  " +
+                $"{size.x + " x " + size.y + " x " + size.z,-16}{Of(t => t.Follow),10}{Of(t => t.Record),10}{Of(t => Sum(t.Gpu, Whole)),10}"));
+            foreach (string name in stages ? times[0].Gpu.Select(sample => sample.Name).Distinct().Where(name => name != Whole)
+                : Array.Empty<string>())
                 output.WriteLine($"{"",12}{name,-30}{Of(t => Sum(t.Gpu, name)),36}");
             Object.DestroyImmediate(owner);
             Object.DestroyImmediate(source);

@@ -88,7 +88,7 @@ namespace Host.Bench
             var batches = new List<QueryBatch> { batch };
             using var points = new NativeArray<float4>(Math.Max(counts.Points, 1), Allocator.Persistent);
             using var rays = new NativeArray<RayQuery>(Math.Max(counts.Rays, 1), Allocator.Persistent);
-            BatchInput batched = AskBatch(scene, counts, ball, points, rays);
+            BatchInput batched = CreateBatch(scene, counts, ball, points, rays);
             Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, scene.Fill, input, First, Last, steps,
                 cmd =>
                 {
@@ -116,7 +116,7 @@ namespace Host.Bench
         }
 
         // Points where probes are, and rays from over the block towards them.
-        static BatchInput AskBatch(ExperimentScene scene, Counts counts, float ball, NativeArray<float4> points, NativeArray<RayQuery> rays)
+        static BatchInput CreateBatch(ExperimentScene scene, Counts counts, float ball, NativeArray<float4> points, NativeArray<RayQuery> rays)
         {
             var random = new Random(6u);
             float3 block = scene.Blocks[0].counts, size = scene.Box, reach = math.min(new float3(1.5f, 1f, 1f) * block, size);

@@ -99,7 +99,7 @@ namespace Host.Bench
             }
         }
 
-        // Of the block as it is filled in.
+        // Packs the block as it is filled in.
         static void PackOnce(PbfSolver solver, ExperimentScene scene, RecordingHeader header, GraphicsBuffer packed)
         {
             scene.Fill(solver);
@@ -115,7 +115,7 @@ namespace Host.Bench
             public double writing;      // of all frames, ms
         }
 
-        // The same frame again and again: the main thread copies it as soon as a buffer is free, and the writer's threads do the rest.
+        // Writes one frame again and again: the main thread copies it as soon as a buffer is free, and the writer's threads do the rest.
         static Times Write(string path, RecordingHeader header, GraphicsBuffer packed, int frames)
         {
             var times = new Times { copies = new List<double>(), checksums = new List<double>(), sharedChecksums = new List<double>() };

@@ -24,7 +24,7 @@ namespace Host.Bench
         readonly List<double> milliseconds = new List<double>();
 
         /// <param name="input">Of the step; its colliders are left out.</param>
-        /// <param name="positions">m, as many as the fluid has particles, at any place.</param>
+        /// <param name="positions">m, as many as the fluid has particles, anywhere.</param>
         /// <param name="velocities">m/s.</param>
         public SameWater(SolverLayout layout, StepInput input, NativeArray<float4> positions, NativeArray<float4> velocities)
         {

@@ -76,7 +76,7 @@ namespace Host.Commands
             session.LoadScene(located);
             FluidSimulation[] simulations = Object.FindObjectsOfType<FluidSimulation>();
             if (simulations.Length == 0)
-                throw new HostException($"'{located.File}' has no FluidSimulation, so there are no particles to write.");
+                throw new HostException($"'{located.File}' has no FluidSimulation, so no particles can be written.");
             List<ParticleSequence> sequences =
                 simulations.Select((simulation, i) => new ParticleSequence(simulation, folder, simulations.Length > 1
                 ? $"{i}_{simulation.name}" : "particles", format)).ToList();

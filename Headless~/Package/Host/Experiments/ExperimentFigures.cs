@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Host.Experiments
 {
-    /// <summary>What a run with one setting comes to: the columns that the report's sweeps share. Measures as in Documentation~/solver.md.</summary>
+    /// <summary>Figures of a run with one setting: the common columns of the report's sweeps. Measures as in Documentation~/solver.md.</summary>
     static class ExperimentFigures
     {
         public static readonly string[] Columns =
@@ -20,7 +20,7 @@ namespace Host.Experiments
         /// <summary>A step of 1/60 s of water under gravity.</summary>
         public static StepInput Input(in SolverSettings settings) => Input(settings, FluidMaterial.Water);
 
-        /// <summary>The same of another material.</summary>
+        /// <summary>Returns the input for another material.</summary>
         public static StepInput Input(in SolverSettings settings, in FluidMaterial material) =>
             new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -Gravity, 0f), settings = settings, material = material };
 

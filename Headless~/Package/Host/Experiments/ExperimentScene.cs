@@ -40,7 +40,7 @@ namespace Host.Experiments
         /// <summary>m.</summary>
         public float3 Domain => Box * Spacing;
 
-        /// <summary>Of the tallest block on the floor.</summary>
+        /// <summary>Number of layers of the tallest block on the floor.</summary>
         public int Layers
         {
             get
@@ -155,7 +155,7 @@ namespace Host.Experiments
             }
         }
 
-        /// <summary>Of a dam: a box of two spacings.</summary>
+        /// <summary>Minimum for a dam: a box of two spacings.</summary>
         public const int MinDamParticles = 8;
 
         const double MaxAcross = SolverLayout.MaxSpacingsAcross;
@@ -165,7 +165,7 @@ namespace Host.Experiments
 
         static GivenNumber SpacingOr(double otherwise) => new("spacing in m", GivenNumber.MinSpacing, GivenNumber.MaxSpacing, false, otherwise);
 
-        /// <summary>What a solver of these settings needs for the scene.</summary>
+        /// <summary>Layout that a solver of these settings needs for the scene.</summary>
         public SolverLayout LayoutFor(in SolverSettings settings)
             => new SolverLayout(Domain, Spacing, Particles, settings.neighborCapacity, settings.listMargin);
 

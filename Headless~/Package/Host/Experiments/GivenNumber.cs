@@ -10,7 +10,7 @@ namespace Host.Experiments
     /// <param name="Otherwise">What it is where it is left out; null where it must be given.</param>
     sealed record GivenNumber(string Name, double Min, double Max, bool IsWhole = true, double? Otherwise = null)
     {
-        /// <summary>Of a scene's spacing, m.</summary>
+        /// <summary>Range of a scene's spacing, m.</summary>
         public const double MinSpacing = 1e-4, MaxSpacing = 10;
 
         /// <summary>s.</summary>
@@ -46,7 +46,8 @@ namespace Host.Experiments
         {
             if (!(particles <= SolverLayout.MaxCapacity))
                 throw new HostException(string.Create(CultureInfo.InvariantCulture,
-                    $"scene \"{text}\" is {(particles < 1e15 ? particles.ToString("N0", CultureInfo.InvariantCulture) : particles.ToString("0e0", CultureInfo.InvariantCulture))} particles; a simulation holds {SolverLayout.MaxCapacity:N0}. Give smaller numbers."));
+                    $"scene \"{text}\" is " +
+                    $"{(particles < 1e15 ? particles.ToString("N0", CultureInfo.InvariantCulture) : particles.ToString("0e0", CultureInfo.InvariantCulture))} particles; a simulation holds {SolverLayout.MaxCapacity:N0}. Give smaller numbers."));
         }
 
         /// <summary>An option that has to lie within limits.</summary>

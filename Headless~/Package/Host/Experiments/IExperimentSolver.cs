@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Host.Experiments
 {
-    /// <summary>What an experiment plays with one input: the package's solver, or one that differs from it.</summary>
+    /// <summary>Solver that an experiment plays with one input: the package's, or one that differs from it.</summary>
     interface IExperimentSolver : IDisposable
     {
         /// <param name="positions">xyz, m; <paramref name="velocities"/> m/s.</param>
@@ -16,10 +16,10 @@ namespace Host.Experiments
 
         void RecordStatistics(CommandBuffer cmd);
 
-        /// <summary>What was recorded, waiting for the device.</summary>
+        /// <summary>Fetches what was recorded, waiting for the device.</summary>
         FluidStatistics FetchStatistics();
 
-        /// <summary>Of all buffers.</summary>
+        /// <summary>Size of all buffers.</summary>
         long Bytes { get; }
     }
 }

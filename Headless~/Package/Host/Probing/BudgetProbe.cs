@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Host.Probing
 {
-    /// <summary>What a simulation's budget chose in a run, and what the steps took.</summary>
+    /// <summary>Records the choices of a simulation's budget in a run, and the time of the steps.</summary>
     sealed class BudgetProbe : IRunProbe
     {
         readonly FluidSimulation simulation;

@@ -5,7 +5,7 @@ using Host.Output;
 
 namespace Host.Probing
 {
-    /// <summary>What runs measure. Each entry looks at the loaded scene and answers with its probes, none when there is nothing for it.</summary>
+    /// <summary>Measurements of runs. Each entry looks at the loaded scene and answers with its probes, none when there is nothing for it.</summary>
     static class Probes
     {
         static readonly Func<IEnumerable<IRunProbe>>[] All = { FluidProbe.OfScene, BudgetProbe.OfScene };

@@ -26,7 +26,7 @@ namespace Host.Reference
         public static IEnumerable<string> Names => shapes.Keys;
 
         /// <returns>The picture's path: folder/name.png.</returns>
-        /// <exception cref="HostException">There is no such board, or Blender is missing.</exception>
+        /// <exception cref="HostException">The board does not exist, or Blender is missing.</exception>
         public static string Draw(string name, string folder, int size, int samples, int seed)
         {
             if (!shapes.TryGetValue(name, out var shape))

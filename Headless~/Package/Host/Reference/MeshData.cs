@@ -10,7 +10,7 @@ namespace Host.Reference
         public readonly List<Vector3> Vertices = new();
         public readonly List<int[]> Faces = new();
 
-        /// <summary>Of a mesh of Unity's; vertices at one position become one, so that its edges can be round again.</summary>
+        /// <summary>Converts a mesh of Unity's; vertices at one position become one, so that its edges can be round again.</summary>
         public static MeshData Of(Mesh mesh, int subMesh)
         {
             var data = new MeshData();
@@ -56,7 +56,7 @@ namespace Host.Reference
             return moved;
         }
 
-        /// <summary>As read_mesh of cycles.py reads it.</summary>
+        /// <summary>Writes the format that read_mesh of cycles.py reads.</summary>
         public void Write(string file)
         {
             using var writer = new BinaryWriter(File.Create(file));

@@ -65,7 +65,7 @@ namespace Host.Reference
             Play(session);
             byte[] ours = Screenshot.ReadRgba();
             for (int i = 3; i < ours.Length; i += 4)
-                ours[i] = 255;                  // what shaders left there is no part of the picture
+                ours[i] = 255;                  // what shaders left there is not a part of the picture
             File.WriteAllBytes(Path.Combine(folder, "ours.png"), Png.Encode(ours, settings.Width, settings.Height));
 
             lines.Add(string.Create(CultureInfo.InvariantCulture, $"{name}, frame {settings.Frame} at 60 a second, "
@@ -252,7 +252,7 @@ namespace Host.Reference
             File.WriteAllBytes(Path.Combine(folder, "flip.png"), Png.Encode(differences, width, height));
         }
 
-        // Of a color in sRGB: as a screen shows it.
+        // Luminance of a color in sRGB, as a screen shows it.
         static double Gray(double3 srgb) => Ssim.Luminance(new double3(Math.Pow(srgb.x, 2.2), Math.Pow(srgb.y, 2.2), Math.Pow(srgb.z, 2.2)));
 
         static double3[] Colors(byte[] rgba)

@@ -11,7 +11,7 @@ namespace Host.Reference
     {
         const int Face = 256, Width = 1024, Height = 512;
 
-        // Of the six cameras: forward and up.
+        // Directions of the six cameras: forward and up.
         static readonly (Vector3 Forward, Vector3 Up)[] faces =
         {
             (Vector3.right, Vector3.up), (Vector3.left, Vector3.up), (Vector3.up, Vector3.back), (Vector3.down, Vector3.forward),
@@ -53,7 +53,7 @@ namespace Host.Reference
             WriteRadiance(file, Width, Height, (x, y) => Seen(pixels, DirectionOf(x, y)));
         }
 
-        // As Cycles looks it up: across, 1/2 - atan2(y, x) / 2 pi of Blender's axes, whose y is Unity's z.
+        // Looks up like Cycles: across, 1/2 - atan2(y, x) / 2 pi of Blender's axes, whose y is Unity's z.
         internal static Vector3 DirectionOf(int x, int y)
         {
             double longitude = Math.PI * (1.0 - 2.0 * (x + 0.5) / Width), latitude = Math.PI * (0.5 - (y + 0.5) / Height);

@@ -16,7 +16,7 @@ namespace Host.Reference
         public static MeshData Read(string file)
         {
             if (!File.Exists(file))
-                throw new HostException($"--mesh {file}: there is no such file.");
+                throw new HostException($"--mesh {file}: the file does not exist.");
             try
             {
                 MeshData data = Path.GetExtension(file).ToLowerInvariant() switch

@@ -10,7 +10,7 @@ namespace Host.Reference
     /// <remarks>
     /// The color field of Yu and Turk 2013, "Reconstructing Surfaces of Particle-Based Fluids Using Anisotropic Kernels", at 0.45 of what it is in
     /// water at rest, on a grid of half a spacing; surface nets (Gibson 1998) and Taubin's smoothing (1995) on that. It differs from the paper in two
-    /// places. Semi-axes are 2.5 d times a variance over that of full water, from 0.4 to 1, so that sheets of one particle keep their volume, and
+    /// positions. Semi-axes are 2.5 d times a variance over that of full water, from 0.4 to 1, so that sheets of one particle keep their volume, and
     /// threads 3/4 of it; a lone particle keeps 1/3. The paper's smoothing of centers is left out: it draws the outermost layer inwards, and two
     /// layers into one.
     /// All lengths are in particle spacings.
@@ -270,7 +270,7 @@ namespace Host.Reference
                     Array.Clear(sums);
                     Array.Clear(counts);
                     foreach (int4 quad in Quads)
-                        for (int i = 0; i < 4; i++)         // both ways: each edge belongs to two quads
+                        for (int i = 0; i < 4; i++)         // both directions: each edge belongs to two quads
                         {
                             sums[quad[i]] += Vertices[quad[(i + 1) % 4]];
                             counts[quad[i]]++;

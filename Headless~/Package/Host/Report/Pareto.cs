@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Host.Report
 {
-    /// <summary>What is worth its cost.</summary>
+    /// <summary>Finds the settings that are worth their cost.</summary>
     static class Pareto
     {
         /// <summary>

@@ -81,7 +81,7 @@ namespace Host.Report
             foreach (string name in names)
                 if (all.All(section => section.Name != name))
                     throw new HostException(
-                        $"there is no section \"{name}\" of the report; there are {string.Join(", ", all.Select(section => section.Name))}.");
+                        $"the report has no section \"{name}\"; it has {string.Join(", ", all.Select(section => section.Name))}.");
             if (names.Length > 0)
                 return all.Where(section => names.Contains(section.Name)).ToList();
             if (measure)

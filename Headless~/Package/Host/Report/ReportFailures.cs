@@ -5,7 +5,7 @@ using System.Linq;
 
 namespace Host.Report
 {
-    /// <summary>What fails in the report's tables, gathered from their cells, so that the page can begin with it.</summary>
+    /// <summary>Failures in the report's tables, gathered from their cells, so that the page can begin with it.</summary>
     sealed class ReportFailures
     {
         /// <summary>The column that tells runs with deep water from those without.</summary>
@@ -55,7 +55,7 @@ namespace Host.Report
         static double Size(string figure) =>
             double.TryParse(figure.TrimEnd('%', ' '), NumberStyles.Float, CultureInfo.InvariantCulture, out double value) ? Math.Abs(value) : 0;
 
-        /// <summary>Of a heading, as pages of Markdown link to it.</summary>
+        /// <summary>Anchor of a heading, as pages of Markdown link to it.</summary>
         public static string Anchor(string heading) =>
             string.Concat(heading.ToLowerInvariant().Where(c => char.IsLetterOrDigit(c) || c is ' ' or '-')).Replace(' ', '-');
     }

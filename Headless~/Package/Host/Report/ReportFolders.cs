@@ -2,7 +2,7 @@ using System.IO;
 
 namespace Host.Report
 {
-    /// <summary>Where a report's tables, pictures and page lie.</summary>
+    /// <summary>Folders of a report's tables, pictures and page.</summary>
     /// <param name="ImageLink">From the page to the pictures.</param>
     sealed record ReportFolders(string Data, string Page, string ImageLink)
     {
@@ -10,7 +10,7 @@ namespace Host.Report
 
         public string PageFolder => Path.GetDirectoryName(Page);
         public string Images => Path.Combine(PageFolder, ImageLink);
-        /// <summary>Where the page's links to tables lead.</summary>
+        /// <summary>Folder that the page's links to tables lead to.</summary>
         public string LinkedData => Path.Combine(PageFolder, DataLink);
 
         /// <param name="page">Null: report.md in the folder itself. Else a page among others: its pictures get a folder of their own.</param>

@@ -25,7 +25,7 @@ namespace Host.Report
 
         public override string ToString() => text.ToString();
 
-        /// <summary>What the tables so far say fails.</summary>
+        /// <summary>Failures in the tables so far.</summary>
         public ReportFailures Failures { get; } = new();
 
         /// <summary>Names of all tables that were asked for.</summary>

@@ -4,12 +4,12 @@ using System.Linq;
 
 namespace Host.Report
 {
-    /// <summary>What is known of a section's measuring: on what, how much, when. It lies beside the section's tables.</summary>
+    /// <summary>Record of a section's measuring: device, amount and date. It lies beside the section's tables.</summary>
     sealed record ReportRecord(string Device, bool Quick, bool InSoftware, string Date, double Seconds)
     {
         const string Scope = "of the whole section";
 
-        /// <summary>Of its table.</summary>
+        /// <summary>Name of its table.</summary>
         public static string Name(ReportSection section) => "report-" + section.Name;
 
         public static void Save(ReportRun run, ReportSection section, double seconds)

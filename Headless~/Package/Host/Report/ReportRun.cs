@@ -3,7 +3,7 @@ using System.IO;
 
 namespace Host.Report
 {
-    /// <summary>What a section needs to measure: how much it may do, on what, and where its tables go.</summary>
+    /// <summary>Context in which a section measures: its amount, its device, and where its tables go.</summary>
     sealed class ReportRun
     {
         readonly string dataFolder;

@@ -37,7 +37,7 @@ namespace Host.Report
             File.WriteAllLines(path, rows.Select(row => string.Join(",", row)).Prepend(string.Join(",", Columns)).Prepend("# " + MeasuredOn));
         }
 
-        /// <exception cref="HostException">There is no such file.</exception>
+        /// <exception cref="HostException">The file does not exist.</exception>
         public static ReportTable Load(string path)
         {
             if (!File.Exists(path))

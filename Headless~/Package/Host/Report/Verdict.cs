@@ -1,12 +1,12 @@
 namespace Host.Report
 {
-    /// <summary>What a cell of a table says of the figure before it. The report's first table lists all that fail.</summary>
+    /// <summary>Verdict of a table's cell on the figure before it. The report's first table lists all that fail.</summary>
     static class Verdict
     {
         public const string Yes = "yes", No = "**no**", None = "–";
         const string Broken = "**FAILS**: ";
 
-        /// <param name="holds">Null where there is no figure.</param>
+        /// <param name="holds">Null without a figure.</param>
         public static string Of(bool? holds) => holds == null ? None : holds.Value ? Yes : No;
 
         /// <param name="broken">What fails of several bars; empty if all hold.</param>
@@ -16,7 +16,7 @@ namespace Host.Report
 
         public static bool IsVerdict(string cell) => cell is Yes or "holds" || IsFailure(cell);
 
-        /// <summary>What fails of several bars.</summary>
+        /// <summary>Reason of the failure among several bars.</summary>
         public static string Reason(string cell) => cell.StartsWith(Broken, System.StringComparison.Ordinal) ? cell[Broken.Length..] : "";
     }
 }

@@ -47,13 +47,14 @@ namespace Host.Studies
                 using var session = new Session(Session.Root());
                 Console.WriteLine(session.DescribeDevice());
                 foreach (StepInput input in inputs)
-                    Console.WriteLine(Text($"{text} damping {input.settings.numericalDamping} {input.settings.substeps} x {input.settings.iterations}: {run(input)}"));
+                    Console.WriteLine(Text($"{text} damping {input.settings.numericalDamping} {input.settings.substeps} x ") +
+                        Text($"{input.settings.iterations}: {run(input)}"));
                 return 0;
             });
             return command;
         }
 
-        /// <summary>What plays a scene and tells its figures.</summary>
+        /// <summary>Returns a function that plays a scene and returns its figures.</summary>
         /// <param name="seconds">0 for what suits the scene.</param>
         /// <exception cref="HostException">The scene cannot be played, or the time is too short for its figures.</exception>
         public static Func<StepInput, string> Parse(string text, double seconds)
@@ -66,7 +67,8 @@ namespace Host.Studies
                         new GivenNumber("layers", 1, 1000), new GivenNumber("wave in spacings", 0.01, 1000, false));
                     GivenNumber.CheckParticles(text, n[0] * n[1] * Sloshing.Thickness);
                     if (n[2] >= n[1])
-                        throw new HostException(Text($"scene \"{text}\": wave in spacings is {n[2]}, as high as the water is deep; give less than its {n[1]} layers, as in slosh:40:20:2."));
+                        throw new HostException(Text($"scene \"{text}\": wave in spacings is {n[2]}, as high as the water is deep; give less ") +
+                            Text($"than its {n[1]} layers, as in slosh:40:20:2."));
                     CheckSwings(seconds, Sloshing.Period(n[1] / n[0]));
                     return input => Slosh((int)n[0], (int)n[1], n[2], input, seconds);
                 case "vortex":
@@ -80,7 +82,8 @@ namespace Host.Studies
                         new GivenNumber("layers", 1, 1000), new GivenNumber("turning in rad/s", 0.001, 100, false));
                     GivenNumber.CheckParticles(text, Math.PI * n[0] * n[0] * n[1]);
                     if (n[2] > TurningTank.MaxSpeed(n[0], n[1]))
-                        throw new HostException(Text($"scene \"{text}\": turning in rad/s is {n[2]}, at which the center of the floor falls dry; give at most {Math.Floor(100 * TurningTank.MaxSpeed(n[0], n[1])) / 100}, or more layers."));
+                        throw new HostException(Text($"scene \"{text}\": turning in rad/s is {n[2]}, at which the center of the floor falls ") +
+                            Text($"dry; give at most {Math.Floor(100 * TurningTank.MaxSpeed(n[0], n[1])) / 100}, or more layers."));
                     CheckSteps(seconds);
                     return input => Bucket((int)n[0], (int)n[1], n[2], input, seconds > 0 ? seconds : 3.8);
                 case "utube":
@@ -88,7 +91,9 @@ namespace Host.Studies
                         new GivenNumber("depth in spacings", 3, 1000), new GivenNumber("height in spacings", 1, 1000));
                     GivenNumber.CheckParticles(text, (2.0 * n[1] + 2.0 * n[0]) * n[0] * UTube.Thickness);
                     if (n[1] - n[2] < n[0])
-                        throw new HostException(Text($"scene \"{text}\": height in spacings is {n[2]}, which leaves the lower leg less than the passage of {n[0]} below; give at most {n[1] - n[0]}, that is depth less width, or more depth, as in utube:8:24:6."));
+                        throw new HostException(Text($"scene \"{text}\": height in spacings is {n[2]}, which leaves the lower leg less than ") +
+                            Text($"the passage of {n[0]} below; give at most {n[1] - n[0]}, that is depth less width, or more depth, as in ") +
+                            "utube:8:24:6.");
                     CheckSwings(seconds, TubePeriod((int)n[0], (int)n[1]));
                     return input => Tube((int)n[0], (int)n[1], (int)n[2], input, seconds);
                 case "wavemaker":
@@ -99,7 +104,8 @@ namespace Host.Studies
                         throw new HostException("--seconds: a wavemaker always runs for 4.5 periods; leave it out.");
                     return input => Waves((int)n[0], n[1], n[2], input);
                 default:
-                    throw new HostException($"scene \"{text}\": give {Scenes} As in slosh:40:20:2, vortex:40:8:3, bucket:12:12:6.3, utube:8:24:6 or wavemaker:24:1:4.");
+                    throw new HostException($"scene \"{text}\": give {Scenes} As in slosh:40:20:2, vortex:40:8:3, bucket:12:12:6.3, " +
+                        "utube:8:24:6 or wavemaker:24:1:4.");
             }
         }
 
@@ -109,7 +115,8 @@ namespace Host.Studies
         static void CheckSwings(double seconds, double period)
         {
             if (seconds > 0 && seconds < MinSwings * period)
-                throw new HostException(Text($"--seconds {seconds}: that is {seconds / period:0.0} swings, and a period is fitted to at least {MinSwings}; give {Math.Ceiling(100 * MinSwings * period) / 100} or more, or leave it out."));
+                throw new HostException(Text($"--seconds {seconds}: that is {seconds / period:0.0} swings, and a period is fitted to at least ") +
+                    Text($"{MinSwings}; give {Math.Ceiling(100 * MinSwings * period) / 100} or more, or leave it out."));
         }
 
         static void CheckSteps(double seconds)
@@ -123,19 +130,23 @@ namespace Host.Studies
             double depth = (double)layers / along, lean = Math.Atan(2 * wave / along), theory = Sloshing.Period(depth);
             DampedCosine fit = DampedCosine.Fit(Sloshing.Run(along, depth, lean, input, seconds > 0 ? seconds : 4 * theory));
             double first = FluidRun.FirstOrderDamping(theory, input);
-            return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; offset {(fit.Offset - Sloshing.Center) / Sloshing.Offset(depth, lean):0.00}, misfit {100 * fit.Misfit:0.0} %");
+            return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping ") +
+                Text($"{fit.Damping:0.000}/s, a first-order step's {first:0.000}; offset ") +
+                Text($"{(fit.Offset - Sloshing.Center) / Sloshing.Offset(depth, lean):0.00}, misfit {100 * fit.Misfit:0.0} %");
         }
 
         static string Vortex(int side, int layers, float speed, in StepInput input, double seconds)
         {
             TaylorGreenVortex vortex = TaylorGreenVortex.Run(side, layers, speed, input, seconds);
-            return Text($"{vortex.Left:0.000} of the amplitude after {vortex.Time:0.0} s, {vortex.LeftAtFirstOrder:0.000} by a first-order step alone: damping {vortex.Damping:0.00} of its; highest energy {vortex.MaxEnergy:0.0000}");
+            return Text($"{vortex.Left:0.000} of the amplitude after {vortex.Time:0.0} s, {vortex.LeftAtFirstOrder:0.000} by a first-order ") +
+                Text($"step alone: damping {vortex.Damping:0.00} of its; highest energy {vortex.MaxEnergy:0.0000}");
         }
 
         static string Bucket(int radius, int layers, double speed, in StepInput input, double seconds)
         {
             TurningTank tank = TurningTank.Run(radius, layers, speed, input, seconds);
-            return Text($"{tank.Left:0.000} of its turning after {tank.Time:0.0} s, {tank.LeftAtFirstOrder:0.000} by a first-order step alone: damping {tank.Damping:0.00} of its; jitter {tank.Jitter:0.000} m/s");
+            return Text($"{tank.Left:0.000} of its turning after {tank.Time:0.0} s, {tank.LeftAtFirstOrder:0.000} by a first-order step ") +
+                Text($"alone: damping {tank.Damping:0.00} of its; jitter {tank.Jitter:0.000} m/s");
         }
 
         const float TubeSpacing = 0.025f;       // m
@@ -147,7 +158,8 @@ namespace Host.Studies
             double theory = TubePeriod(width, depth);
             DampedCosine fit = DampedCosine.Fit(UTube.Run(width, 2 * width, depth, height, TubeSpacing, input, seconds > 0 ? seconds : 3 * theory));
             double first = FluidRun.FirstOrderDamping(theory, input);
-            return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; swings about {fit.Offset:0.00} d, misfit {100 * fit.Misfit:0.0} %");
+            return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping ") +
+                Text($"{fit.Damping:0.000}/s, a first-order step's {first:0.000}; swings about {fit.Offset:0.00} d, misfit {100 * fit.Misfit:0.0} %");
         }
 
         static string Waves(int layers, double kh, double stroke, in StepInput input)

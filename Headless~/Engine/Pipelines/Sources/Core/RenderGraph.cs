@@ -65,7 +65,7 @@ namespace UnityEngine.Rendering.RenderGraphModule
         int frame;
         bool isRecording;
 
-        /// <summary>What conversions of handles look resources up in; null outside of an execution.</summary>
+        /// <summary>Graph in which conversions of handles look resources up; null outside of an execution.</summary>
         internal static RenderGraph Executing { get; private set; }
 
         internal static Pass Running { get; private set; }

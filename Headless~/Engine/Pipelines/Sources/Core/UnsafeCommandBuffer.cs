@@ -8,7 +8,7 @@ namespace UnityEngine.Rendering
         internal BaseCommandBuffer(CommandBuffer wrapped) => m_WrappedCommandBuffer = wrapped;
     }
 
-    /// <summary>Of an unsafe pass: what it can do beyond handing out the buffer in it is not here.</summary>
+    /// <summary>Command buffer of an unsafe pass: it can only hand out the buffer in it.</summary>
     public class UnsafeCommandBuffer : BaseCommandBuffer
     {
         internal UnsafeCommandBuffer(CommandBuffer wrapped) : base(wrapped) { }

@@ -3,9 +3,9 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine.Experimental.Rendering
 {
-    /// <summary>The eyes that a pass over the frame draws: none where there is no headset, two in one pass, or one in each of two.</summary>
+    /// <summary>The eyes that a pass over the frame draws: none without a headset, two in one pass, or one in each of two.</summary>
     /// <remarks>
-    /// Read in SRP Core 17.2.0, Runtime/XR: a camera that draws on a texture, that is no game's or whose component forbids it has no headset
+    /// Read in SRP Core 17.2.0, Runtime/XR: a camera that draws on a texture, that is not a game's or whose component forbids it has no headset
     /// (XRLayout.AddCamera); between StartSinglePass and StopSinglePass every draw that is not indirect has the instances of both eyes, and every
     /// program the keyword (XRPass).
     /// </remarks>
@@ -13,7 +13,7 @@ namespace UnityEngine.Experimental.Rendering
     {
         internal static readonly XRPass Empty = new XRPass();
 
-        /// <summary>Of the headset's textures over the size that a camera says: nothing tells that a device keeps to it.</summary>
+        /// <summary>Scale of the headset's textures over a camera's size: nothing tells that a device keeps to it.</summary>
         internal static float TextureScale = 1;
 
         Matrix4x4[] views, projections;
@@ -23,7 +23,7 @@ namespace UnityEngine.Experimental.Rendering
         public bool singlePassEnabled => viewCount > 1;
         public int multipassId { get; private set; }
 
-        /// <summary>Of the headset's textures, with a slice for each eye.</summary>
+        /// <summary>Descriptor of the headset's textures, with a slice for each eye.</summary>
         public RenderTextureDescriptor renderTargetDesc
         {
             get

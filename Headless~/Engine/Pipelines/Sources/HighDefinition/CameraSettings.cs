@@ -10,7 +10,7 @@ namespace UnityEngine.Rendering.HighDefinition
         Refraction = 13,
     }
 
-    /// <summary>What a camera draws (HDRP 14.0.8, Runtime/RenderPipeline/Settings/FrameSettings.cs): of a new project all these fields are
+    /// <summary>Parts that a camera draws (HDRP 14.0.8, Runtime/RenderPipeline/Settings/FrameSettings.cs): in a new project all these fields are
     /// on.</summary>
     public struct FrameSettings
     {
@@ -29,7 +29,7 @@ namespace UnityEngine.Rendering.HighDefinition
 
         public void SetEnabled(FrameSettingsField field, bool value) => enabled = value ? enabled | Bit(field) : enabled & ~Bit(field);
 
-        /// <summary>What the asset does not support is off, whatever the camera says (Sanitize).</summary>
+        /// <summary>Turns off what the asset does not support, whatever the camera says (Sanitize).</summary>
         internal void Sanitize(in RenderPipelineSettings supported)
         {
             if (!supported.supportCustomPass)
@@ -52,7 +52,7 @@ namespace UnityEngine.Rendering.HighDefinition
         public bool xrRendering = true;
         public AntialiasingMode antialiasing;
 
-        // Of every field here: HDRP has a mask beside it that says which of them count.
+        // Settings with every field: HDRP has a mask beside them that says which of them count.
         public ref FrameSettings renderingPathCustomFrameSettings => ref own;
     }
 
@@ -69,7 +69,7 @@ namespace UnityEngine.Rendering.HighDefinition
 
         HDCamera(Camera camera) => this.camera = camera;
 
-        /// <summary>Of the camera; of each eye.</summary>
+        /// <summary>Matrices of the camera; of each eye.</summary>
         internal readonly ViewMatrices main = new ViewMatrices();
         internal readonly ViewMatrices[] eyes = { new ViewMatrices(), new ViewMatrices() };
         internal XRPass xr = XRPass.Empty;
@@ -106,7 +106,7 @@ namespace UnityEngine.Rendering.HighDefinition
                 : (camera.pixelWidth, camera.pixelHeight);
             // Not with a headset, unless the project asks for it (GetJitteredProjectionMatrix).
             bool isJittered = data != null && data.antialiasing == HDAdditionalCameraData.AntialiasingMode.TemporalAntialiasing && !xr.enabled;
-            // Of two passes each is the camera's own view.
+            // Each of two passes is the camera's own view.
             if (xr.enabled && !xr.singlePassEnabled)
                 main.Update(xr.GetViewMatrix(), xr.GetProjMatrix(), Matrix4x4.identity, xr.GetViewMatrix().inverse.GetColumn(3));
             else

@@ -32,14 +32,14 @@ namespace UnityEngine.Rendering.HighDefinition
         readonly HighDefinitionVariables variables = new HighDefinitionVariables();
         RTHandle color, depth, motion, depthPyramid, colorPyramid, black;
 
-        /// <summary>What the color buffer holds of one unit of light.</summary>
+        /// <summary>Value in the color buffer of one unit of light.</summary>
         internal static float Exposure = 1;
 
         public HDRenderPipeline(HDRenderPipelineAsset asset)
         {
             this.asset = asset;
             Shader.globalRenderPipeline = "HDRenderPipeline";
-            // As HDRP has it: intensities are physical.
+            // Intensities are physical, as in HDRP.
             GraphicsSettings.lightsUseLinearIntensity = GraphicsSettings.lightsUseColorTemperature = true;
         }
 

@@ -1,6 +1,6 @@
 namespace UnityEngine.Rendering.HighDefinition
 {
-    /// <summary>What a project supports (HDRP 14.0.8, Runtime/RenderPipeline/Settings/RenderPipelineSettings.cs).</summary>
+    /// <summary>Features that a project supports (HDRP 14.0.8, Runtime/RenderPipeline/Settings/RenderPipelineSettings.cs).</summary>
     public struct RenderPipelineSettings
     {
         public bool supportCustomPass, supportMotionVectors;

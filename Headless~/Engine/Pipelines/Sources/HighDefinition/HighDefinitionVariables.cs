@@ -4,7 +4,7 @@ using UnityEngine.Headless;
 namespace UnityEngine.Rendering.HighDefinition
 {
     /// <summary>
-    /// What HDRP tells shaders: the camera in one constant buffer, relative to its position, and two eyes in another, each relative to its
+    /// Values that HDRP gives to shaders: the camera in one constant buffer, relative to its position, and two eyes in another, each relative to its
     /// own; the light of the sky; the exposure. What HDRP does
     /// not set is not to be relied on: it is NaN here.
     /// </summary>
@@ -64,7 +64,7 @@ namespace UnityEngine.Rendering.HighDefinition
             Shader.SetGlobalConstantBuffer(eyes, eyeBuffer, 0, Bytes);
         }
 
-        // Of those below, the ones that eyes do not have.
+        // Those below that eyes do not have.
         static readonly bool[] isOfCamera = { false, true, false, false, false, false, true, false, false, false, false, false };
 
         // View, of the camera, inverse; projection, inverse; both, of the camera, inverse; unjittered, in 17 its inverse; of the last
@@ -111,7 +111,7 @@ namespace UnityEngine.Rendering.HighDefinition
             Shader.SetGlobalTexture(exposure, exposureTexture);
         }
 
-        /// <summary>What the other pipelines set one by one is not there.</summary>
+        /// <summary>Withholds what the other pipelines set one by one.</summary>
         public static void WithholdLoose()
         {
             BuiltinVariables.SetViewProjection(notSet, notSet);

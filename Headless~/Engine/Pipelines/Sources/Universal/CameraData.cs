@@ -24,10 +24,10 @@ namespace UnityEngine.Rendering.Universal
         public bool isSceneViewCamera => cameraType == CameraType.SceneView;
         public bool isPreviewCamera => cameraType == CameraType.Preview;
 
-        /// <summary>As Camera.worldToCameraMatrix.</summary>
+        /// <summary>Returns the view matrix, as Camera.worldToCameraMatrix does.</summary>
         public Matrix4x4 GetViewMatrix(int viewIndex = 0) => matrices.View(viewIndex);
 
-        /// <summary>As Camera.projectionMatrix, with the jitter of this frame.</summary>
+        /// <summary>Returns the projection, as Camera.projectionMatrix does, with the jitter of this frame.</summary>
         public Matrix4x4 GetProjectionMatrix(int viewIndex = 0) => matrices.Projection(viewIndex);
 
         public override void Reset()
@@ -72,7 +72,7 @@ namespace UnityEngine.Rendering.Universal
         public override void Reset() { }
     }
 
-    /// <summary>What was not made in this frame is no valid handle.</summary>
+    /// <summary>Resources that were not made in this frame are not valid handles.</summary>
     public class UniversalResourceData : UniversalResourceDataBase
     {
         public TextureHandle activeColorTexture => cameraColor;
@@ -115,7 +115,7 @@ namespace UnityEngine.Rendering.Universal
     }
 #endif
 
-    /// <summary>Of one eye, or of those of a headset.</summary>
+    /// <summary>Matrices of one eye, or of those of a headset.</summary>
     internal struct CameraMatrices
     {
         public Matrix4x4 view, projection, jitter;

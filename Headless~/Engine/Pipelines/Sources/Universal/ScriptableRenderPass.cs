@@ -13,7 +13,7 @@ namespace UnityEngine.Rendering.Universal
     {
         public RenderPassEvent renderPassEvent { get; set; } = RenderPassEvent.AfterRenderingOpaques;
 
-        /// <summary>Of these the renderer makes those textures that it would not have made.</summary>
+        /// <summary>Inputs for which the renderer makes textures that it would not have made.</summary>
         public ScriptableRenderPassInput input { get; private set; }
 
         public void ConfigureInput(ScriptableRenderPassInput passInput) => input = passInput;

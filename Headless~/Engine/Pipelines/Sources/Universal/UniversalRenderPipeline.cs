@@ -25,7 +25,7 @@ namespace UnityEngine.Rendering.Universal
 
         public static bool IsGameCamera(Camera camera) => camera.cameraType == CameraType.Game || camera.cameraType == CameraType.VR;
 
-        /// <summary>Of 17: whether passes run by Execute.</summary>
+        /// <summary>Whether passes run by Execute, in version 17.</summary>
         internal static bool IsCompatibilityMode;
 
 #if SRP_17
@@ -70,11 +70,13 @@ namespace UnityEngine.Rendering.Universal
                 StereoView.Show();
         }
 
-        /// <summary>Of another camera's callbacks too, and without events for this one (14.0 and 17: RenderSingleCameraInternal).</summary>
+        /// <summary>Draws also in another camera's callbacks, and without events for this one (14.0 and 17: RenderSingleCameraInternal).</summary>
 #if SRP_17
-        [System.Obsolete("RenderSingleCamera is obsolete, please use RenderPipeline.SubmitRenderRequest with UniversalRenderer.SingleCameraRequest as RequestData type")]
+        [System.Obsolete("RenderSingleCamera is obsolete, please use RenderPipeline.SubmitRenderRequest with " +
+        "UniversalRenderer.SingleCameraRequest as RequestData type")]
 #else
-        [System.Obsolete("RenderSingleCamera is obsolete, please use RenderPipeline.SubmitRenderRequest with UniversalRenderer.SingleCameraRequest as RequestData type", false)]
+        [System.Obsolete("RenderSingleCamera is obsolete, please use RenderPipeline.SubmitRenderRequest with " +
+        "UniversalRenderer.SingleCameraRequest as RequestData type", false)]
 #endif
         public static void RenderSingleCamera(ScriptableRenderContext context, Camera camera) =>
             ((UniversalRenderPipeline)RenderPipelineManager.currentPipeline).RenderSingleCamera(context, camera, camera, XRPass.Empty, true);

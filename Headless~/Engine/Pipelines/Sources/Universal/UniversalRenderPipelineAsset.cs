@@ -18,7 +18,7 @@ namespace UnityEngine.Rendering.Universal
         public Downsampling opaqueDownsampling { get; internal set; } = Downsampling._2xBilinear;
         public UpscalingFilterSelection upscalingFilter { get; set; }
 
-        /// <summary>Of cameras that ask for none.</summary>
+        /// <summary>Renderer of cameras that name none.</summary>
         public ScriptableRenderer scriptableRenderer => GetRenderer(-1);
 
         /// <summary>Made when it is first asked for, while the pipeline is there.</summary>

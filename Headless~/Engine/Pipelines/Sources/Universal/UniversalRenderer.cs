@@ -46,7 +46,7 @@ namespace UnityEngine.Rendering.Universal
 
         public UniversalRenderer(UniversalRendererData data) : base(data) { }
 
-        // What is drawn now.
+        // State of the current frame.
         struct Frame
         {
             public ScriptableRenderContext context;

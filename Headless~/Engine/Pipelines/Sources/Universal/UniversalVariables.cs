@@ -2,7 +2,8 @@ using UnityEngine.Headless;
 
 namespace UnityEngine.Rendering.Universal
 {
-    /// <summary>What URP tells shaders about light and size (names: URP 17.1.0, ShaderLibrary/Input.hlsl; of 14 the names alone are known).</summary>
+    /// <summary>Values for light and size that URP gives to shaders (names: URP 17.1.0, ShaderLibrary/Input.hlsl; for 14 only the names are
+    /// known).</summary>
     internal static class UniversalVariables
     {
         static readonly int
@@ -31,7 +32,7 @@ namespace UnityEngine.Rendering.Universal
             BuiltinVariables.SetAmbient();
             Shader.SetGlobalVector(mainLightPosition, Shader.GetGlobalVector(builtInPosition));
             Shader.SetGlobalVector(mainLightColor, Shader.GetGlobalVector(builtInColor));
-            // Of the Built-in pipeline alone.
+            // Used by the Built-in pipeline alone.
             Shader.SetGlobalVector(builtInPosition, Vector4.zero);
             Shader.SetGlobalVector(builtInColor, Vector4.zero);
             // SetupPerCameraShaderConstants: ReflectionProbe.defaultTexture, which is the sky's cube here.

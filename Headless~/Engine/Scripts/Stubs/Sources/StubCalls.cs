@@ -1,6 +1,6 @@
 namespace UnityEngine.Headless
 {
-    /// <summary>What scripts called that the host does not have; the host reads it after a run.</summary>
+    /// <summary>Missing members of the host that scripts called; the host reads it after a run.</summary>
     internal sealed class StubCalls
     {
         internal static readonly System.Collections.Generic.SortedDictionary<string,

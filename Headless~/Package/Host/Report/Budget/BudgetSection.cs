@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Host.Report.Budget
 {
-    /// <summary>What the budget rests on: error and time of each setting it may choose, and of some that it leaves out; and how it holds a
+    /// <summary>Basis of the budget: error and time of each setting it may choose, and of some that it leaves out; and how it holds a
     /// target.</summary>
     sealed class BudgetSection : ReportSection
     {

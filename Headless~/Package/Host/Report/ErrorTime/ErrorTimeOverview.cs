@@ -10,7 +10,7 @@ namespace Host.Report.ErrorTime
     static class ErrorTimeOverview
     {
         const int Across = 3;
-        // Of the whole picture, between the panels' borders.
+        // Margins of the whole picture, between the panels' borders.
         const double Left = 0.065, Bottom = 0.05, Gap = 0.05, Top = 0.06;
 
         public const int Width = 1200, Height = 640;
@@ -35,7 +35,8 @@ namespace Host.Report.ErrorTime
             double width = (1 - Left) / Across, height = (1 - Bottom) / rows;
             double left = Left + column * width, top = 1 - row * height;
             string position = FormattableString.Invariant(
-                $"set lmargin at screen {left:0.####}\nset rmargin at screen {left + width - Gap:0.####}\nset tmargin at screen {top - Top:0.####}\nset bmargin at screen {top - height + Gap:0.####}\n");
+                $"set lmargin at screen {left:0.####}\nset rmargin at screen {left + width - Gap:0.####}\nset tmargin at screen ") +
+                FormattableString.Invariant($"{top - Top:0.####}\nset bmargin at screen {top - height + Gap:0.####}\n");
             bool isLast = index + Across >= count;
             var data = new PlotData();
             foreach (bool deep in new[] { false, true })

@@ -29,7 +29,11 @@ namespace Host.Report.ErrorTime
                 "velocity minus the neighbors' mean.");
             page.Line();
             page.Line(FormattableString.Invariant(
-                $"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.MinVolume} of that of water at rest (*collapses*), energy never rises above {SweepResult.MaxEnergy} of the start's (*gains energy*), in runs of {SweepResult.SettledAfter} s or more the volume ends below {SweepResult.MaxVolume} (*boils*), and C+ is at most {SweepResult.MaxError * 100:0} % (*is too dense*). The front is of those that hold: none is both cheaper and nearer to rest density."));
+                $"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.MinVolume} of that of ") +
+                FormattableString.Invariant($"water at rest (*collapses*), energy never rises above {SweepResult.MaxEnergy} of the start's (*gains energy*), in runs of ") +
+                FormattableString.Invariant($"{SweepResult.SettledAfter} s or more the volume ends below {SweepResult.MaxVolume} (*boils*), and C+ is at most ") +
+                FormattableString.Invariant($"{SweepResult.MaxError * 100:0} % (*is too dense*). The front is of those that hold: none is both cheaper and nearer to rest ") +
+                "density.");
             page.Line();
             if (table.InSoftware)
             {
@@ -50,7 +54,8 @@ namespace Host.Report.ErrorTime
                 select new[] { Title(scene[0]),
                     SweepSetting.Method(deep) }.Concat(Targets.Select(target => Cheapest(scene, deep, target) is { } best
                     ? FormattableString.Invariant(
-                    $"{best.Milliseconds:0.000} ({Counts(best.Setting)}{(best.Setting.Relaxation == SweepSetting.UsualRelaxation ? "" : FormattableString.Invariant($", ω {best.Setting.Relaxation}"))})") : "–")));
+                    $"{best.Milliseconds:0.000} ") +
+                    FormattableString.Invariant($"({Counts(best.Setting)}{(best.Setting.Relaxation == SweepSetting.UsualRelaxation ? "" : FormattableString.Invariant($", ω {best.Setting.Relaxation}"))})") : "–")));
         }
 
         static void WriteScene(ReportPage page, List<SweepResult> scene, bool inSoftware)
@@ -98,7 +103,8 @@ namespace Host.Report.ErrorTime
             List<SweepResult> overflowed = scene.Where(r => r.Overflow > 0).ToList();
             if (overflowed.Count > 0)
                 text += FormattableString.Invariant(
-                    $" Neighbor lists overflowed in {overflowed.Count} runs, for up to {overflowed.Max(r => r.Overflow):N0} particles ({overflowed.MaxBy(r => r.Overflow).Setting}).");
+                    $" Neighbor lists overflowed in {overflowed.Count} runs, for up to {overflowed.Max(r => r.Overflow):N0} particles ") +
+                    FormattableString.Invariant($"({overflowed.MaxBy(r => r.Overflow).Setting}).");
             return text
                 + $" Memory: {string.Join(" and ", scene.GroupBy(r => r.Setting.Deep).Select(method => FormattableString.Invariant($"{method.Max(r => r.Bytes):0} bytes a particle {SweepSetting.Method(method.Key)}")))}.";
         }
@@ -110,7 +116,8 @@ namespace Host.Report.ErrorTime
                 : $"{deep} of the front's {front.Count} settings have deep water on";
             SweepResult best = front[^1];
             text += FormattableString.Invariant(
-                $": from {front[0].Error * 100:0.00} % at {front[0].Milliseconds:0.000} ms ({front[0].Setting}) to {best.Error * 100:0.00} % at {best.Milliseconds:0.000} ms ({best.Setting}).");
+                $": from {front[0].Error * 100:0.00} % at {front[0].Milliseconds:0.000} ms ({front[0].Setting}) to {best.Error * 100:0.00} % ") +
+                FormattableString.Invariant($"at {best.Milliseconds:0.000} ms ({best.Setting}).");
             if (deep > 0 && deep < front.Count)
                 text += string.Concat(new[] { false, true }.Select(method => CheaperAt(scene, method)));
             SweepResult other = Pareto.Front(scene.Where(r => r.Holds && r.Setting.Deep != best.Setting.Deep), r => r.Milliseconds,
@@ -135,7 +142,8 @@ namespace Host.Report.ErrorTime
 
         public static string Title(SweepResult r)
             => FormattableString.Invariant(
-            $"{char.ToUpperInvariant(r.Scene[0])}{r.Scene[1..]}, {r.Particles:N0} particles{(r.Scene == "drop" ? " onto a pool of" : "")}{(r.Scene == "drop" ? "" : ",")} {r.Layers} layers");
+            $"{char.ToUpperInvariant(r.Scene[0])}{r.Scene[1..]}, {r.Particles:N0} ") +
+            FormattableString.Invariant($"particles{(r.Scene == "drop" ? " onto a pool of" : "")}{(r.Scene == "drop" ? "" : ",")} {r.Layers} layers");
 
         static string UnrestName(SweepResult r) => r.IsStill ? "noise" : "jitter";
 

@@ -32,7 +32,7 @@ namespace Host.Report.ErrorTime
             (float)row.Number("relaxation"));
         public double MillisecondsMoving => row.Number("ms_moving");
         public double MillisecondsSettled => row.Number("ms_settled");
-        /// <summary>Of the more expensive window: what a frame must have room for.</summary>
+        /// <summary>Time of the more expensive window: what a frame must have room for.</summary>
         public double Milliseconds => Math.Max(MillisecondsMoving, MillisecondsSettled);
         public double ErrorMoving => row.Number("error_moving");
         public double ErrorSettled => row.Number("error_settled");

@@ -22,7 +22,7 @@ namespace Host.Report.ErrorTime
             }
         }
 
-        /// <summary>What a scene runs with when nothing is set.</summary>
+        /// <summary>Returns the setting a scene runs with when nothing is set.</summary>
         /// <param name="depth">Of all its water over the whole floor, layers.</param>
         public static SweepSetting DefaultFor(float depth)
             => new(CoarseCorrection.IsNeeded(DeepWater.Automatic, depth, false), SolverSettings.Default.substeps,

@@ -27,7 +27,7 @@ namespace Host.Report.Extremes
         }
 
         /// <summary>
-        /// What two steps can throw a particle apart with, m/s: a pass moves it half a spacing at most, the grid's density
+        /// Speed at which two steps can throw particles apart, m/s: a pass moves it half a spacing at most, the grid's density
         /// correction two spacings. Nothing but two steps being enough to end the crowding holds it at that.
         /// </summary>
         static double SpeedLimit(ExtremeFluid fluid)

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Host.Report.Extremes
 {
-    /// <summary>Emitters that are given what is no number.</summary>
+    /// <summary>Emitters whose settings are not numbers.</summary>
     static class EmitterCases
     {
         const string Subject = "Emitters";
@@ -54,7 +54,7 @@ namespace Host.Report.Extremes
 
         static FluidEmitter Tap(FluidSimulation fluid)
         {
-            // Far off and back: a scale that overflows on the way leaves no place.
+            // Far off and back: a scale that overflows between leaves no valid pose.
             Transform pipe = Below(fluid.transform, "Pipe", Vector3.zero), bend = Below(pipe, "Bend", 2f * Vector3.up);
             GameObject thing = Below(bend, "Tap", -1.7f * Vector3.up).gameObject;
             thing.transform.localRotation = Quaternion.LookRotation(Vector3.down, Vector3.forward);

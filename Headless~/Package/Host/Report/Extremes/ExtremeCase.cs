@@ -13,7 +13,7 @@ namespace Host.Report.Extremes
         /// <summary>Without: what <see cref="DeepWater.Automatic"/> is for shallow water.</summary>
         public static ExtremeSetting Plain(bool quick) => new(PlainName, With(DeepWater.Off), quick);
 
-        /// <summary>As a new component has them.</summary>
+        /// <summary>Setting of a new component.</summary>
         public static ExtremeSetting Default(bool quick) => new("default", SolverSettings.Default, quick);
 
         static SolverSettings With(DeepWater deepWater)

@@ -4,7 +4,7 @@ using System.Globalization;
 
 namespace Host.Report.Extremes
 {
-    /// <summary>What a case has to hold and what was seen of it: one call says both, so that a page cannot show another bar than was
+    /// <summary>Limit and measurement of a case: one call gives both, so that a page cannot show another bar than was
     /// applied.</summary>
     sealed class ExtremeCheck
     {
@@ -12,7 +12,7 @@ namespace Host.Report.Extremes
 
         public string Bar => string.Join("; ", bars);
         public string Seen => string.Join("; ", seen);
-        /// <summary>What did not hold; empty if all did.</summary>
+        /// <summary>Checks that did not hold; empty if all did.</summary>
         public string Broken => string.Join("; ", broken);
         public bool Holds => broken.Count == 0;
 

@@ -5,7 +5,7 @@ using Rill;
 
 namespace Host.Report.Extremes
 {
-    /// <summary>Where the particles of a case are: what every case has to account for.</summary>
+    /// <summary>Counts of the particles of a case: what every case has to account for.</summary>
     sealed record ExtremeCounts(long Added, int Alive, int Refused, int NonFinite, int Escaped, int Coincident, int Overflow, float SpeedMax)
     {
         /// <param name="samples">All that were measured; the last is of the end.</param>
@@ -16,7 +16,8 @@ namespace Host.Report.Extremes
                 samples.Max(s => s.neighborOverflow), samples.Max(s => s.speedMax));
         }
 
-        /// <summary>What holds in any case: no particle outside, no particle lost uncounted, no particle without a number for a speed.</summary>
+        /// <summary>Checks what holds in any case: no particle outside, no particle lost uncounted, no particle without a number for a
+        /// speed.</summary>
         public IEnumerable<string> Broken()
         {
             if (Escaped != 0)

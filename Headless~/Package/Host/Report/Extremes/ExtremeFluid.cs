@@ -141,7 +141,7 @@ namespace Host.Report.Extremes
             }
         }
 
-        /// <summary>Ids of all particles, in the order of the places.</summary>
+        /// <summary>Ids of all particles, in the order of the positions.</summary>
         public uint[] ReadIds()
         {
             var ids = new uint[Last.particles];
@@ -164,7 +164,7 @@ namespace Host.Report.Extremes
             Solver.Dispose();
         }
 
-        // What the component would give the solver.
+        // Input that the component would give the solver.
         StepInput Stable()
         {
             StepInput stable = Input;

@@ -20,7 +20,7 @@ namespace Host.Report.Extremes
             this.besideOthers = besideOthers;
         }
 
-        /// <summary>Of the command line and of the table.</summary>
+        /// <summary>Name on the command line and in the table.</summary>
         public override string Name { get; }
         public override string Title { get; }
         public override bool OnlyByName => true;

@@ -84,7 +84,7 @@ namespace Host.Report.Extremes
                 fluid.Step(60, 10);
                 fluid.Input.gravity = -fluid.Input.gravity;
             }
-            // What falls through the whole box cannot be faster; waves that are thrown together gain a little.
+            // Particles that fall through the whole box cannot be faster; waves that are thrown together gain a little.
             check.AtMost("speed", fluid.Counts.SpeedMax, 1.5 * Math.Sqrt(2 * 9.81 * size * Spacing) + 1, "m/s");
             check.AtMost("C+ over the last 2 s", fluid.Settled(s => s.densityError), 0.02, "%");
             return fluid.Counts;

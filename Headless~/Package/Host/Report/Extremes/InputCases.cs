@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Host.Report.Extremes
 {
-    /// <summary>What a user may give the component.</summary>
+    /// <summary>Input that a user may give the component.</summary>
     static class InputCases
     {
         const string Input = "Input", Sizes = "Counts and scales", Time = "Forces and steps";

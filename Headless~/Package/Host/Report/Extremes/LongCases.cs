@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Host.Report.Extremes
 {
-    /// <summary>What many steps add up to.</summary>
+    /// <summary>Drift over many steps.</summary>
     static class LongCases
     {
         const string Subject = "Long runs";
@@ -34,7 +34,7 @@ namespace Host.Report.Extremes
 
         static ExtremeCase Floating(int steps) => new(Subject, $"block of 8 x 8 x 8 afloat without gravity; {steps} steps", (setting, check) =>
         {
-            // What is pressed out of the block flies off for good, at up to 0.5 d/s: no wall may be within reach, since it would push.
+            // Particles that are pressed out of the block fly off for good, at up to 0.5 d/s: no wall may be within reach, since it would push.
             using var fluid = new ExtremeFluid(128f, Spacing, 512, setting.Solver).AddLattice(60f, 8);
             fluid.Input.gravity = 0f;
             fluid.Step(steps, steps / 100);

@@ -72,10 +72,11 @@ namespace Host.Report.Extremes
         });
 
         // Layers at rest that fill the box to the piston, which then closes. It reaches the domain's wall wherever it is, as the manual asks for:
-        // what is free behind it would count as room.
+        // free volume beyond it would count as room.
         static ExtremeCase Piston(int layers, double fraction, int side, double seconds)
             => new(Pistons, FormattableString.Invariant(
-            $"closed box of {side} x {layers} x {side} d of water that a piston presses to {1 + fraction:0.00} of its density in 1 s; {seconds:0} s after that"), (setting, check) =>
+            $"closed box of {side} x {layers} x {side} d of water that a piston presses to {1 + fraction:0.00} of its density in 1 s; ") +
+            FormattableString.Invariant($"{seconds:0} s after that"), (setting, check) =>
         {
             const float thickness = 4f, half = 12f;
             float path = (float)(layers - layers / (1 + fraction));

@@ -35,7 +35,8 @@ namespace Host.Report.Obstacles
                     $"turning {bucket.Turning:0.000}");
             }
             string settled = FormattableString.Invariant(
-                $"radius {RotatingBucket.Radius} m, {RotatingBucket.Depth} m of water, {Speed} rad/s, 60 steps a second, mean from {settle} to {settle + seconds} s");
+                $"radius {RotatingBucket.Radius} m, {RotatingBucket.Depth} m of water, {Speed} rad/s, 60 steps a second, mean from {settle} ") +
+                FormattableString.Invariant($"to {settle + seconds} s");
             run.Save(Summary, summary, settled);
             run.Save(Profiles, profiles, settled);
         }

@@ -26,7 +26,7 @@ namespace Host.Report.Obstacles
         public const float Spacing = 0.05f, Density = 1000f, Ratio = 0.5f, Frame = 1f / 60f;
         public const float Lift = 0.15f;                        // of the body's height: where it is let go above rest
         const float HoldSeconds = 0.7f;                         // s in which the water makes room for it
-        /// <summary>Of a body, in the width of the tank: the waves that it makes come back from the walls after the fitted swings.</summary>
+        /// <summary>Width of the tank in widths of the body: the waves that it makes come back from the walls after the fitted swings.</summary>
         public const int WidthsAcross = 7;
         const double FittedSwings = 2.2;                        // of the theory's
         const float CalmSeconds = 2f;                           // s after them, with FluidBuoyancy's damping; the last is measured
@@ -36,14 +36,14 @@ namespace Host.Report.Obstacles
         /// <summary>By Archimedes, m; how deep the body lies under the level measured, m; both in the last second.</summary>
         public double TheoryDraft { get; private set; }
         public double Draft { get; private set; }
-        /// <summary>Of the water around the body in the last second over that of water that keeps its volume, m.</summary>
+        /// <summary>Level of the water around the body in the last second over that of water that keeps its volume, m.</summary>
         public double LevelError { get; private set; }
         public double TheoryPeriod { get; private set; }
-        /// <summary>Of the first swings.</summary>
+        /// <summary>Fit of the first swings.</summary>
         public DampedCosine Fit { get; private set; }
         /// <summary>Without its damping: 2π / √(ω² + δ²) of the fitted cosine. Of a body that hardly swings it says nothing.</summary>
         public double Period => 2 * Math.PI / OwnFrequency;
-        /// <summary>Of the critical damping, which leaves no swing at 1.</summary>
+        /// <summary>Fraction of the critical damping, which leaves no swing at 1.</summary>
         public double DampingRatio => Fit.Damping / OwnFrequency;
         double OwnFrequency => Math.Sqrt(Fit.Frequency * Fit.Frequency + Fit.Damping * Fit.Damping);
 

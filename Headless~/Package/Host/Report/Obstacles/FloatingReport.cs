@@ -54,7 +54,7 @@ namespace Host.Report.Obstacles
                 $"long as the tank is wide) has 0.98 of the ball's period, 0.75 of the cube's: what is measured there is the two " +
                 $"together. New measurements are made in tanks {FloatingBody.WidthsAcross} bodies wide, in which the walls' waves come " +
                 $"back after the fit. Damping: as measured while *Damping* is 0, as a fraction of the critical; negative where the late " +
-                $"force drives the heave. Above {MaxDamping} there is no period worth the name.");
+                $"force drives the heave. Above {MaxDamping} no period is meaningful.");
             page.Line();
             page.Table(new[] { "body", "layers, width of the tank, d", "deep water", "draft, m", "theory, m", "draft's error", "within 5 %",
                 "level, d", "period, s", "theory, s", "period's error", "within 5 %", "damping", "misfit of the cosine" },

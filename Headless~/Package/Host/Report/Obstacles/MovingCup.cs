@@ -58,7 +58,7 @@ namespace Host.Report.Obstacles
                 run.Step();
                 if (run.Time <= Settle)
                     continue;
-                // Of a plane surface over a square floor the center of mass lies slope L² / 12 h off the center.
+                // For a plane surface over a square floor, the center of mass lies slope L² / 12 h off the center.
                 slopes -= 12.0 * Layers / (Inside * Inside) * run.ReadPositions().Average(p => math.dot(p.xyz - origin, along));
                 samples++;
             }

@@ -27,7 +27,8 @@ namespace Host.Report.Obstacles
                     $"{flow.SpeedRatio:0.000} of Torricelli's, coefficient {flow.Discharge:0.000}");
             }
             string settled = FormattableString.Invariant(
-                $"hole {OrificeFlow.Hole} m, floor {OrificeFlow.Side:0.0} x {OrificeFlow.Side:0.0} m and {OrificeFlow.Plate:0.00} m thick, level {OrificeFlow.Level} m, 60 steps a second, {seconds} s");
+                $"hole {OrificeFlow.Hole} m, floor {OrificeFlow.Side:0.0} x {OrificeFlow.Side:0.0} m and {OrificeFlow.Plate:0.00} m thick, ") +
+                FormattableString.Invariant($"level {OrificeFlow.Level} m, 60 steps a second, {seconds} s");
             run.Save(Summary, summary, settled);
             run.Save(Levels, levels, settled);
         }

@@ -28,7 +28,7 @@ namespace Host.Report.Obstacles
         /// <summary>Mean over a ring of r², as a radius, m; twice the mean height of what is in it, m; how fast it turns, rad/s; the
         /// theory's surface for the bucket's Ω and for the turning seen, m.</summary>
         public readonly List<(double Radius, double Height, double Turning, double Theory, double OwnTheory)> Profile = new();
-        /// <summary>Of the water over the bucket's, from its moment of momentum.</summary>
+        /// <summary>Angular velocity of the water over the bucket's, from its moment of momentum.</summary>
         public double Turning { get; private set; }
         /// <summary>Slope of the height over r², over the theory's for the bucket's Ω, and for the turning seen.</summary>
         public double Steepness { get; private set; }
@@ -39,7 +39,7 @@ namespace Host.Report.Obstacles
         /// <summary>Depth of as much water at rest, m.</summary>
         public double RestDepth { get; init; }
 
-        /// <summary>Of the surface from the center to the wall, m.</summary>
+        /// <summary>Rise of the surface from the center to the wall, m.</summary>
         public static double Rise(double speed) => speed * speed * Radius * Radius / (2 * FluidRun.Gravity);
 
         /// <summary>Height of the theory's surface, m.</summary>

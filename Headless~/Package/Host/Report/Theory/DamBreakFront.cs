@@ -10,15 +10,15 @@ namespace Host.Report
     /// <summary>The dam break of Martin and Moyce: a column 1 m wide and 2 m high onto the dry floor of a tank 10 m long, up to T = 2.8.</summary>
     sealed class DamBreakFront
     {
-        /// <summary>Of the water, from the wall behind it: a, m.</summary>
+        /// <summary>Width of the water, from the wall at its back: a, m.</summary>
         public const double Width = 1;
-        /// <summary>Fraction of the water that the front is ahead of: single particles that fly ahead are no front.</summary>
+        /// <summary>Fraction of the water that the front is ahead of: single particles that fly ahead are not a front.</summary>
         public const double Fraction = 0.995;
         public const double End = 2.8;
 
         /// <summary>After every step.</summary>
         public FrontSeries Front { get; private set; }
-        /// <summary>The same states said to be half a substep later: velocities of the solver are those of the center of a substep.</summary>
+        /// <summary>Front of these states dated half a substep later: velocities of the solver are those of the center of a substep.</summary>
         public FrontSeries FrontOfMiddle { get; private set; }
         /// <summary>Kinetic and potential energy at the end over that at the start.</summary>
         public double EnergyRatio { get; private set; }

@@ -6,7 +6,7 @@ namespace Host.Report
     sealed class Faces
     {
         public readonly double[] Values, Changes;
-        /// <summary>Where particles brought something.</summary>
+        /// <summary>Set where particles brought something.</summary>
         public readonly bool[] Known;
         readonly double[] weights, before;
         readonly bool[] solved;

@@ -26,7 +26,7 @@ namespace Host.Report
 
         /// <param name="box">d.</param>
         /// <param name="places">d.</param>
-        /// <param name="velocity">Of what is at a place, m/s.</param>
+        /// <param name="velocity">Of the particle at a point, m/s.</param>
         public FluidRun(string name, float3 box, float spacing, IReadOnlyList<float3> points, Func<float3, float3> velocity,
             in StepInput input) : this(name, box * spacing, spacing, points.Count, input)
         {
@@ -63,7 +63,7 @@ namespace Host.Report
                         positions.Add(corner + new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
         }
 
-        /// <summary>What a first-order step alone takes of a wave or a swing: ω² Δt / 2, 1/s.</summary>
+        /// <summary>Damping of a wave or a swing by a first-order step alone: ω² Δt / 2, 1/s.</summary>
         /// <param name="period">s.</param>
         public static double FirstOrderDamping(double period, in StepInput input)
         {
@@ -99,7 +99,7 @@ namespace Host.Report
             Input.frameTo = 1f;
         }
 
-        /// <summary>Of the particles alive, d.</summary>
+        /// <summary>Reads the positions of the particles alive, d.</summary>
         public float4[] ReadPositions()
         {
             int alive = (int)Read<uint>(Solver.Counters, Solver.Counters.count)[(int)ParticleCounter.Alive];

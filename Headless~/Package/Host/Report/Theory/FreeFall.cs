@@ -18,13 +18,13 @@ namespace Host.Report
         public double Fallen { get; private set; }
         /// <summary>g t²/2, m.</summary>
         public double Theory { get; private set; }
-        /// <summary>What steps of Δt do that first speed up and then move: g t (t + Δt)/2, m.</summary>
+        /// <summary>Distance in steps of Δt that first speed up and then move: g t (t + Δt)/2, m.</summary>
         public double Discrete { get; private set; }
         /// <summary>Rms distance from the center of mass, over that at the start.</summary>
         public double RadiusRatio { get; private set; }
 
         public double Error => Fallen / Theory - 1;
-        /// <summary>Of the distance that the integrator should have made.</summary>
+        /// <summary>Error relative to the distance that the integrator should have made.</summary>
         public double DiscreteError => Fallen / Discrete - 1;
 
         public static FreeFall Run(in StepInput input, float spacing)

@@ -8,7 +8,7 @@ namespace Host.Report
     /// mean is at most 3.</summary>
     sealed class FrontDeviation
     {
-        /// <summary>What the solver has to keep.</summary>
+        /// <summary>Limits that the solver has to keep.</summary>
         public const double Lowest = -0.05, Highest = 0.10;
 
         const double Furthest = 3, Interval = 0.05;

@@ -106,7 +106,7 @@ namespace Host.Report
                 Script(page, table, experiments));
         }
 
-        // Of what the front is ahead of the experiments: the clock, what inviscid flow is ahead itself, and what is left for the solver.
+        // Parts of the lead over the experiments: the clock, the lead of inviscid flow itself, and what is left for the solver.
         static void WriteParts(ReportPage page, ReportTable table, List<FrontSeries> experiments)
         {
             ReportTable curves = page.Load(Curves);

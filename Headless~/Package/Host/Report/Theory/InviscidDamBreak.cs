@@ -5,7 +5,7 @@ using System.Linq;
 namespace Host.Report
 {
     /// <summary>
-    /// The same dam break as inviscid flow in two dimensions, by another method: particles that carry velocity through a
+    /// The dam break as inviscid flow in two dimensions, by another method: particles that carry velocity through a
     /// staggered grid (FLIP, Zhu and Bridson 2005), made free of divergence by conjugate gradients, the pressure 0 at the
     /// surface itself (ghost fluid), walls without friction. What the solver is held against, beside the experiments.
     /// </summary>
@@ -30,7 +30,7 @@ namespace Host.Report
                     particles.Add(new Particle { X = (x + 0.5) * cell / PerSide, Y = (y + 0.5) * cell / PerSide });
         }
 
-        /// <summary>The same percentile of x as of the solver's particles.</summary>
+        /// <summary>Returns the percentile of x that is taken of the solver's particles.</summary>
         /// <param name="across">Cells across the column; 20 and 40 differ by less than half a percent.</param>
         public static FrontSeries Run(int across)
         {

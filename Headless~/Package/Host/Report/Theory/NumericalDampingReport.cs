@@ -42,7 +42,10 @@ namespace Host.Report
                         $"{swing.Damping:0.000}/s, jitter {jitter:0.000} m/s");
                 }
             string settled = FormattableString.Invariant(
-                $"60 steps a second, 2 iterations, deep water on; box of the vortex {vortex.side} x {vortex.layers} x {vortex.side} d, {VortexSpeed} m/s, 1 s; tank of radius {tank.radius} d without friction, {tank.layers} layers, 5 rad/s; wave L/d {wave.along}, H {wave.depth} m, {Sloshing.Wave(wave.lean) * wave.along:0.#} d high, {swings} periods; column of {column.layers} layers, {column.settle} s");
+                $"60 steps a second, 2 iterations, deep water on; box of the vortex {vortex.side} x {vortex.layers} x {vortex.side} d, ") +
+                FormattableString.Invariant($"{VortexSpeed} m/s, 1 s; tank of radius {tank.radius} d without friction, {tank.layers} layers, 5 rad/s; wave L/d ") +
+                FormattableString.Invariant($"{wave.along}, H {wave.depth} m, {Sloshing.Wave(wave.lean) * wave.along:0.#} d high, {swings} periods; column of ") +
+                FormattableString.Invariant($"{column.layers} layers, {column.settle} s");
             run.Save(Front, front, settled);
 
             var fits = new ReportTable("damping", "by_step_per_s", "left_per_s");

@@ -15,7 +15,7 @@ namespace Host.Report
     {
         /// <summary>Turns that are timed.</summary>
         public const int Turns = 3;
-        /// <summary>Of the water at first, m.</summary>
+        /// <summary>Initial width of the water, m.</summary>
         public const double Width = 0.5;
         public const double Seconds = 5;
         const int Thickness = 8;            // d
@@ -23,7 +23,7 @@ namespace Host.Report
         const double Ripple = 0.03, Window = 0.15;      // of its whole path; s
         const double Bar = 0.03;
 
-        /// <summary>Of the water's center along the tank, m, over time, s.</summary>
+        /// <summary>Returns the position of the water's center along the tank, m, over time, s.</summary>
         /// <param name="across">Particles across the water, which is twice as high.</param>
         /// <param name="seed">Of the offsets at the start; not 0.</param>
         public static List<(double Time, double Value)> Run(int across, uint seed, in StepInput input)

@@ -33,7 +33,8 @@ namespace Host.Report
                         $"{string.Join(", ", arrivals.Select(time => $"{time:0.000}"))} s");
                 }
             string settled = System.FormattableString.Invariant(
-                $"water {ReflectedWaves.Width} m wide, twice as high and 8 d thick, tank of four widths, lid at three; 60 steps a second, 2 iterations, deep water on; {seeds} starts each, whose offsets differ");
+                $"water {ReflectedWaves.Width} m wide, twice as high and 8 d thick, tank of four widths, lid at three; 60 steps a second, 2 ") +
+                System.FormattableString.Invariant($"iterations, deep water on; {seeds} starts each, whose offsets differ");
             run.Save(Times, times, settled);
             run.Save(Curves, curves, settled);
         }

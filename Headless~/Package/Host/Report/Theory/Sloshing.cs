@@ -24,7 +24,7 @@ namespace Host.Report
             return 2 * Math.PI / Math.Sqrt(FluidRun.Gravity * k * Math.Tanh(k * depth));
         }
 
-        /// <summary>Of the box, m.</summary>
+        /// <summary>Center of the box, m.</summary>
         public const double Center = Length / 2;
 
         /// <summary>How far from the center the center of mass lies under a surface that is level to leaning gravity, m.</summary>

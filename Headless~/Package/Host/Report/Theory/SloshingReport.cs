@@ -59,7 +59,7 @@ namespace Host.Report
                 "theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted " +
                 "cosine swings about, over where the center of mass lies under a level surface (1 where the pressure answers to the " +
                 "surface as it should). Damping: of the amplitude a period, as −ln. Where the water creeps to its level without a " +
-                "swing there is no period (–): waves of half a spacing can.");
+                "swing has no period (–): waves of half a spacing can.");
             page.Line();
             page.Table(new[] { "depth H, m", "L/d", "layers", "wave, d", "substeps x iterations", "period, s", "theory, s", "error",
                 "offset", "damping a period", "misfit of the cosine" },
@@ -89,7 +89,7 @@ namespace Host.Report
                 "set xlabel 't, s'\nset ylabel 'center of mass from the center, cm'\nplot " + string.Join(", \\\n", lines));
         }
 
-        // A fitted period that is longer than the run is no period.
+        // A fitted period that is longer than the run is not a period.
         static string IfSwings(ReportTable.Row row, string text) => row.Number("period_s") < MaxPeriod * row.Number("theory_s") ? text : "–";
 
         // The finest of each depth.

@@ -26,7 +26,7 @@ namespace Host.Report
         /// <summary>Pressure on the floor by theory, Pa.</summary>
         public double BottomPressure { get; private set; }
 
-        /// <summary>Of the lowest layer of cells, over the pressure on the floor.</summary>
+        /// <summary>Error of the lowest layer of cells, over the pressure on the floor.</summary>
         public double BottomError => (Layers[0].Pressure - Layers[0].Theory) / BottomPressure;
         /// <summary>Largest of all layers but the one at the surface, over the pressure on the floor.</summary>
         public double MaxError => Layers.Max(layer => Math.Abs(layer.Pressure - layer.Theory)) / BottomPressure;

@@ -19,11 +19,11 @@ namespace Host.Report
         const float Spacing = 0.05f;        // m
         const float SettlingTime = 1f;      // s
 
-        /// <summary>Of the amplitude, at the end.</summary>
+        /// <summary>Fraction of the amplitude at the end.</summary>
         public double Left { get; private set; }
-        /// <summary>Of the amplitude, where the step is of first order and nothing else damps.</summary>
+        /// <summary>Fraction of the amplitude if the step is of first order and nothing else damps.</summary>
         public double LeftAtFirstOrder { get; private set; }
-        /// <summary>What was lost over what a first-order step takes: c in U = U0 / √(1 + c k² U0² Δt t).</summary>
+        /// <summary>Loss over that of a first-order step: c in U = U0 / √(1 + c k² U0² Δt t).</summary>
         public double Damping { get; private set; }
         /// <summary>Over that at the start.</summary>
         public double MaxEnergy { get; private set; }

@@ -4,7 +4,8 @@ using System.Linq;
 
 namespace Host.Report
 {
-    /// <summary>Where a signal that goes to and fro turns back: each time that of a parabola through the samples around the extreme one.</summary>
+    /// <summary>Times at which a signal that goes to and fro turns back: each time that of a parabola through the samples around the extreme
+    /// one.</summary>
     static class TurningPoints
     {
         /// <summary>In order, the first of them highest or lowest as it comes. What the signal begins and ends with is none.</summary>

@@ -12,11 +12,11 @@ namespace Host.Report
     {
         const float Spacing = 0.025f;       // m
 
-        /// <summary>Of its turning, at the end.</summary>
+        /// <summary>Fraction of its turning at the end.</summary>
         public double Left { get; private set; }
-        /// <summary>The same where the step is of first order and nothing else damps, see <see cref="RotatingBucket.TurningLeft"/>.</summary>
+        /// <summary>Fraction if the step is of first order and nothing else damps, see <see cref="RotatingBucket.TurningLeft"/>.</summary>
         public double LeftAtFirstOrder { get; private set; }
-        /// <summary>What was lost over what a first-order step takes: c in Ω = Ω0 / √(1 + 2 c Ω0² Δt t).</summary>
+        /// <summary>Loss over that of a first-order step: c in Ω = Ω0 / √(1 + 2 c Ω0² Δt t).</summary>
         public double Damping { get; private set; }
         /// <summary>m/s.</summary>
         public double Jitter { get; private set; }

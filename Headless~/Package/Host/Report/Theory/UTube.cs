@@ -25,13 +25,13 @@ namespace Host.Report
         /// </remarks>
         public static readonly double CornerFraction = 1 - 2 * Math.Log(2) / Math.PI;
 
-        /// <summary>Of the water along the center line, d.</summary>
+        /// <summary>Length of the water along the center line, d.</summary>
         /// <param name="width">Of the legs and of the passage, d.</param>
         /// <param name="gap">Between the legs, d.</param>
         /// <param name="depth">In the legs where both are level, from the floor, d.</param>
         public static double MiddleLine(double width, double gap, double depth) => 2 * (depth - width / 2) + gap + width;
 
-        /// <summary>Of a straight tube with the same inertia, d.</summary>
+        /// <summary>Length of a straight tube with the same inertia, d.</summary>
         public static double StraightLength(double width, double gap, double depth)
             => MiddleLine(width, gap, depth) - 2 * (1 - CornerFraction) * width;
 
@@ -54,7 +54,7 @@ namespace Host.Report
             float top = depth + 2 * height + width;
             using var run = new FluidRun("U-tube", new float3(length, top, Thickness), spacing, positions, _ => 0f, input);
             run.Use(Solids.Box(new float3(width, width, -width), new float3(width + gap, top + width, Thickness + width)));
-            // What left one leg is in the other, as far away as their centers: that moves the center of mass.
+            // Water that left one leg is in the other, as far away as their centers: that moves the center of mass.
             double perLevel = (double)width * Thickness * (width + gap) / positions.Count * spacing, center = length / 2.0 * spacing;
             var samples = new List<(double, double)>();
             while (run.Time < seconds)

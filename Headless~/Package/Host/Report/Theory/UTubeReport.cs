@@ -36,7 +36,8 @@ namespace Host.Report
                     $"damping {fit.Damping:0.000}/s");
             }
             string settled = System.FormattableString.Invariant(
-                $"legs and passage {Width} m wide and {UTube.Thickness} d thick, {Gap} m between the legs, {Depth} m of water in each, let go {Height} m above and below that; 60 steps a second, 2 iterations, deep water on, {swings} periods");
+                $"legs and passage {Width} m wide and {UTube.Thickness} d thick, {Gap} m between the legs, {Depth} m of water in each, let go ") +
+                System.FormattableString.Invariant($"{Height} m above and below that; 60 steps a second, 2 iterations, deep water on, {swings} periods");
             run.Save(Periods, periods, settled);
             run.Save(Curves, curves, settled);
         }

@@ -37,7 +37,7 @@ namespace Host.Report
         /// <param name="spacing">m.</param>
         /// <returns>Height of the waves from trough to crest over the stroke, of their first harmonic, and how fast they run over what theory
         /// says. What the same tank shows while its piston rests is taken off: as the lattice settles it makes waves of its own, and the mean
-        /// height has some part in a harmonic, as periods are no whole steps.</returns>
+        /// height has some part in a harmonic, as periods are not whole steps.</returns>
         public static (double Height, double Speed) Run(int layers, double kh, double stroke, float spacing, in StepInput input)
         {
             Complex[] moved = Harmonics(layers, kh, stroke, spacing, input), rested = Harmonics(layers, kh, 0, spacing, input);
@@ -80,7 +80,7 @@ namespace Host.Report
             return harmonics;
         }
 
-        // Of the water by its volume, d: a weighted mean that falls to both sides.
+        // Height of the water by its volume, d: a weighted mean that falls to both sides.
         static double HeightAt(float4[] positions, float x)
             => positions.Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
     }

@@ -24,7 +24,8 @@ namespace Host.Report
                 (double ratio, double speed) = Wavemaker.Run(layers, kh, Stroke, Spacing, input);
                 double theory = Wavemaker.HeightOverStroke(kh);
                 table.Add(layers, kh, damping, substeps, ratio, theory, speed);
-                run.Log($"  wavemaker {layers} layers, kh {kh}, damping {damping}, {substeps} x 2: H/S {ratio:0.000}, theory {theory:0.000}, speed {speed:0.000} of it");
+                run.Log($"  wavemaker {layers} layers, kh {kh}, damping {damping}, {substeps} x 2: H/S {ratio:0.000}, theory {theory:0.000}, " +
+                    $"speed {speed:0.000} of it");
             }
             run.Save(Heights, table, FormattableString.Invariant(
                 $"tank 8 d thick, d = {100 * Spacing:0} cm, stroke {Stroke} d, 60 steps a second, 2 iterations, deep water on"));

@@ -12,7 +12,7 @@ namespace Host.Studies.Thesis
     {
         const string TableName = "thesis-capacity";
         const double Frame = 1000.0 / 60;
-        // Of the frame; the rest is for drawing and the game.
+        // Fractions of the frame; the rest is for drawing and the game.
         static readonly (string Name, double Value)[] Fractions = { ("an eighth", 1 / 8.0), ("a quarter", 1 / 4.0) };
 
         public override string Title => "Particles at 60 frames a second (figure 5.2)";
@@ -50,7 +50,8 @@ namespace Host.Studies.Thesis
                 plot.Script("set xlabel 'iterations'\nset ylabel 'particles'\nset logscale y\nset format y '%.0s%c'\n"));
 
             page.Line(FormattableString.Invariant(
-                $"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Fractions.Select(fraction => FormattableString.Invariant($"{fraction.Name} of the frame ({fraction.Value * Frame:0.00} ms)")))}:"));
+                $"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take ") +
+                FormattableString.Invariant($"{string.Join(" or ", Fractions.Select(fraction => FormattableString.Invariant($"{fraction.Name} of the frame ({fraction.Value * Frame:0.00} ms)")))}:"));
             page.Line();
             page.Table(new[] { "iterations" }.Concat(Fractions.Select(fraction => $"particles in {fraction.Name}"))
                 .Concat(byIterations[0].Points.Select(p => FormattableString.Invariant($"ms at {p.Particles:N0}"))),
@@ -93,7 +94,9 @@ namespace Host.Studies.Thesis
             (double particles, double fast) = few[^1];
             double perIteration = (many[^1].Ms - fast) / (manyIterations - fewIterations);
             return FormattableString.Invariant(
-                $"Its shape follows from a step that has a fixed part and a part for each iteration: at {particles:N0} particles {perIteration:0.000} ms an iteration, {(fast - fewIterations * perIteration) / fast * 100:0} % of the step with {fewIterations} being fixed.");
+                $"Its shape follows from a step that has a fixed part and a part for each iteration: at {particles:N0} particles ") +
+                FormattableString.Invariant($"{perIteration:0.000} ms an iteration, {(fast - fewIterations * perIteration) / fast * 100:0} % of the step with ") +
+                FormattableString.Invariant($"{fewIterations} being fixed.");
         }
     }
 }

@@ -45,7 +45,8 @@ namespace Host.Studies.Thesis
                     440);
 
             page.Line(FormattableString.Invariant(
-                $"{first.Number("particles"):N0} particles, {first.Number("seconds"):0.#} s. C+ ({"mean of max(0, ρ/ρ0 − 1)"}: how far the water is denser than at rest) over 0.2 to 2 s, and jitter over the last 2 s, m/s:"));
+                $"{first.Number("particles"):N0} particles, {first.Number("seconds"):0.#} s. C+ ({"mean of max(0, ρ/ρ0 − 1)"}: how far the ") +
+                "water is denser than at rest) over 0.2 to 2 s, and jitter over the last 2 s, m/s:");
             page.Line();
             double[] shown = { series[0].Relaxation, series[series.Count / 2].Relaxation, series[^1].Relaxation };
             var columns = series.Where(s => shown.Contains(s.Relaxation)).ToList();
@@ -70,13 +71,22 @@ namespace Host.Studies.Thesis
                 "converge no faster.");
             page.Line();
             page.Line(FormattableString.Invariant(
-                $"- With iterations: C+ falls in {byIterations.falls} of {byIterations.pairs} steps from one count to the next. {Agreement(byIterations)}"));
+                $"- With iterations: C+ falls in {byIterations.falls} of {byIterations.pairs} steps from one count to the next. ") +
+                FormattableString.Invariant($"{Agreement(byIterations)}"));
             page.Line(FormattableString.Invariant(
                 $"- With ω: C+ falls in {byRelaxation.falls} of {byRelaxation.pairs} steps from one ω to the next. {Agreement(byRelaxation)}"));
             page.Line(FormattableString.Invariant(
-                $"- Convergence: C+ falls as the iterations to the power {slow:0.00} at ω {series[0].Relaxation} and {fast:0.00} at ω {series[^1].Relaxation} (fit over all counts). {(same ? "Agrees: ω lowers the curve and does not make it steeper." : fast < slow ? "Does not agree: here the curve of the larger ω is steeper." : "Agrees, and more: the curve of the larger ω is flatter.")}"));
+                $"- Convergence: C+ falls as the iterations to the power {slow:0.00} at ω {series[0].Relaxation} and {fast:0.00} at ω ") +
+                FormattableString.Invariant($"{series[^1].Relaxation} (fit over all counts). ") +
+                FormattableString.Invariant($"{(same ? "Agrees: ω lowers the curve and does not make it steeper." : fast < slow ? "Does not agree: here the curve of the larger ω is steeper." : "Agrees, and more: the curve of the larger ω is flatter.")}"));
             page.Line(FormattableString.Invariant(
-                $"- What the thesis did not show: at {series[0].Rows[^1]["iterations"]} iterations jitter is {series[0].Rows[^1].Number("jitter"):0.000} m/s at ω {series[0].Relaxation} and {series[^1].Rows[^1].Number("jitter"):0.000} at ω {series[^1].Relaxation}; {series.Sum(s => s.Rows.Count(row => row.Number("energy") > SweepResult.MaxEnergy))} of {series.Sum(s => s.Rows.Length)} runs gained energy (above {SweepResult.MaxEnergy} of the start's), and {series.Sum(s => s.Rows.Count(row => row.Number("volume_lowest") < SweepResult.MinVolume))} were compressed below {SweepResult.MinVolume} of their volume at some time."));
+                $"- What the thesis did not show: at {series[0].Rows[^1]["iterations"]} iterations jitter is ") +
+                FormattableString.Invariant($"{series[0].Rows[^1].Number("jitter"):0.000} m/s at ω {series[0].Relaxation} and ") +
+                FormattableString.Invariant($"{series[^1].Rows[^1].Number("jitter"):0.000} at ω {series[^1].Relaxation}; ") +
+                FormattableString.Invariant($"{series.Sum(s => s.Rows.Count(row => row.Number("energy") > SweepResult.MaxEnergy))} of {series.Sum(s => s.Rows.Length)} ") +
+                FormattableString.Invariant($"runs gained energy (above {SweepResult.MaxEnergy} of the start's), and ") +
+                FormattableString.Invariant($"{series.Sum(s => s.Rows.Count(row => row.Number("volume_lowest") < SweepResult.MinVolume))} were compressed below ") +
+                FormattableString.Invariant($"{SweepResult.MinVolume} of their volume at some time."));
             page.Line();
         }
 

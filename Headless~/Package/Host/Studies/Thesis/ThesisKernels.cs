@@ -48,7 +48,8 @@ namespace Host.Studies.Thesis
                 "(%)'\nset yrange [0:*]\n"));
 
             page.Line(FormattableString.Invariant(
-                $"{first.Number("particles"):N0} particles, {Iterations} iterations, per cent of a step{(table.InSoftware ? " (of a CPU: no kernel's fraction on a GPU follows)" : "")}:"));
+                $"{first.Number("particles"):N0} particles, {Iterations} iterations, per cent of a ") +
+                FormattableString.Invariant($"step{(table.InSoftware ? " (of a CPU: no kernel's fraction on a GPU follows)" : "")}:"));
             page.Line();
             page.Table(new[] { "" }.Concat(Thesis.Select(kernel => kernel.Kernel)).Append("step, ms"),
                 windows.Select(window => fractions[window].Select(fraction => FormattableString.Invariant($"{fraction:0.0}"))
@@ -59,7 +60,9 @@ namespace Host.Studies.Thesis
             page.Line();
             string slowest = Thesis[Array.IndexOf(fractions["initial"], fractions["initial"].Max())].Kernel;
             page.Line(FormattableString.Invariant(
-                $"In the thesis {Thesis[0].Kernel} is the most expensive part, at {Thesis[0].Percent} %. Here it is {slowest}, at {fractions["initial"].Max():0.0} % of the initial block's step{(slowest == Thesis[0].Kernel ? ": the same." : $": not the same; λ takes {fractions["initial"][0]:0.0} %.")}"));
+                $"In the thesis {Thesis[0].Kernel} is the most expensive part, at {Thesis[0].Percent} %. Here it is {slowest}, at ") +
+                FormattableString.Invariant($"{fractions["initial"].Max():0.0} % of the initial block's ") +
+                FormattableString.Invariant($"step{(slowest == Thesis[0].Kernel ? ": the same." : $": not the same; λ takes {fractions["initial"][0]:0.0} %.")}"));
             page.Line();
         }
 

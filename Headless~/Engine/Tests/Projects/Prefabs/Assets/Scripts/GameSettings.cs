@@ -8,7 +8,7 @@ public class GameSettings : MonoBehaviour
     class SaveData
     {
         public int runs;
-        public string player = "nobody";
+        public string player = "none";
         public Vector3 position;
     }
 
