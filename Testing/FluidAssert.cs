@@ -23,7 +23,7 @@ namespace Rill.Testing
         const double CalmTime = 0.25;
 
         /// <summary>Measures the fluid now, and waits for the GPU.</summary>
-        /// <exception cref="ArgumentNullException">There is no fluid.</exception>
+        /// <exception cref="ArgumentNullException">The fluid is null.</exception>
         /// <exception cref="InvalidOperationException">The fluid does not run, or has taken no step yet.</exception>
         public static FluidStatistics Measure(FluidSimulation fluid)
         {
@@ -98,7 +98,7 @@ namespace Rill.Testing
         /// <summary>Fails where a detector finds less or more water than that in its shape, now.</summary>
         /// <param name="min">Volume at rest that there has to be at least, m³; 0 or more.</param>
         /// <param name="max">Volume that there may be, m³; at least <paramref name="min"/>, infinite for any.</param>
-        /// <exception cref="ArgumentNullException">There is no detector.</exception>
+        /// <exception cref="ArgumentNullException">The detector is null.</exception>
         /// <exception cref="ArgumentOutOfRangeException">A volume is out of its range.</exception>
         /// <exception cref="InvalidOperationException">The detector measures nothing: it or its fluid is off, or no step was taken.</exception>
         /// <exception cref="FluidAssertionException">The volume is another; the message names the particles that are nearest to the shape's

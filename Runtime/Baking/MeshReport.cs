@@ -195,10 +195,10 @@ namespace Rill
             if (NonFiniteVertices > 0 && NonFiniteTriangles == 0)
                 texts.Add($"{Number(NonFiniteVertices)} vertices are not finite numbers, but no triangle uses them: left out.");
             if (DuplicateVertices > 0)
-                texts.Add($"{Number(DuplicateVertices)} of {Number(Vertices)} vertices lie exactly at another's place: taken as one to " +
+                texts.Add($"{Number(DuplicateVertices)} of {Number(Vertices)} vertices lie exactly at another's position: taken as one to " +
                     $"find edges; the distance is not touched.");
             if (JoinedVertices > 0)
-                texts.Add($"{Number(JoinedVertices)} corners of open edges lie almost at another's place, within {Meters(JoinDistance)} or what " +
+                texts.Add($"{Number(JoinedVertices)} corners of open edges lie almost at another's position, within {Meters(JoinDistance)} or what " +
                     $"their coordinates are rounded to: taken as one to find edges; the distance is not touched.");
             if (ZeroAreaTriangles > 0)
                 texts.Add($"{Number(ZeroAreaTriangles)} triangles have no area: left out.");

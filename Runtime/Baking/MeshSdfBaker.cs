@@ -56,7 +56,7 @@ namespace Rill
         bool isReading, isDisposed;
 
         /// <summary>Prepares a bake; most of the work is left to <see cref="Step"/>.</summary>
-        /// <exception cref="ArgumentNullException">There is no mesh.</exception>
+        /// <exception cref="ArgumentNullException">The mesh is null.</exception>
         /// <exception cref="ArgumentException">The mesh or the settings cannot be baked; the message says which, the limit and the
         /// remedy.</exception>
         /// <exception cref="InvalidOperationException">This device has no compute shaders or no asynchronous readback, or the baker's
@@ -66,7 +66,7 @@ namespace Rill
         internal MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings, StepSize size)
         {
             this.size = size;
-            TriangleMesh whole = mesh ?? throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
+            TriangleMesh whole = mesh ?? throw new ArgumentNullException(nameof(mesh), "No mesh to bake: assign one.");
             this.mesh = mesh = settings.leaveOutFar ? FarTriangles.LeftOut(whole) : whole;
             this.settings = settings;
             if (!SystemInfo.supportsComputeShaders || !SystemInfo.supportsAsyncGPUReadback)

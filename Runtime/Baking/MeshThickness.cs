@@ -42,7 +42,7 @@ namespace Rill
                     boxes[levels[level].x + i] = BoxOf(level, i);
         }
 
-        /// <summary>Returns the thickness at each triangle of the mesh, m: infinite where nothing is behind it, as at an open surface; 0 for those
+        /// <summary>Returns the thickness at each triangle of the mesh, m: infinite where nothing is beyond it, as at an open surface; 0 for those
         /// that take no part.</summary>
         /// <param name="goOn">Told the fraction that is done, and asked whether to go on.</param>
         /// <returns>Null if it was canceled.</returns>

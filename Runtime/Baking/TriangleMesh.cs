@@ -94,13 +94,13 @@ namespace Rill
         }
 
         /// <summary>All submeshes of a mesh; quads become two triangles each.</summary>
-        /// <exception cref="ArgumentNullException">There is no mesh.</exception>
+        /// <exception cref="ArgumentNullException">The mesh is null.</exception>
         /// <exception cref="ArgumentException">The mesh cannot be read by scripts: in the editor, <see cref="Of(string, Mesh.MeshData)"/>
         /// takes it all the same.</exception>
         public static TriangleMesh Of(Mesh mesh)
         {
             if (mesh == null)
-                throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
+                throw new ArgumentNullException(nameof(mesh), "No mesh to bake: assign one.");
             if (!mesh.isReadable)
                 throw new ArgumentException($"'{mesh.name}' cannot be read at run time: switch Read/Write on in its import settings, " +
                     $"or bake it in the editor, which reads every mesh.", nameof(mesh));

@@ -12,7 +12,7 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// A particle due is put where it would have got to by the end of the substep. A jet and a spray press away the water that is there; a fill and a
-    /// mesh wait for room. Where a collider lies there or before it, or the water cannot give way, it waits, and after a second's worth of
+    /// mesh wait for room. Where a collider lies there or before it, or the water cannot yield, it waits, and after a second's worth of
     /// waiting particles the oldest are given up and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
@@ -353,7 +353,7 @@ namespace Rill
                         return mode == EmitterMode.Fill || shape == EmitterShape.MeshSurface
                             ? "water fills its shape, so that nothing comes out: it lets in where there is room. Move it out of the water, or " +
                                 "choose a Jet or a Spray from a Box, Sphere or Disc, which press water away."
-                            : "the water before it cannot give way, as in a closed vessel that is full or a gap that is too narrow, so that " +
+                            : "the water before it cannot yield, as in a closed vessel that is full or a gap that is too narrow, so that " +
                                 "nothing comes out. Give the water an outlet, drain it or let less in.";
                 }
             }

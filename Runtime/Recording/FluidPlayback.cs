@@ -93,7 +93,7 @@ namespace Rill
 
         /// <summary>Time of a frame since the first, s.</summary>
         /// <param name="frame">0 to <see cref="FrameCount"/> - 1.</param>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
         public double TimeOf(int frame)
         {
             if (frame < 0 || frame >= FrameCount)

@@ -10,7 +10,7 @@ namespace Rill.Universal
     /// </summary>
     /// <remarks>
     /// Overlay cameras of a stack draw no surfaces: the base camera has drawn them.
-    /// Cameras share the queue of their renderer, which URP empties when it has drawn one of them. A script that draws another in
+    /// The cameras of a renderer use one queue, which URP empties when it has drawn one of them. A script that draws another in
     /// beginCameraRendering, as mirrors and portals do by UniversalRenderPipeline.RenderSingleCamera, thus removes this camera's pass
     /// (14.0 to 17.3: ScriptableRenderer.InternalFinishRenderingCommon). What listens last enqueues after that; and a camera that is drawn
     /// without an event, as RenderSingleCamera does it, is seen by <see cref="FluidSurfaceFeature"/> alone.

@@ -308,7 +308,7 @@ namespace Rill.Tests
 
         static void QueryManyPoints(FluidSimulation fluid, Vector3[] floats, ref FluidQueryBatch batch)
         {
-            #region Ask the water in many positions
+            #region Ask the water in many places
             batch ??= new FluidQueryBatch(fluid, points: floats.Length, rays: 1);      // once; Dispose it in OnDisable
             batch.SetPoints(floats, 0, floats.Length);                                 // each frame in which they have moved
             for (int i = 0; i < floats.Length; i++)

@@ -195,7 +195,7 @@ namespace Host.Tests
         }
 
         [TestCase("Two", "'Two' has 2 scenes")]
-        [TestCase("Tsunami", "there is no scene 'Tsunami'")]
+        [TestCase("Tsunami", "scene 'Tsunami' does not exist")]
         public void An_unclear_scene_lists_what_there_is(string what, string expected)
         {
             var message = Assert.Throws<AssetException>(() => SceneLocator.Find(what, Samples(Temporary()).Root)).Message;

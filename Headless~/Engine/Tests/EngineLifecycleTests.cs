@@ -356,7 +356,7 @@ namespace Host.Tests
             public Transform child;
             [NonSerialized] public int lost = 3;
             int hidden = 4;
-            public static int Shared = 5;
+            public static int Common = 5;
             public string Text { get => text; set => text = value; }
             public int Hidden { get => hidden; set => hidden = value; }
             void Awake() => Story.Tell($"{name} Awake with {number}");

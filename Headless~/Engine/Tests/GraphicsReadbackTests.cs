@@ -101,7 +101,7 @@ namespace Host.Tests
             Assert.That(called, Is.EqualTo(1), "it does not arrive again");
         }
 
-        /// <summary>A device's copy that is there when the test says so, and that no one may wait for.</summary>
+        /// <summary>A device's copy that arrives when the test decides, and that must not be waited for.</summary>
         sealed class PendingCopy : DeviceReadback
         {
             public bool Arrived;

@@ -263,7 +263,7 @@ namespace Heavy { public class Sweep { [TestCase(1), TestCase(2, Category = ""Gp
         public void A_culture_that_is_none_is_refused(string culture)
         {
             using Process process = Start("--culture", culture);
-            Assert.That(process.StandardError.ReadToEnd(), Does.StartWith($"{CommandLine.Name}: --culture {culture}: there is no such culture"));
+            Assert.That(process.StandardError.ReadToEnd(), Does.StartWith($"{CommandLine.Name}: --culture {culture}: the culture does not exist"));
             process.WaitForExit();
             Assert.That(process.ExitCode, Is.EqualTo(2));
         }

@@ -84,7 +84,7 @@ namespace UnityEditor
         public static void AddObjectToAsset(Object objectToAdd, string path)
         {
             if (!made.TryGetValue(path, out Made asset))
-                throw new UnityException($"AddObjectToAsset: there is no asset at '{path}' that a script made.");
+                throw new UnityException($"AddObjectToAsset: a script has made no asset at '{path}'.");
             if (objectToAdd.IsAsset)
                 throw new UnityException($"AddObjectToAssetFile failed because the {objectToAdd.GetType().Name} '{objectToAdd.name}' " +
                     $"is already an asset at '{GetAssetPath(objectToAdd)}'!");

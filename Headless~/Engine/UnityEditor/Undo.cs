@@ -9,7 +9,7 @@ using Object = UnityEngine.Object;
 namespace UnityEditor
 {
     /// <summary>
-    /// Values, poses and creations can be undone, and values and poses redone; a group ends where the caller says so, since no
+    /// Values, poses and creations can be undone, and values and poses redone; a group ends where the caller ends it, since no
     /// events end one here. What was destroyed does not come back: to redo a creation throws.
     /// </summary>
     public partial class Undo

@@ -21,7 +21,7 @@ namespace Host.Tests
 
         class Base : MonoBehaviour
         {
-            [Tooltip("Of the base class.")]
+            [Tooltip("From the base class.")]
             [SerializeField] protected bool isOn = true;
         }
 
@@ -47,7 +47,7 @@ namespace Host.Tests
             Assert.That(ReferencePage.Describe(typeof(Known)),
                 Is.EqualTo("\n## Known Part\n\n| field | default | range | |\n| --- | --- | --- | --- |\n" +
                 "| Choice | Second | First One, Second |  |\n" +
-                "| Is On | on |  | Of the base class. |\n" +
+                "| Is On | on |  | From the base class. |\n" +
                 "| Size | 1, 2.5, 0 |  |  |\n" +
                 "| Small Value | 0.0000005 | 0 to 0.000001 | Between two \\| bars. |\n" +
                 "| Target | none |  |  |\n" +
@@ -64,7 +64,7 @@ namespace Host.Tests
             string text = ReferencePage.Describe(typeof(Known), costs);
             costs.FindUnused(findings);
             Assert.That(text, Does.StartWith("\n## Known Part\n\nCost: two passes.\n\n| field | default | range | | cost |\n").And
-                .Contain("| Amount | 2 | 0.5 or more | How much, m. | 1 ms |\n").And.Contain("| Is On | on |  | Of the base class. |  |\n"));
+                .Contain("| Amount | 2 | 0.5 or more | How much, m. | 1 ms |\n").And.Contain("| Is On | on |  | From the base class. |  |\n"));
             Assert.That(findings.Faults, Is.EqualTo(new[]
             {
                 "Research~/data/costs.tsv(5) is not a new row: write component, field and cost, with a tab between, each once.",

@@ -10,7 +10,7 @@ namespace Rill
     /// light.</summary>
     /// <remarks>
     /// Every camera that shows the object's layer draws it, in every render pipeline, without further wiring. The surface is drawn before
-    /// other transparent objects and writes depth; those behind it are not seen through it while it refracts.
+    /// other transparent objects and writes depth; those beyond it are not seen through it while it refracts.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Surface"), Icon(PackagePaths.Icon), ManualPage("surface.md")]
     [DisallowMultipleComponent]
@@ -35,7 +35,7 @@ namespace Rill
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
 
         [Tooltip("Shows the scene behind bent, through a copy of the opaque scene. Off: the surface blends over whatever is " +
-            "behind it, which other transparent objects behind it need.")]
+            "beyond it, which other transparent objects there need.")]
         [SerializeField] bool refraction = true;
 
         [Tooltip("Gathers the sun's light by the surface on what stands in the water, and absorbs it on its path. With Refraction, " +

@@ -48,7 +48,7 @@ void BoxDensity(float3 p, float3 halfSides, bool insideOut, out float density, o
     }
 }
 
-// Density that a collider adds at p, where it is 'contact.w' away along 'contact.xyz', and what lies behind its surface
+// Density that a collider adds at p, where it is 'contact.w' away along 'contact.xyz', and what lies beyond its surface
 // if that is a plane: xyz gradient, w density.
 void ColliderDensity(Collider collider, float3 p, float4 contact, out float4 own, out float4 behind)
 {

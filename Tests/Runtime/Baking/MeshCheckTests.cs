@@ -44,7 +44,7 @@ namespace Rill.Tests
             Assert.That(report.DuplicateVertices, Is.EqualTo(7 + 2 * 16), "the seam and the poles");
             Assert.That(report.IsWatertight);
             Assert.That(report.ZeroAreaTriangles, Is.EqualTo(2 * 16), "at the poles");
-            Assert.That(All(report), Does.Contain("39 of 153 vertices lie exactly at another's place").And.Contain(
+            Assert.That(All(report), Does.Contain("39 of 153 vertices lie exactly at another's position").And.Contain(
                 "32 triangles have no area: left out"));
         }
 
@@ -90,7 +90,7 @@ namespace Rill.Tests
                 Assert.That(report.Vertices - report.DuplicateVertices - report.JoinedVertices,
                     Is.EqualTo(exact.Vertices - exact.DuplicateVertices), $"{what}: none too many");
                 Assert.That(exact.JoinedVertices, Is.Zero);
-                Assert.That(All(report), Does.Contain("almost at another's place").And.Not.Contain("holes"), what);
+                Assert.That(All(report), Does.Contain("almost at another's position").And.Not.Contain("holes"), what);
                 Assert.That(report.SelfIntersections, Is.Zero, what);
             }
         }
@@ -412,7 +412,7 @@ namespace Rill.Tests
             mesh.UploadMeshData(true);
             Assert.That(Assert.Throws<ArgumentException>(() => MeshCheck.Run(mesh)).Message,
                 Does.Contain("'Sealed'").And.Contain("Read/Write").And.Contain("in the editor"));
-            Assert.That(Assert.Throws<ArgumentNullException>(() => MeshCheck.Run((Mesh)null)).Message, Does.Contain("no mesh"));
+            Assert.That(Assert.Throws<ArgumentNullException>(() => MeshCheck.Run((Mesh)null)).Message, Does.Contain("No mesh"));
             UnityEngine.Object.DestroyImmediate(mesh);
         }
     }

@@ -68,7 +68,7 @@ namespace Rill.Tests
             Assert.That(time.IsDisposed);
         }
 
-        // The same device as above, which takes 1.1 ms with 2 iterations and 1.66 with 6: the stretch costs in addition,
+        // Uses the same device as above, which takes 1.1 ms with 2 iterations and 1.66 with 6: the stretch costs in addition,
         // 0.54 ms at this factor.
         [UnityTest]
         public IEnumerator What_an_elastic_fluid_costs_is_known()

@@ -89,7 +89,7 @@ namespace Rill.Tests
             Assert.That(RegionStates(), Is.All.EqualTo((uint)RegionState.Awake));
         }
 
-        // As with a restart, a query of the old water does not answer for the new one.
+        // Like with a restart, a query of the old water does not answer for the new one.
         [Test]
         public void Answers_from_before_a_restore_are_none_of_the_restored_water([Values] bool elsewhere)
         {

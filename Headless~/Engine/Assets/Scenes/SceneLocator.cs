@@ -54,8 +54,8 @@ namespace Host.Assets
             if (scenes.Count > 1) throw new AssetException($"'{what}' has {scenes.Count} scenes: name one of them\n{Listed(scenes, root)}");
             var others = root == null ? new List<string>() : ScenesBelow(root);
             throw new AssetException(others.Count > 0
-                ? $"there is no scene '{what}'; {root} has\n{Listed(others, root)}"
-                : $"there is no scene '{what}', and " +
+                ? $"scene '{what}' does not exist; {root} has\n{Listed(others, root)}"
+                : $"scene '{what}' does not exist, and " +
                 $"{(root == null ? "this folder belongs to no Unity project or package" : root + " has no other either")}");
         }
 

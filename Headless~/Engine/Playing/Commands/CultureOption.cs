@@ -28,7 +28,7 @@ namespace Host.Commands
                 throw new HostException($"--culture {name}: this process has no data of cultures. Start it through the script rill, which installs " +
                     "ICU, or install libicu and unset DOTNET_SYSTEM_GLOBALIZATION_INVARIANT.");
             return IsThere(name) ? CultureInfo.GetCultureInfo(name)
-                : throw new HostException($"--culture {name}: there is no such culture; names are as de-DE or tr-TR.");
+                : throw new HostException($"--culture {name}: the culture does not exist; names are as de-DE or tr-TR.");
         }
 
         static bool IsThere(string name)

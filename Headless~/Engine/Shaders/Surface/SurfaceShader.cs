@@ -42,13 +42,13 @@ namespace Host.Shaders
             this.options = options;
             source = new SurfaceSource(preprocessed);
             surface = source.Function(options.Function)
-                ?? throw new ProgramException($"there is no function '{options.Function}', which #pragma surface names");
+                ?? throw new ProgramException($"function '{options.Function}', which #pragma surface names, does not exist");
             if (surface.Count != 2)
                 throw new ProgramException($"the surface function '{options.Function}' takes {surface.Count} parameters; it takes an " +
                     $"Input and an inout SurfaceOutput");
             input = source.Struct(surface[0].Type)
                 ?? throw new ProgramException(
-                $"there is no struct '{surface[0].Type}', which the surface function '{options.Function}' takes");
+                $"struct '{surface[0].Type}', which the surface function '{options.Function}' takes, does not exist");
             tangents = source.Writes(options.Function, "Normal") || input.Any(f => f.Name == "rill_toWorld0");
         }
 
@@ -65,14 +65,14 @@ namespace Host.Shaders
             if (options.Vertex != null)
             {
                 vertex = source.Function(options.Vertex)
-                    ?? throw new ProgramException($"there is no function '{options.Vertex}', which the option vertex: names");
+                    ?? throw new ProgramException($"function '{options.Vertex}', which the option vertex: names, does not exist");
                 if (vertex.Count < 1 || vertex.Count > 2)
                     throw new ProgramException($"the vertex function '{options.Vertex}' takes {vertex.Count} parameters; it takes an " +
                         $"inout of vertex data and, if wanted, an out {surface[0].Type}");
                 data = vertex[0].Type;
             }
             bool instances = (source.Struct(data)
-                ?? throw new ProgramException($"there is no struct '{data}', which '{options.Vertex}' takes")).Any(f
+                ?? throw new ProgramException($"struct '{data}', which '{options.Vertex}' takes, does not exist")).Any(f
                 => f.Name == "instanceID");
 
             foreach (SourceField field in input)
@@ -213,7 +213,7 @@ namespace Host.Shaders
         {
             string function = "Lighting" + options.Model;
             List<SourceField> parameters = source.Function(function)
-                ?? throw new ProgramException($"there is no function '{function}' for the lighting model " +
+                ?? throw new ProgramException($"the file has no function '{function}' for the lighting model " +
                     $"'{options.Model}'{(BuiltInModels.Contains(options.Model) ? "" : "; built in are " + string.Join(", ", BuiltInModels))}");
             if (parameters.Count < 2 || parameters.Count > 4 || parameters[0].Type != surface[1].Type)
                 throw new ProgramException($"'{function}' takes ({string.Join(", ", parameters.Select(p => p.Type))}); a forward " +

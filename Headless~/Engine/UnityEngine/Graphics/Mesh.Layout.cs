@@ -97,7 +97,7 @@ namespace UnityEngine
         public void SetSubMesh(int index, SubMeshDescriptor desc, MeshUpdateFlags flags = MeshUpdateFlags.Default)
         {
             if (index < 0 || index >= submeshes.Count)
-                throw new IndexOutOfRangeException($"Mesh '{name}' has {submeshes.Count} submeshes; there is no submesh {index}.");
+                throw new IndexOutOfRangeException($"Mesh '{name}' has {submeshes.Count} submeshes; submesh {index} does not exist.");
             if (!MayAccess("indices"))
                 return;
             if (indexRoom == 0 || desc.indexStart != (int)GetIndexStart(index) || desc.baseVertex != 0)
@@ -121,7 +121,7 @@ namespace UnityEngine
         public GraphicsBuffer GetVertexBuffer(int index)
         {
             if (index != 0)
-                throw new IndexOutOfRangeException($"Mesh '{name}' has one stream of vertices; there is no stream {index}.");
+                throw new IndexOutOfRangeException($"Mesh '{name}' has one stream of vertices; stream {index} does not exist.");
             return HandOut(Memory("GetVertexBuffer")?.Vertices, $"Mesh {name} vertices");
         }
 

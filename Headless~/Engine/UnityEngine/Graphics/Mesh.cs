@@ -258,7 +258,7 @@ namespace UnityEngine
         }
 
         Submesh At(int submesh) => submesh >= 0 && submesh < submeshes.Count ? submeshes[submesh]
-            : throw new ArgumentException($"Mesh '{name}' has {submeshes.Count} submeshes; there is no submesh {submesh}.");
+            : throw new ArgumentException($"Mesh '{name}' has {submeshes.Count} submeshes; submesh {submesh} does not exist.");
 
         public int[] GetIndices(int submesh) => GetIndices(submesh, true);
         public int[] GetIndices(int submesh, bool applyBaseVertex) => MayAccess("indices") ? Placed(At(submesh), applyBaseVertex)

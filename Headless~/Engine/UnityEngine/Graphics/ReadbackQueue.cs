@@ -140,7 +140,7 @@ namespace UnityEngine.Headless
             Gpu.RequireCompute("AsyncGPUReadback.Request");
             if (mip < 0 || mip >= texture.mipmapCount)
                 throw new ArgumentException(
-                    $"AsyncGPUReadback.Request: texture '{texture.name}' has {texture.mipmapCount} mip levels; there is no level {mip}.");
+                    $"AsyncGPUReadback.Request: texture '{texture.name}' has {texture.mipmapCount} mip levels; level {mip} does not exist.");
             ReadbackRegion whole = ReadbackRegion.Whole(texture, mip);
             if (region.X < 0 || region.Y < 0 || region.Z < 0 || region.Width < 1 || region.Height < 1 || region.Depth < 1 ||
                 region.X + region.Width > whole.Width || region.Y + region.Height > whole.Height || region.Z + region.Depth > whole.Depth)

@@ -66,9 +66,9 @@ namespace UnityEngine.Headless
         public byte[] Bytes(int mip, int slice = 0)
         {
             if (mip < 0 || mip >= Mips)
-                throw new ArgumentException($"{name} has {Mips} mip levels; there is no level {mip}.");
+                throw new ArgumentException($"{name} has {Mips} mip levels; level {mip} does not exist.");
             if (slice < 0 || slice >= Slices)
-                throw new ArgumentException($"{name} has {Slices} slices; there is no slice {slice}.");
+                throw new ArgumentException($"{name} has {Slices} slices; slice {slice} does not exist.");
             return texels[slice * Mips + mip];
         }
 

@@ -101,7 +101,7 @@ namespace Rill.Tests
                     scene.Fill(cause == "full box" ? 1f : 0.6f);
                 scene.Step(20);
                 LogAssert.Expect(LogType.Warning, new Regex(cause == "full box" ? "box of FluidSimulation 'Fluid' is full.*Drain the fluid"
-                    : cause == "closed vessel" ? "water before it cannot give way.*Give the water an outlet"
+                    : cause == "closed vessel" ? "water before it cannot yield.*Give the water an outlet"
                     : cause == "outside" ? "lies outside the box of FluidSimulation 'Fluid'.*Move it into the box"
                     : "water fills its shape.*Move it out of the water, or choose a Jet"));
                 FluidEmitter emitter = Inlet(scene, cause == "outside" ? 3f : cause == "closed vessel" ? -0.2f : -0.3f, 1f, e =>
