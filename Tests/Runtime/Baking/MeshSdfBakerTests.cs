@@ -717,9 +717,9 @@ namespace Rill.Tests
         public void Bad_meshes_are_refused_by_name()
         {
             MeshSdfSettings settings = Settings(16);
-            Assert.That(Assert.Throws<ArgumentNullException>(() => MeshSdfBaker.Bake((Mesh)null, settings)).Message, Does.Contain("no mesh to bake"));
+            Assert.That(Assert.Throws<ArgumentNullException>(() => MeshSdfBaker.Bake((Mesh)null, settings)).Message, Does.Contain("No mesh to bake"));
             Assert.That(Assert.Throws<ArgumentNullException>(() => MeshSdfBaker.Bake((TriangleMesh)null, settings)).Message,
-                Does.Contain("no mesh to bake"));
+                Does.Contain("No mesh to bake"));
             Assert.That(Refusal(new TriangleMesh("Nothing", new Vector3[3], new int[0]), settings), Does.Contain("'Nothing' has no triangles"));
             Assert.That(Refusal(new TriangleMesh("Point", new Vector3[3], new[] { 0, 1, 2 }), settings),
                 Does.Contain("'Point': none of its 1 triangles has an area").And.Contain("repair"));
