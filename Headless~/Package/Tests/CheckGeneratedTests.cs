@@ -135,6 +135,15 @@ namespace Host.Tests
         }
 
         [Test]
+        public void An_asset_that_is_there_stays()
+        {
+            WithStages(package).Add("Runtime/Stages/Two.asset", "by hand").Add("Runtime/Stages/Two.asset.meta", "guid: 0000000000000000000000000000000d\n");
+            IReadOnlyDictionary<string, string> texts = StageAssets.Texts(package.Tree, new[] { "Two" }, new Findings());
+            Assert.That(texts.Keys, Is.EquivalentTo(new[] { "Runtime/FluidShaders.asset" }));
+            Assert.That(texts["Runtime/FluidShaders.asset"], Does.Contain("0000000000000000000000000000000d"));
+        }
+
+        [Test]
         public void A_stage_without_a_shader_is_named()
         {
             var findings = new Findings();

@@ -8,8 +8,8 @@ using System.Text;
 
 namespace Host.Check
 {
-    /// <summary>The assets by which Unity takes a stage's shaders into a build: one for each stage that a row of Rill.Features names, and the
-    /// list of all of them.</summary>
+    /// <summary>The list of all stages that a row of Rill.Features names, by which Unity takes their shaders into a build, and the asset of a
+    /// stage that has none yet. An asset that is there stays: it may refer to shaders of other names.</summary>
     sealed class StageAssets : GeneratedFiles
     {
         const string Stages = "Runtime/Stages/", List = "Runtime/FluidShaders.asset";
@@ -35,20 +35,30 @@ namespace Host.Check
             var list = new StringBuilder(Head(GuidOf(package, ListScript), "FluidShaders")).Append("  stages:\n");
             foreach (string stage in stages)
             {
-                string compute = Find(package, stage + ".compute"), shader = Find(package, stage + ".shader");
-                if (compute == null && shader == null)
-                {
-                    findings.Fault($"a row of Features names the stage {stage}, but Shaders has no {stage}.compute and no {stage}.shader. Write one, or correct the row.");
-                    continue;
-                }
                 string path = $"{Stages}{stage}.asset";
-                texts.Add(path, Head(GuidOf(package, StageScript), stage) + $"  compute: {Reference(package, compute, 7200000)}\n  shader: {Reference(package, shader, 4800000)}\n");
-                if (!package.Has(path + ".meta"))
-                    texts.Add(path + ".meta", $"fileFormatVersion: 2\nguid: {NewGuid(path)}\nNativeFormatImporter:\n  externalObjects: {{}}\n  mainObjectFileID: 11400000\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n");
+                if (!package.Has(path) && !AddAsset(package, stage, path, texts, findings))
+                    continue;
                 list.Append($"  - {{fileID: 11400000, guid: {GuidOf(package, path)}, type: 2}}\n");
             }
             texts.Add(List, list.ToString());
             return texts;
+        }
+
+        static bool AddAsset(PackageTree package, string stage, string path, Dictionary<string, string> texts, Findings findings)
+        {
+            string compute = Find(package, stage + ".compute"), shader = Find(package, stage + ".shader");
+            if (compute == null && shader == null)
+            {
+                findings.Fault($"a row of Features names the stage {stage}, but Shaders has no {stage}.compute and no {stage}.shader. Write one, " +
+                    $"or {path} by hand, or correct the row.");
+                return false;
+            }
+            texts.Add(path, Head(GuidOf(package, StageScript), stage) +
+                $"  compute: {Reference(package, compute, 7200000)}\n  shader: {Reference(package, shader, 4800000)}\n");
+            if (!package.Has(path + ".meta"))
+                texts.Add(path + ".meta", $"fileFormatVersion: 2\nguid: {NewGuid(path)}\nNativeFormatImporter:\n  externalObjects: {{}}\n" +
+                    "  mainObjectFileID: 11400000\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n");
+            return true;
         }
 
         static IEnumerable<string> StagesOf(Assembly rill)
