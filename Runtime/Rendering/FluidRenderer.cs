@@ -107,20 +107,20 @@ namespace Rill
         private protected void SetParticles(MaterialPropertyBlock properties)
         {
             PbfSolver solver = Simulation.Solver;
-            properties.SetBuffer(Ids.Positions, solver.Positions);
-            properties.SetBuffer(Ids.StartPositions, solver.StartPositions);
-            properties.SetBuffer(Ids.Velocities, solver.Velocities);
-            properties.SetBuffer(Ids.Counters, solver.Counters);
-            properties.SetMatrix(Ids.LastDomainToWorld, LastDomainToWorld);
+            properties.SetBuffer(ParticleIds.Positions, solver.Positions);
+            properties.SetBuffer(ParticleIds.StartPositions, solver.StartPositions);
+            properties.SetBuffer(ParticleIds.Velocities, solver.Velocities);
+            properties.SetBuffer(ParticleIds.Counters, solver.Counters);
+            properties.SetMatrix(DrawnIds.LastDomainToWorld, LastDomainToWorld);
             SetFrame(properties);
         }
 
         /// <summary>The domain's pose and this frame's time since the newest step.</summary>
         private protected void SetFrame(MaterialPropertyBlock properties)
         {
-            properties.SetVector(Ids.FrameLag, Simulation.Clock.FrameLag);
-            properties.SetVector(Ids.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
-            properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
+            properties.SetVector(DrawnIds.FrameLag, Simulation.Clock.FrameLag);
+            properties.SetVector(DrawnIds.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
+            properties.SetMatrix(DrawnIds.DomainToWorld, Simulation.DomainToWorld);
         }
 
         /// <summary>Replaces the pipeline's main light; null to keep it.</summary>
@@ -228,14 +228,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
-            public static readonly int LastDomainToWorld = Shader.PropertyToID("_LastDomainToWorld");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
             public static readonly int SunDirection = Shader.PropertyToID("_SunDirection");
             public static readonly int SunColor = Shader.PropertyToID("_SunColor");
             public static readonly int ReceiveShadows = Shader.PropertyToID("_ReceiveShadows");

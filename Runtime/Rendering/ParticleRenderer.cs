@@ -119,7 +119,7 @@ namespace Rill
             // Density errors have a sign: rest density is the center of the ramp.
             properties.SetVector(Ids.ColorRange, speed ? new Vector4(1f / colorRange, 0f, 0f, 0f) : new Vector4(0f, 0.5f / colorRange, 0.5f, 0f));
             SetSun(properties, sun);
-            properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
+            properties.SetVector(DrawnIds.AmbientColor, ShaderColor(ambient));
         }
 
         void SetColors(PbfSolver solver)
@@ -152,7 +152,6 @@ namespace Rill
             public static readonly int MiddleColor = Shader.PropertyToID("_MiddleColor");
             public static readonly int FastColor = Shader.PropertyToID("_FastColor");
             public static readonly int ColorRange = Shader.PropertyToID("_ColorRange");
-            public static readonly int AmbientColor = Shader.PropertyToID("_AmbientColor");
         }
     }
 }

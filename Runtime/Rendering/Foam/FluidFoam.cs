@@ -119,11 +119,11 @@ namespace Rill
             if (foam.particles == null || IsDrawnBySurface)
                 return;
             properties ??= new MaterialPropertyBlock();
-            properties.SetBuffer(Ids.FoamParticles, foam.particles);
+            properties.SetBuffer(DrawnIds.FoamParticles, foam.particles);
             SetFrame(properties);
-            properties.SetVector(Ids.FoamLook, foam.look);
+            properties.SetVector(DrawnIds.FoamLook, foam.look);
             properties.SetVector(Ids.FoamColor, foam.color);
-            properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
+            properties.SetVector(DrawnIds.AmbientColor, ShaderColor(ambient));
             SetSun(properties, sun);
             int command = StereoInstancing.IsActive ? StereoInstancing.StereoCommand : StereoInstancing.MonoCommand;
             Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, foam.arguments, 1, command);
@@ -137,10 +137,7 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");
-            public static readonly int FoamLook = Shader.PropertyToID("_FoamLook");
             public static readonly int FoamColor = Shader.PropertyToID("_FoamColor");
-            public static readonly int AmbientColor = Shader.PropertyToID("_AmbientColor");
         }
     }
 }

@@ -119,7 +119,7 @@ namespace Rill
         /// <summary>Sets what the water's shaders read.</summary>
         public readonly void SetOn(MaterialPropertyBlock block)
         {
-            block.SetBuffer(Ids.MeshVertices, vertices);
+            block.SetBuffer(DrawnIds.MeshVertices, vertices);
             block.SetBuffer(Ids.MeshTop, top);
             block.SetTexture(Ids.MeshField, field);
             block.SetVector(Ids.MeshFieldTexel, fieldTexel);
@@ -131,10 +131,10 @@ namespace Rill
             }
             block.SetFloat(Ids.MeshCell, cell);
             block.SetVector(Ids.MeshBricks, (Vector3)bricks);
-            block.SetMatrix(Ids.DomainToWorld, domainToWorld);
-            block.SetMatrix(Ids.WorldToDomain, domainToWorld.inverse);
-            block.SetVector(Ids.DrawnDomainSize, domainSize);
-            block.SetVector(Ids.FrameLag, lag);
+            block.SetMatrix(DrawnIds.DomainToWorld, domainToWorld);
+            block.SetMatrix(DrawnIds.WorldToDomain, domainToWorld.inverse);
+            block.SetVector(DrawnIds.DrawnDomainSize, domainSize);
+            block.SetVector(DrawnIds.FrameLag, lag);
         }
 
         /// <summary>Sets what DrawnDomain.hlsl and MeshField.hlsl read, but for the field.</summary>
@@ -143,10 +143,10 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.MeshCell, cell);
             cmd.SetComputeVectorParam(shader, Ids.MeshFieldTexel, fieldTexel);
             cmd.SetComputeVectorParam(shader, Ids.MeshBricks, (Vector3)bricks);
-            cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
-            cmd.SetComputeMatrixParam(shader, Ids.WorldToDomain, domainToWorld.inverse);
-            cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, domainSize);
-            cmd.SetComputeVectorParam(shader, Ids.FrameLag, lag);
+            cmd.SetComputeMatrixParam(shader, DrawnIds.DomainToWorld, domainToWorld);
+            cmd.SetComputeMatrixParam(shader, DrawnIds.WorldToDomain, domainToWorld.inverse);
+            cmd.SetComputeVectorParam(shader, DrawnIds.DrawnDomainSize, domainSize);
+            cmd.SetComputeVectorParam(shader, DrawnIds.FrameLag, lag);
             cmd.SetComputeVectorParam(shader, Ids.Ripples, ripples);
             cmd.SetComputeVectorParam(shader, Ids.RippleUp, rippleUp);
         }
@@ -156,7 +156,7 @@ namespace Rill
         {
             cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceElements, elements);
             cmd.SetComputeBufferParam(shader, kernel, Ids.MeshDrops, drops);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.MeshCounters, counters);
+            cmd.SetComputeBufferParam(shader, kernel, DrawnIds.MeshCounters, counters);
             cmd.SetComputeIntParam(shader, Ids.DropCapacity, drops.count);
             cmd.SetComputeVectorParam(shader, Ids.FrameExposure, new Vector4(exposure, 0f, 0f, 0f));
         }
@@ -170,23 +170,17 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
             public static readonly int MeshTop = Shader.PropertyToID("_MeshTop");
             public static readonly int MeshField = Shader.PropertyToID("_MeshField");
             public static readonly int MeshFieldTexel = Shader.PropertyToID("_MeshFieldTexel");
             public static readonly int SurfaceElements = Shader.PropertyToID("_SurfaceElements");
             public static readonly int MeshDrops = Shader.PropertyToID("_MeshDrops");
-            public static readonly int MeshCounters = Shader.PropertyToID("_MeshCounters");
             public static readonly int DropCapacity = Shader.PropertyToID("_DropCapacity");
             public static readonly int FrameExposure = Shader.PropertyToID("_FrameExposure");
             public static readonly int MeshCell = Shader.PropertyToID("_MeshCell");
             public static readonly int MeshBricks = Shader.PropertyToID("_MeshBricks");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int WorldToDomain = Shader.PropertyToID("_WorldToDomain");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
             public static readonly int Ripples = Shader.PropertyToID("_Ripples");
             public static readonly int RippleUp = Shader.PropertyToID("_RippleUp");
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
         }
     }
 }

@@ -68,8 +68,8 @@ namespace Rill
             commands.Clear();
             commands.BeginSample(Marker);
             commands.SetComputeVectorParam(shader, Ids.Size, size);
-            commands.SetComputeBufferParam(shader, count, Ids.Positions, solver.Positions);
-            commands.SetComputeBufferParam(shader, count, Ids.Counters, solver.Counters);
+            commands.SetComputeBufferParam(shader, count, ParticleIds.Positions, solver.Positions);
+            commands.SetComputeBufferParam(shader, count, ParticleIds.Counters, solver.Counters);
             commands.SetComputeBufferParam(shader, count, ParticleTags.Ids.Tags, solver.Tags);
             commands.SetComputeBufferParam(shader, count, Ids.Counts, counts);
             commands.DispatchCompute(shader, count, solver.DrawArguments, GpuBuffer.DispatchArgumentsAt);
@@ -118,8 +118,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int Counts = Shader.PropertyToID("_PhaseCounts");
             public static readonly int Grid = Shader.PropertyToID("_PhaseGrid");
             public static readonly int GridOut = Shader.PropertyToID("_PhaseGridOut");

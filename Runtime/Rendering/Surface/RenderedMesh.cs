@@ -51,20 +51,20 @@ namespace Rill
 
             commands.Clear();
             commands.BeginSample(Marker);
-            commands.SetComputeVectorParam(shader, Ids.FrameLag, frame.lag);
-            commands.SetComputeVectorParam(shader, Ids.DrawnDomainSize, frame.domainSize);
+            commands.SetComputeVectorParam(shader, DrawnIds.FrameLag, frame.lag);
+            commands.SetComputeVectorParam(shader, DrawnIds.DrawnDomainSize, frame.domainSize);
             commands.SetComputeMatrixParam(shader, Ids.DomainToRenderer, domainToRenderer);
             // A renderer turns normals to the world by the inverse of its transform, transposed.
             commands.SetComputeMatrixParam(shader, Ids.NormalToRenderer, fromRenderer.transpose * frame.domainToWorld);
-            commands.SetComputeMatrixParam(shader, Ids.DomainToWorld, frame.domainToWorld);
-            commands.SetComputeBufferParam(shader, copyVertices, Ids.MeshCounters, surface.Counters);
-            commands.SetComputeBufferParam(shader, copyVertices, Ids.MeshVertices, frame.vertices);
+            commands.SetComputeMatrixParam(shader, DrawnIds.DomainToWorld, frame.domainToWorld);
+            commands.SetComputeBufferParam(shader, copyVertices, DrawnIds.MeshCounters, surface.Counters);
+            commands.SetComputeBufferParam(shader, copyVertices, DrawnIds.MeshVertices, frame.vertices);
             commands.SetComputeBufferParam(shader, copyVertices, Ids.RenderedVertices, vertices);
             Dispatch(copyVertices, vertexCapacity);
 
             commands.SetComputeIntParam(shader, Ids.QuadCapacity, quadCapacity);
             commands.SetComputeIntParam(shader, Ids.IsMirrored, fromRenderer.determinant < 0f ? 1 : 0);
-            commands.SetComputeBufferParam(shader, copyIndices, Ids.MeshCounters, surface.Counters);
+            commands.SetComputeBufferParam(shader, copyIndices, DrawnIds.MeshCounters, surface.Counters);
             commands.SetComputeBufferParam(shader, copyIndices, Ids.MeshIndices, frame.indices);
             commands.SetComputeBufferParam(shader, copyIndices, Ids.RenderedIndices, indices);
             Dispatch(copyIndices, quadCapacity);
@@ -155,13 +155,8 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
             public static readonly int DomainToRenderer = Shader.PropertyToID("_DomainToRenderer");
             public static readonly int NormalToRenderer = Shader.PropertyToID("_NormalToRenderer");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int MeshCounters = Shader.PropertyToID("_MeshCounters");
-            public static readonly int MeshVertices = Shader.PropertyToID("_MeshVertices");
             public static readonly int MeshIndices = Shader.PropertyToID("_MeshIndices");
             public static readonly int QuadCapacity = Shader.PropertyToID("_QuadCapacity");
             public static readonly int IsMirrored = Shader.PropertyToID("_IsMirrored");

@@ -17,11 +17,11 @@ namespace Rill
         {
             MaterialPropertyBlock block = view.Motion;
             view.SetConstants(block);
-            block.SetVector(Ids.FrameLag, mesh.lag);
+            block.SetVector(DrawnIds.FrameLag, mesh.lag);
             block.SetTexture(SurfaceIds.SurfaceDepth, view.Faces);
             block.SetTexture(Ids.SurfaceChords, view.Chords);
-            block.SetMatrix(Ids.WorldToDomain, mesh.domainToWorld.inverse);
-            block.SetMatrix(Ids.LastDomainToWorld, mesh.lastDomainToWorld);
+            block.SetMatrix(DrawnIds.WorldToDomain, mesh.domainToWorld.inverse);
+            block.SetMatrix(DrawnIds.LastDomainToWorld, mesh.lastDomainToWorld);
             block.SetMatrix(Ids.DomainMotion, Difference(mesh.domainToWorld, mesh.lastDomainToWorld));
         }
 
@@ -52,10 +52,7 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
             public static readonly int SurfaceChords = Shader.PropertyToID("_SurfaceChords");
-            public static readonly int WorldToDomain = Shader.PropertyToID("_WorldToDomain");
-            public static readonly int LastDomainToWorld = Shader.PropertyToID("_LastDomainToWorld");
             public static readonly int DomainMotion = Shader.PropertyToID("_DomainMotion");
         }
     }

@@ -76,9 +76,9 @@ namespace Rill
         void AddFoam(CommandBuffer cmd, in FoamFrame foam)
         {
             SetPicture(cmd, addFoam);
-            cmd.SetComputeVectorParam(shader, Ids.FoamLook, foam.look);
+            cmd.SetComputeVectorParam(shader, DrawnIds.FoamLook, foam.look);
             cmd.SetComputeTextureParam(shader, addFoam, WaterRays.Ids.Faces, WaterScratch.Instance.Faces);
-            cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamParticles, foam.particles);
+            cmd.SetComputeBufferParam(shader, addFoam, DrawnIds.FoamParticles, foam.particles);
             cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamCounters, foam.counters);
             cmd.DispatchCompute(shader, addFoam, foam.arguments, GpuBuffer.DispatchArgumentsAt);
         }
@@ -103,8 +103,6 @@ namespace Rill
             public static readonly int SprayAmounts = Shader.PropertyToID("_SprayAmounts");
             public static readonly int SprayWords = Shader.PropertyToID("_SprayWords");
             public static readonly int SprayRange = Shader.PropertyToID("_SprayRange");
-            public static readonly int FoamLook = Shader.PropertyToID("_FoamLook");
-            public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");
             public static readonly int FoamCounters = Shader.PropertyToID("_FoamCounters");
         }
     }

@@ -105,9 +105,9 @@ namespace Rill
             view.Write(cmd, constants);
             MaterialPropertyBlock block = view.Properties;
             grid.SetOn(block, fluid.FrameTime);
-            block.SetMatrix(Ids.DomainToWorld, fluid.DomainToWorld);
-            block.SetMatrix(Ids.WorldToDomain, fluid.DomainToWorld.inverse);
-            block.SetVector(Ids.DrawnDomainSize, fluid.DomainSize / fluid.ParticleSpacing);
+            block.SetMatrix(DrawnIds.DomainToWorld, fluid.DomainToWorld);
+            block.SetMatrix(DrawnIds.WorldToDomain, fluid.DomainToWorld.inverse);
+            block.SetVector(DrawnIds.DrawnDomainSize, fluid.DomainSize / fluid.ParticleSpacing);
             block.SetVector(Ids.Look, new Vector4(darkening, smoothness, 1f / dryingTime, isFluidOpaque ? 1f : 0f));
             block.SetVector(Ids.Fog, SceneFog.Parameters);
             block.SetVector(Ids.FogColor, QualitySettings.activeColorSpace == ColorSpace.Linear ? RenderSettings.fogColor.linear
@@ -235,9 +235,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int WorldToDomain = Shader.PropertyToID("_WorldToDomain");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
             public static readonly int Look = Shader.PropertyToID("_WetLook");
             public static readonly int Fog = Shader.PropertyToID("_WetFog");
             public static readonly int FogColor = Shader.PropertyToID("_WetFogColor");

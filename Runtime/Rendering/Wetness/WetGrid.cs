@@ -81,8 +81,8 @@ namespace Rill
             newest = stamp;
             SetGrid(commands);
             commands.SetComputeIntParam(shader, Ids.Stamp, (int)stamp);
-            commands.SetComputeBufferParam(shader, mark, Ids.Positions, solver.Positions);
-            commands.SetComputeBufferParam(shader, mark, Ids.Counters, solver.Counters);
+            commands.SetComputeBufferParam(shader, mark, ParticleIds.Positions, solver.Positions);
+            commands.SetComputeBufferParam(shader, mark, ParticleIds.Counters, solver.Counters);
             commands.SetComputeBufferParam(shader, mark, Ids.Stamps, stamps);
             commands.DispatchCompute(shader, mark, solver.DrawArguments, GpuBuffer.DispatchArgumentsAt);
             commands.EndSample(Marker);
@@ -153,8 +153,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int Stamps = Shader.PropertyToID("_WetStamps");
             public static readonly int StampsIn = Shader.PropertyToID("_WetStampsIn");
             public static readonly int Stamp = Shader.PropertyToID("_WetStamp");
