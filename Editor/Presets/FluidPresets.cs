@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Reflection;
 using UnityEditor;
 using Object = UnityEngine.Object;
 using static System.FormattableString;
@@ -10,6 +11,9 @@ namespace Rill.Editor
     static class FluidPresets
     {
         const float SameFraction = 1e-3f;
+
+        // All are floats, so that a new one belongs to every preset by itself.
+        static readonly FieldInfo[] Fields = typeof(FluidMaterial).GetFields(BindingFlags.Instance | BindingFlags.Public);
 
         public static readonly FluidPreset[] All =
         {
@@ -44,16 +48,8 @@ namespace Rill.Editor
                 {
                     FluidMaterial material = preset.Material;
                     SerializedProperty property = one.FindProperty("material");
-                    property.FindPropertyRelative("density").floatValue = material.density;
-                    property.FindPropertyRelative("velocitySmoothing").floatValue = material.velocitySmoothing;
-                    property.FindPropertyRelative("dynamicViscosity").floatValue = material.dynamicViscosity;
-                    property.FindPropertyRelative("wallFriction").floatValue = material.wallFriction;
-                    property.FindPropertyRelative("vorticity").floatValue = material.vorticity;
-                    property.FindPropertyRelative("artificialPressure").floatValue = material.artificialPressure;
-                    property.FindPropertyRelative("artificialPressureDistance").floatValue = material.artificialPressureDistance;
-                    property.FindPropertyRelative("allowedTension").floatValue = material.allowedTension;
-                    property.FindPropertyRelative("shearModulus").floatValue = material.shearModulus;
-                    property.FindPropertyRelative("relaxationTime").floatValue = material.relaxationTime;
+                    foreach (FieldInfo field in Fields)
+                        property.FindPropertyRelative(field.Name).floatValue = ValueOf(field, material);
                     one.ApplyModifiedProperties();
                 }
             Undo.SetCurrentGroupName($"Fluid preset {preset.Name}");
@@ -71,12 +67,13 @@ namespace Rill.Editor
 
         static bool Same(in FluidMaterial a, in FluidMaterial b)
         {
-            return Near(a.density, b.density) && Near(a.velocitySmoothing, b.velocitySmoothing)
-                && Near(a.dynamicViscosity, b.dynamicViscosity) && a.wallFriction == b.wallFriction && a.vorticity == b.vorticity
-                && a.artificialPressure == b.artificialPressure
-                && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension
-                && a.shearModulus == b.shearModulus && a.relaxationTime == b.relaxationTime;
+            foreach (FieldInfo field in Fields)
+                if (!Near(ValueOf(field, a), ValueOf(field, b)))
+                    return false;
+            return true;
         }
+
+        static float ValueOf(FieldInfo field, FluidMaterial material) => (float)field.GetValue(material);
 
         static bool Near(float a, float b) => Math.Abs(a - b) <= SameFraction * Math.Abs(b);
     }

@@ -107,12 +107,10 @@ namespace Rill
             stillSettings.deepWater = DeepWater.Off;
             stillSettings.sleepSpeed = 0f;
             stillSettings.numericalDamping = 1f;
-            FluidMaterial still = fluid.Material;
-            still.velocitySmoothing = still.dynamicViscosity = still.shearModulus = still.vorticity = still.artificialPressure = 0f;
             settings = stillSettings;
             input = new StepInput
             {
-                timeStep = fluid.FixedStep, gravity = float3.zero, settings = settings, material = still, needsDensity = NeedsDensity
+                timeStep = fluid.FixedStep, gravity = float3.zero, settings = settings, material = fluid.Material.WithoutForces(), needsDensity = NeedsDensity
             };
             NeedsDensity = false;
             NeedsFoam = null;

@@ -30,6 +30,8 @@ namespace Rill
         /// <summary>Where the stages after the constraint leave the velocities: the particles' own buffer, or another from which a later stage
         /// fills it.</summary>
         public readonly GraphicsBuffer NewVelocities;
+        /// <summary>Whether a stage after the velocity update visits the neighbors, and smooths the velocities there.</summary>
+        public readonly bool SmoothsLater;
 
         /// <param name="newVelocities">Null for the particles' own buffer.</param>
         public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search,
@@ -50,6 +52,7 @@ namespace Rill
             Colliders = colliders;
             Extrapolation = extrapolation;
             NewVelocities = newVelocities ?? particles.Velocities;
+            SmoothsLater = newVelocities != null;
         }
 
         public int Substeps => Input.settings.substeps;

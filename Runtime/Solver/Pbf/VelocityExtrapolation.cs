@@ -70,14 +70,16 @@ namespace Rill
         public override bool Survives(ParticleChange change) => change == ParticleChange.Shifted;
 
         /// <summary>Binds what the velocity update of a substep reads and leaves.</summary>
-        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel, in StepInput input)
+        public void Bind(in StepContext step, ComputeShader shader, int kernel)
         {
+            CommandBuffer cmd = step.Commands;
+            StepInput input = step.Input;
             float dt = input.SubstepTime, weight = WeightFor(input);
             float lastOverThis = lastTimeStep > 0f ? lastTimeStep / dt : 1f;
             cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f
                 : 1f / (lastWeight * lastOverThis + 1f - weight));
             cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
-            cmd.SetComputeFloatParam(shader, Ids.SmoothingHere, VorticityConfinement.IsNeeded(input) ? 0f : SolverConstants.Smoothing(input));
+            cmd.SetComputeFloatParam(shader, Ids.SmoothingHere, step.SmoothsLater ? 0f : SolverConstants.Smoothing(input));
             cmd.SetComputeBufferParam(shader, kernel, Ids.Means, sorted);
             Buffers.Swap(ref means, ref sorted);
             lastTimeStep = dt;

@@ -24,17 +24,14 @@ namespace Rill
         }
 
         /// <summary>Whether the pass visits the neighbors: to extrapolate, or for smoothing or the density unless a later stage does both.</summary>
-        public static bool VisitsNeighbors(in StepInput input)
-        {
-            return VelocityExtrapolation.IsNeeded(input) || (input.material.velocitySmoothing > 0f || input.needsDensity)
-                && !VorticityConfinement.IsNeeded(input);
-        }
+        public static bool VisitsNeighbors(in StepContext step) => step.Extrapolation != null
+            || (step.Input.material.velocitySmoothing > 0f || step.Input.needsDensity) && !step.SmoothsLater;
 
         public void Record(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            bool visits = VisitsNeighbors(step.Input);
+            bool visits = VisitsNeighbors(step);
             int kernel = KernelFor(step);
             cmd.BeginSample(Marker);
             keywords.Record(step);
@@ -42,7 +39,7 @@ namespace Rill
             step.BindConstants(shader);
             if (visits)
                 step.Lists.Bind(cmd, shader, kernel);
-            step.Extrapolation?.Bind(cmd, shader, kernel, step.Input);
+            step.Extrapolation?.Bind(step, shader, kernel);
             if (visits && step.Colliders != null)
                 step.Colliders.Bind(cmd, shader, kernel);
             particles.Bind(cmd, shader, kernel);
@@ -56,16 +53,16 @@ namespace Rill
         public StageDescription Describe(in StepContext step)
         {
             FluidMaterial material = step.Input.material;
-            string reason = VisitsNeighbors(step.Input)
+            string reason = VisitsNeighbors(step)
                 ? material.velocitySmoothing > 0f ? Invariant($"with XSPH: velocity smoothing is {material.velocitySmoothing}")
                     : "with neighbors: the density is shown"
-                : VorticityConfinement.IsNeeded(step.Input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
+                : step.SmoothsLater ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
             stage.Kernel(KernelFor(step), step.Substeps, keywords.Variant(step));
             return stage;
         }
 
-        Kernel KernelFor(in StepContext step) => VisitsNeighbors(step.Input)
+        Kernel KernelFor(in StepContext step) => VisitsNeighbors(step)
             ? updateWithNeighbors.For(step.Extrapolation != null, step.Colliders != null) : update;
     }
 }

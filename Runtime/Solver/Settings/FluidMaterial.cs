@@ -106,6 +106,14 @@ namespace Rill
         public float MaxShearModulus(float spacing, float substep)
             => (float)(Viscoelasticity.MaxStiffness * density * spacing * spacing / ((double)substep * substep));
 
+        /// <summary>Returns the fluid without anything that acts between its particles.</summary>
+        internal FluidMaterial WithoutForces()
+        {
+            FluidMaterial still = this;
+            still.velocitySmoothing = still.dynamicViscosity = still.shearModulus = still.vorticity = still.artificialPressure = 0f;
+            return still;
+        }
+
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
         /// <returns>Whether the material was valid as it stood.</returns>
