@@ -139,7 +139,7 @@ namespace Rill
 
         void Deliver() => registry.Deliver(fluid.Solver?.Reactions, fluid, fluid.ParticleSpacing);
 
-        string TooManyProblem => Invariant($"takes {ColliderSet.Most} colliders at a time; {registry.LeftOutCount} more are in its box ") +
+        string TooManyProblem => Invariant($"takes {ColliderSet.MaxCount} colliders at a time; {registry.LeftOutCount} more are in its box ") +
             $"and left out, '{(registry.FirstLeftOut.IsAlive ? registry.FirstLeftOut.Name : "")}' first. Merge meshes into one field, " +
             "or disable colliders that the fluid does not reach.";
     }

@@ -31,7 +31,7 @@ namespace Rill
         public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, in DomainFrame frame,
             Quaternion rotation, FluidSimulation fluid)
         {
-            taken ??= new Taken[ColliderSet.Most];
+            taken ??= new Taken[ColliderSet.MaxCount];
             takenCount = Set.Count;
             for (int i = 0; i < takenCount; i++)
             {

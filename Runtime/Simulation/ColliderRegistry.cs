@@ -104,7 +104,7 @@ namespace Rill
                     leavers.Add(collider);
                 return;
             }
-            if (Set.Count == ColliderSet.Most)
+            if (Set.Count == ColliderSet.MaxCount)
             {
                 FirstLeftOut ??= collider;
                 LeftOutCount++;
@@ -145,8 +145,8 @@ namespace Rill
 
         void MakeEntries()
         {
-            entries ??= new Entry[ColliderSet.Most];
-            last ??= new Entry[ColliderSet.Most];
+            entries ??= new Entry[ColliderSet.MaxCount];
+            last ??= new Entry[ColliderSet.MaxCount];
         }
 
         int LastIndex(IFluidCollider collider)

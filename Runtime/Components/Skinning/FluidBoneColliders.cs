@@ -133,8 +133,8 @@ namespace Rill
                     wanted.Add(i);
             if (wanted.Count == 0)
                 refusal = Invariant($"no bone carries {minVertices} vertices by {minWeight} and more. Lower Min Vertices or Min Weight.");
-            else if (wanted.Count > ColliderSet.Most)
-                refusal = Invariant($"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes {ColliderSet.Most} ") +
+            else if (wanted.Count > ColliderSet.MaxCount)
+                refusal = Invariant($"{wanted.Count} bones carry {minVertices} vertices and more, and a fluid takes {ColliderSet.MaxCount} ") +
                     "colliders. Raise Min Vertices.";
             if (refusal != null)
                 return 0;

@@ -8,7 +8,7 @@ namespace Rill
     // Colliders in snapshots.
     sealed partial class ColliderRegistry
     {
-        readonly int[] found = new int[ColliderSet.Most];       // the records of those of the set
+        readonly int[] found = new int[ColliderSet.MaxCount];       // the records of those of the set
 
         public List<ColliderRecord> Save(in DomainFrame frame)
         {
@@ -86,7 +86,7 @@ namespace Rill
             takenCount = 0;
             if (records.Length != Set.Count || !contents.Has(SnapshotSection.Reactions))
                 return;
-            taken ??= new Taken[ColliderSet.Most];
+            taken ??= new Taken[ColliderSet.MaxCount];
             takenCount = records.Length;
             for (int i = 0; i < takenCount; i++)
                 taken[i] = new Taken

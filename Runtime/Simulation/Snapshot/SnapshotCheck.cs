@@ -142,7 +142,7 @@ namespace Rill
                 CheckPart(drain.part, StepSources.MaxDrains);
                 Require(IsTime(drain.budget), "what a drain may take is negative or not finite");
             }
-            foreach (ColliderRecord collider in Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most))
+            foreach (ColliderRecord collider in Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.MaxCount))
             {
                 Require(IsFinite(collider.size) && collider.now.IsFinite && collider.end.IsFinite && collider.seen.IsFinite,
                     "the pose of a collider is not finite");
@@ -166,15 +166,15 @@ namespace Rill
 
         static void CheckForces(SnapshotContents contents)
         {
-            int colliders = Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most).Length;
-            ReadOnlySpan<ForceRecord> forces = Several<ForceRecord>(contents, SnapshotSection.Forces, ColliderSet.Most);
+            int colliders = Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.MaxCount).Length;
+            ReadOnlySpan<ForceRecord> forces = Several<ForceRecord>(contents, SnapshotSection.Forces, ColliderSet.MaxCount);
             Require(forces.Length == 0 || forces.Length == colliders, "there are forces of other colliders");
             foreach (ForceRecord force in forces)
                 Require(force.flags <= ForceRecord.All && force.step >= 0 && force.duration >= 0f && force.quiet >= 0f,
                     "a force on a collider cannot be");
             Require(AreFinite(contents.Bytes(SnapshotSection.Forces)) && AreFinite(contents.Bytes(SnapshotSection.TakenColliders)),
                 "a force on a collider is not finite");
-            Several<TakenRecord>(contents, SnapshotSection.TakenColliders, ColliderSet.Most);
+            Several<TakenRecord>(contents, SnapshotSection.TakenColliders, ColliderSet.MaxCount);
             if (!contents.Has(SnapshotSection.Reactions))
                 return;
             ReactionsRecord reactions = Single<ReactionsRecord>(contents, SnapshotSection.Reactions);

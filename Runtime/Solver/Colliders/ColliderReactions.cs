@@ -19,7 +19,7 @@ namespace Rill
         [GenerateHlsl("Reactions")] const int WettedStride = 14;
 
         /// <summary>word at which those begin</summary>
-        [GenerateHlsl("Reactions")] const int WettedFirst = Stride * ColliderSet.Most;
+        [GenerateHlsl("Reactions")] const int WettedFirst = Stride * ColliderSet.MaxCount;
 
         readonly int words;
 
@@ -90,7 +90,7 @@ namespace Rill
         }
 
         /// <summary>Words of the sums.</summary>
-        public static int WordsOf(bool hasWettedAreas) => WettedFirst + (hasWettedAreas ? WettedStride * ColliderSet.Most : 0);
+        public static int WordsOf(bool hasWettedAreas) => WettedFirst + (hasWettedAreas ? WettedStride * ColliderSet.MaxCount : 0);
 
         /// <summary>Records the sums as what a kernel adds to.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => buffers.Bind(cmd, reader, kernel);

@@ -3,10 +3,10 @@ namespace Rill
     /// <summary>The colliders of a frame, in an order that stays while they do.</summary>
     sealed class ColliderSet
     {
-        /// <summary>Most colliders of one simulation.</summary>
-        public const int Most = 256;
+        /// <summary>Maximum number of colliders of one simulation.</summary>
+        public const int MaxCount = 256;
 
-        public readonly ColliderMotion[] Items = new ColliderMotion[Most];
+        public readonly ColliderMotion[] Items = new ColliderMotion[MaxCount];
         public int Count;
 
         /// <summary>Grows when a collider came, went or changed: what rests has to wake.</summary>

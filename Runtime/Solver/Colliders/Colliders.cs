@@ -45,7 +45,7 @@ namespace Rill
         readonly GraphicsBuffer constants, states, colliderVolume, boundary, contactOffsets;
         GraphicsBuffer masks;
         readonly ColliderConstants[] constantsUpload = new ColliderConstants[1];
-        readonly ColliderState[] statesUpload = new ColliderState[ColliderSet.Most];
+        readonly ColliderState[] statesUpload = new ColliderState[ColliderSet.MaxCount];
         int words, recordedCount;
         bool binned;
         int seenVersion = -1, seenOrder;
@@ -71,7 +71,7 @@ namespace Rill
             meshes = new FieldAtlas(shader, ColliderShape.Mesh, "Rill.Colliders.Fields", "signed distance fields");
             heights = new FieldAtlas(shader, ColliderShape.HeightField, "Rill.Colliders.Heights", "height fields");
             constants = Buffers.Constants<ColliderConstants>("Rill.Colliders.Constants", "RillColliders");
-            states = Buffers.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most, "_Colliders");
+            states = Buffers.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.MaxCount, "_Colliders");
             colliderVolume = Buffers.Structured<uint>("Rill.Colliders.ColliderVolume", 1);
             boundary = Buffers.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
             contactOffsets = Buffers.Structured<float>("Rill.Colliders.ContactOffsets", layout.Capacity);

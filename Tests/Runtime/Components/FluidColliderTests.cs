@@ -175,11 +175,11 @@ namespace Rill.Tests
         [Test]
         public void Colliders_beyond_the_limit_are_named()
         {
-            for (int i = 0; i < ColliderSet.Most + 2; i++)
+            for (int i = 0; i < ColliderSet.MaxCount + 2; i++)
                 Make(ColliderShape.Sphere, water.transform.position).name = "Ball " + i;
             LogAssert.Expect(LogType.Error, new Regex("'Water' takes 256 colliders at a time; 2 more .* 'Ball 256' first"));
             simulation.Advance(simulation.FixedStep);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(ColliderSet.Most));
+            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(ColliderSet.MaxCount));
             simulation.Advance(simulation.FixedStep);       // logged once
         }
 

@@ -133,7 +133,7 @@ namespace Rill.Tests
             Assert.That(SolverLayout.MaxCapacity, Is.EqualTo(16777216));
             Assert.That((StepSources.MaxEmitters, StepSources.MaxDrains, StepSources.MaxFields), Is.EqualTo((32, 32, 32)));
             Assert.That((Queries.MaxProbes, Queries.MaxDetectors, Queries.Phases), Is.EqualTo((64, 32, 8)));
-            Assert.That((ColliderSet.Most, FoamSettings.MaxBudget, ParticleTransfer.MaxTransfers), Is.EqualTo((256, 4194304, 16)));
+            Assert.That((ColliderSet.MaxCount, FoamSettings.MaxBudget, ParticleTransfer.MaxTransfers), Is.EqualTo((256, 4194304, 16)));
             Assert.That(FluidConnection.MinOverlap, Is.EqualTo(4f), "d");
             Assert.That(StatisticsPass.EscapedBeyond, Is.EqualTo(0.1f), "d");
             Assert.That(ForceFields.MaxAcceleration, Is.EqualTo(1000f), "m/s²");

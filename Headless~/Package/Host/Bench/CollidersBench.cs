@@ -32,8 +32,8 @@ namespace Host.Bench
             var particles = new Option<int>("--particles") {
                 Description = "Particles; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.",
                 DefaultValueFactory = _ => 100_000 };
-            var counts = new Option<int[]>("--counts") { Description = $"Numbers of colliders, 0 to {ColliderSet.Most}.",
-                DefaultValueFactory = _ => new[] { 0, 1, 16, ColliderSet.Most }, AllowMultipleArgumentsPerToken = true };
+            var counts = new Option<int[]>("--counts") { Description = $"Numbers of colliders, 0 to {ColliderSet.MaxCount}.",
+                DefaultValueFactory = _ => new[] { 0, 1, 16, ColliderSet.MaxCount }, AllowMultipleArgumentsPerToken = true };
             var shape = new Option<string>("--shape") {
                 Description = "sphere, box, capsule, mesh (the field of a ball), or mixed: these in turn.", DefaultValueFactory = _
                 => "mixed" };
@@ -66,8 +66,8 @@ namespace Host.Bench
                     : Enum.TryParse(parsed.GetValue(shape), true, out ColliderShape one) && Mixed.Contains(one) ? new[] { one }
                     : throw new HostException($"--shape {parsed.GetValue(shape)}: give sphere, box, capsule, mesh or mixed.");
                 GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
-                if (parsed.GetValue(counts).Any(count => count < 0 || count > ColliderSet.Most))
-                    throw new HostException($"--counts {string.Join(" ", parsed.GetValue(counts))}: give 0 to {ColliderSet.Most}.");
+                if (parsed.GetValue(counts).Any(count => count < 0 || count > ColliderSet.MaxCount))
+                    throw new HostException($"--counts {string.Join(" ", parsed.GetValue(counts))}: give 0 to {ColliderSet.MaxCount}.");
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)
                     throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 (string Name, int First, int Last) played = Windows.FirstOrDefault(w => w.Name == parsed.GetValue(window));
@@ -86,7 +86,7 @@ namespace Host.Bench
             using var session = new Session(Session.Root());
             ExperimentScene scene = ExperimentScene.Dam(particles);
             int3 lattice = scene.Blocks[0].counts;
-            float radius = math.max(math.pow(WaterFraction * scene.Particles / (ColliderSet.Most * 4f / 3f * math.PI), 1f / 3f), MinRadius);
+            float radius = math.max(math.pow(WaterFraction * scene.Particles / (ColliderSet.MaxCount * 4f / 3f * math.PI), 1f / 3f), MinRadius);
             string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles (a dam of {lattice.x} x " +
                 $"{lattice.y} x {lattice.z} and as many layers more as colliders take room; d = {scene.Spacing:0.#####} m), " +
                 $"{settings.substeps} substeps x {settings.iterations} iterations, deep water {settings.deepWater}, steps " +
