@@ -100,7 +100,7 @@ namespace Rill
             if (solver.Colliders != null)
             {
                 distances = new float[count];
-                solver.Colliders.Distances.GetData(distances, 0, 0, count);
+                solver.Colliders.ContactOffsets.GetData(distances, 0, 0, count);
             }
             Matrix4x4 toWorld = fluid.DomainToWorld;
             var found = new List<FoundParticle>();

@@ -92,8 +92,9 @@ namespace Rill
         /// its gradient, 1/d; w relative to rest.</summary>
         public GraphicsBuffer Boundary => boundary;
 
-        /// <summary>float [capacity], after <see cref="RecordBoundaryAtRest"/> distance of a particle from the nearest collider, d.</summary>
-        public GraphicsBuffer Distances => contactOffsets;
+        /// <summary>float [capacity]: contact offsets of the particles in a substep, d. <see cref="RecordBoundaryAtRest"/> replaces them by the
+        /// distance of each particle from the nearest collider.</summary>
+        public GraphicsBuffer ContactOffsets => contactOffsets;
 
         /// <summary>uint [1], what they take of the domain's volume; see OpenFraction.hlsl.</summary>
         public GraphicsBuffer ColliderVolume => colliderVolume;

@@ -61,7 +61,7 @@ namespace Rill
             if (step.Colliders != null)
             {
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, step.Colliders.Boundary);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.Distances);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.ContactOffsets);
             }
             particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.Order);

@@ -108,7 +108,7 @@ namespace Rill.Tests
             GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
             int3 sides = ((IDeformingShape)deforming).Field.Resolution;
             ParticleState state = TestFluid.Read(fluid.Solver);
-            float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+            float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.ContactOffsets, state.Count);
             int far = 0;
             for (int i = 0; i < state.Count; i++)
             {

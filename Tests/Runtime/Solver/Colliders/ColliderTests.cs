@@ -77,7 +77,7 @@ namespace Rill.Tests
                 Use(fluid, ball);
                 fluid.Step();
                 ParticleState state = fluid.Read();
-                float[] contactOffsets = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                float[] contactOffsets = GpuTest.Read<float>(fluid.Solver.Colliders.ContactOffsets, state.Count);
                 float reach = math.max(2f, 0.5f + 0.5f * iterations + (deepWater == DeepWater.On ? 2f : 0f));
                 for (int i = 0; i < state.Count; i++)
                 {
@@ -121,7 +121,7 @@ namespace Rill.Tests
                 ParticleState state = fluid.Read();
                 GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
                 float4[] boundary = GpuTest.Read<float4>(fluid.Solver.Colliders.Boundary, state.Count);
-                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.ContactOffsets, state.Count);
                 int touched = 0;
                 for (int i = 0; i < state.Count; i++)
                 {

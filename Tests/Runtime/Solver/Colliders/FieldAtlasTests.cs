@@ -45,7 +45,7 @@ namespace Rill.Tests
                 Assert.That(BytesAlive("Fields") + BytesAlive("Heights"), Is.EqualTo(mesh + heights), "what is reported is what exists");
 
                 ParticleState state = fluid.Read();
-                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.ContactOffsets, state.Count);
                 int nearBall = 0, nearGround = 0;
                 for (int i = 0; i < state.Count; i++)
                 {
@@ -105,7 +105,7 @@ namespace Rill.Tests
                 Assert.That(Bytes(fluid, "Fields"), Is.EqualTo(HalfFloat * 37 * 43 * (41 + 18)));
 
                 ParticleState state = fluid.Read();
-                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.ContactOffsets, state.Count);
                 int[] near = new int[2];
                 for (int i = 0; i < state.Count; i++)
                 {
@@ -149,7 +149,7 @@ namespace Rill.Tests
                 {
                     fluid.Step();
                     GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
-                    return GpuTest.Read<float>(fluid.Solver.Colliders.Distances, 1)[0];
+                    return GpuTest.Read<float>(fluid.Solver.Colliders.ContactOffsets, 1)[0];
                 }
             }
         }

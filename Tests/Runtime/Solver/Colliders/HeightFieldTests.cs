@@ -31,7 +31,7 @@ namespace Rill.Tests
                 fluid.Step();
                 GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
                 ParticleState state = fluid.Read();
-                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.ContactOffsets, state.Count);
                 float3 normal = math.normalize(new float3(-0.5f, 1f, 0.25f));
                 int near = 0;
                 for (int i = 0; i < state.Count; i++)

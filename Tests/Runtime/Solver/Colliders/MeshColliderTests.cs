@@ -152,7 +152,7 @@ namespace Rill.Tests
             PbfSolver solver = simulation.Solver;
             GpuTest.Run(cmd => solver.RecordStatistics(cmd, simulation.Input));
             ParticleState state = TestFluid.Read(solver);
-            float[] distances = GpuTest.Read<float>(solver.Colliders.Distances, state.Count);
+            float[] distances = GpuTest.Read<float>(solver.Colliders.ContactOffsets, state.Count);
             int near = 0;
             for (int i = 0; i < state.Count; i++)
             {
