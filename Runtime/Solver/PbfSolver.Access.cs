@@ -144,7 +144,7 @@ namespace Rill
             NeedEdits().AddWhereFree(BetweenSteps(Edits.Commands), positions, velocity, tag, ParticleTags);
             if (stepIndex == 0)
                 LeaveOutCovered();
-            NoteAdded(positions.Length, low, high);
+            MarkAdded(positions.Length, low, high);
         }
 
         /// <summary>The tag of particles that come now. Makes what their phase and lifetime need.</summary>
@@ -180,7 +180,7 @@ namespace Rill
         public void RequestLost() => refusals?.RequestLost();
 
         // After particles came between steps.
-        void NoteAdded(int count, float3 low, float3 high)
+        void MarkAdded(int count, float3 low, float3 high)
         {
             maxParticles += count;
             minAdded = math.min(minAdded, low);

@@ -28,8 +28,8 @@ namespace Rill
         /// removed. Before a step of either.</summary>
         public static void PartFrom(PbfSolver one, in TransferRegion toOne, PbfSolver other, in TransferRegion toOther)
         {
-            one.TakeApart(other, toOne);
-            other.TakeApart(one, toOther);
+            one.SplitFrom(other, toOne);
+            other.SplitFrom(one, toOther);
         }
 
         /// <summary>Whether there are ghosts that no step has removed.</summary>
@@ -42,7 +42,7 @@ namespace Rill
                 return;
             hasGhosts = false;
             Transfer.RecordRemoval(cmd, particles.AsSet(ParticleTags));
-            NoteGone();
+            MarkRemoved();
         }
 
         // Ghosts of an earlier frame, in which no step followed; those of this one stay, whichever neighbor they are of.
@@ -61,9 +61,9 @@ namespace Rill
             for (int c = 0; c < connections.count; c++)
             {
                 ref StepConnection connection = ref connections.items[c];
-                Meet(connection.neighbor, connection.region);
+                PrepareExchange(connection.neighbor, connection.region);
                 if (connection.isMutual)
-                    connection.neighbor.Meet(this, connection.back);
+                    connection.neighbor.PrepareExchange(this, connection.back);
             }
         }
 
@@ -111,13 +111,13 @@ namespace Rill
             if (copies)
                 hasGhosts = true;
             else
-                neighbor.NoteGone();
+                neighbor.MarkRemoved();
         }
 
-        void TakeApart(PbfSolver from, in TransferRegion region)
+        void SplitFrom(PbfSolver from, in TransferRegion region)
         {
             PrepareConstants();
-            Meet(from, region);
+            PrepareExchange(from, region);
             using (var cmd = new CommandBuffer { name = "Rill.Connect" })
             {
                 StepContext taker = BetweenSteps(cmd);
@@ -125,18 +125,18 @@ namespace Rill
                 Transfer.RecordApart(taker, from.particles.AsSet(from.ParticleTags), particles.AsSet(ParticleTags), region);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
-            from.NoteGone();
+            from.MarkRemoved();
             Resting?.Wake();
         }
 
         // Either's particles may become the other's: with phases and lifetimes where one of them has some, and as deep.
-        void Meet(PbfSolver neighbor, in TransferRegion region)
+        void PrepareExchange(PbfSolver neighbor, in TransferRegion region)
         {
-            Expect(neighbor, region);
+            ReserveFor(neighbor, region);
             NeedTransfer(neighbor.Layout.Capacity);
         }
 
-        void Expect(PbfSolver neighbor, in TransferRegion region)
+        void ReserveFor(PbfSolver neighbor, in TransferRegion region)
         {
             if (ParticleTags != null || neighbor.ParticleTags != null)
             {
@@ -153,7 +153,7 @@ namespace Rill
             maxAdded = math.max(maxAdded, math.clamp(math.max(a, b), 0f, Layout.DomainSize));
         }
 
-        void NoteGone() => markedAfter = stepIndex + 1;
+        void MarkRemoved() => markedAfter = stepIndex + 1;
 
         // Room to take from a set of so many.
         void NeedTransfer(int capacity)
@@ -210,7 +210,7 @@ namespace Rill
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             kept.Advance(to);
-            NoteAdded(Layout.Capacity, minAdded, maxAdded);
+            MarkAdded(Layout.Capacity, minAdded, maxAdded);
             Transfer.Request();
         }
 
@@ -263,15 +263,15 @@ namespace Rill
             region.staysCorner = math.rotate(math.inverse(from.rotation), to.position - from.position) / Layout.Spacing;
             region.staysSize = Layout.DomainSize;
             region.stepsAhead = taker.stepIndex - stepIndex;
-            taker.Expect(this, region);
+            taker.ReserveFor(this, region);
             NeedTransfer(Layout.Capacity);
             using (var cmd = new CommandBuffer { name = "Rill.HandOver" })
             {
                 Transfer.Record(cmd, particles.AsSet(ParticleTags), taker.particles.AsSet(taker.ParticleTags), region, TransferRule.Move);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
-            NoteGone();
-            taker.NoteAdded(Layout.Capacity, taker.minAdded, taker.maxAdded);
+            MarkRemoved();
+            taker.MarkAdded(Layout.Capacity, taker.minAdded, taker.maxAdded);
             Transfer.Request();
         }
     }

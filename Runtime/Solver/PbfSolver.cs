@@ -164,7 +164,7 @@ namespace Rill
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high, uint tag = 0)
         {
             particleUpload.Append(particles, Layout.Capacity, positions, velocities, ParticleTags, tag);
-            NoteAdded(positions.Length, low, high);
+            MarkAdded(positions.Length, low, high);
             if (lastSubsteps > 0)
                 particleUpload.TrimLarge();
             else
