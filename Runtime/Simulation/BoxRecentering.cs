@@ -21,7 +21,7 @@ namespace Rill
         public event Action<Vector3> Recentered;
 
         /// <summary>Why particles outside the box were removed; null where none was.</summary>
-        public string OutsideProblem => fluid.Solver.RefusedToKeep > 0 ? OutsideFullProblem : null;
+        public string OutsideProblem => fluid.Solver.OutsideOverflow > 0 ? OutsideFullProblem : null;
 
         /// <summary>Why particles that were to be handed over were removed; null where none was.</summary>
         public string TakerProblem => fluid.Solver.RefusedToHandOver > 0 ? TakerFullProblem : null;
@@ -35,7 +35,7 @@ namespace Rill
                 throw new ArgumentException(problem, nameof(handOverTo));
             bool isRunning = fluid.Editing.IsReadyTo("moving its box"),
                 handsOver = isRunning && handOverTo != null && handOverTo.Editing.Recentering.CanTake();
-            bool keeps = leaving == LeavingParticles.Keep, shifts = isRunning && (keeps || fluid.Solver.KeepsParticles);
+            bool keeps = leaving == LeavingParticles.Keep, shifts = isRunning && (keeps || fluid.Solver.KeepsOutside);
             FeatureSupport support = fluid.Support;
             if (isRunning && !support.HasBesideSteps(Features.ParticleEdits) || (shifts || handsOver) && !support.HasBesideSteps(Features.Transfer))
                 return;
@@ -65,13 +65,13 @@ namespace Rill
                 : ConnectionFaults.Describe(fault, fluid, other);
         }
 
-        /// <summary>Requests what was kept and handed over, after the steps of a frame, and logs what the last numbers say.</summary>
+        /// <summary>Requests the numbers of particles outside and handed over, after the steps of a frame, and logs what the last numbers say.</summary>
         public void RequestCounts()
         {
             PbfSolver solver = fluid.Solver;
-            if (solver.KeepsParticles)
+            if (solver.KeepsOutside)
             {
-                if (solver.RefusedToKeep > 0 && log.ShouldLog(OutsideFull))
+                if (solver.OutsideOverflow > 0 && log.ShouldLog(OutsideFull))
                     Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}' {OutsideFullProblem}", fluid);
                 solver.RequestTransferred();
             }
@@ -86,7 +86,7 @@ namespace Rill
         /// <summary>Logs once that a snapshot leaves out the particles outside the box.</summary>
         public void LogNotSaved()
         {
-            if (fluid.Solver.KeepsParticles && log.ShouldLog(OutsideNotSaved))
+            if (fluid.Solver.KeepsOutside && log.ShouldLog(OutsideNotSaved))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}' takes a snapshot without the particles that are kept outside its box. Put " +
                     $"the box where they are first, or fill that space after you restore it.", fluid);
         }
@@ -108,7 +108,7 @@ namespace Rill
         }
 
         string OutsideFullProblem
-            => Invariant($"removed {fluid.Solver.RefusedToKeep:N0} particles that its box left behind: its kept capacity of ") +
+            => Invariant($"removed {fluid.Solver.OutsideOverflow:N0} particles that its box left behind: its kept capacity of ") +
             Invariant($"{fluid.KeptCapacity:N0} is full. Raise it, or let the box move within a smaller region.");
 
         string TakerFullProblem

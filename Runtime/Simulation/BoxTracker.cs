@@ -128,7 +128,7 @@ namespace Rill
             WorldShift += (Vector3)(ValidCorner.position - before.position);
             hasLastPosition = false;
             isTeleported = true;
-            fluid.Solver?.TeleportKept(before, ValidCorner);
+            fluid.Solver?.TeleportOutside(before, ValidCorner);
         }
 
         /// <summary>Whether an object that was at one pose in the box after the last steps, and is at another now, went along with the box:

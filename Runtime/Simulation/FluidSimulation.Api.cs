@@ -157,7 +157,7 @@ namespace Rill
         public int KeptCapacity { get => keptCapacity; set { keptCapacity = value; Changed(); } }
 
         /// <summary>Particles that are kept outside the box, as far as the GPU has told: two or three frames ago.</summary>
-        public int KeptParticleCount => IsRunning ? Solver.KeptCount : 0;
+        public int KeptParticleCount => IsRunning ? Solver.OutsideCount : 0;
 
         /// <summary>Steps between measurements; 0 for none.</summary>
         public int StatisticsInterval { get => statisticsInterval; set => statisticsInterval = Math.Max(value, 0); }

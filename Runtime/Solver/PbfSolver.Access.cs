@@ -91,7 +91,7 @@ namespace Rill
         {
             hasLists = hasNew = neighborSearch.IsSorted = false;
             markedAfter = 0;
-            RemoveKept();
+            RemoveOutside();
             InvalidateSurface();
             InvalidateParticles(true);
             ReleaseWhatEnds(ParticleChange.Removed);

@@ -4,9 +4,9 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // Particles that change fluids. What goes to neighbors whose boxes overlap: once a frame each fluid takes the particles that crossed to its
-    // side, and copies those that are left in its box as ghosts, which take part in the steps of that frame. What a box that moves leaves
-    // outside, where it stays until the box is there again. What it hands over to another fluid.
+    // Particles that change fluids, in three cases. Neighbors whose boxes overlap: once a frame each fluid takes the particles that crossed to
+    // its side, and copies those that are left in its box as ghosts, which take part in the steps of that frame. A box that moves: it leaves
+    // particles outside, where they stay until it covers them again. A hand-over: particles move to another fluid at once.
     partial class PbfSolver
     {
         bool hasGhosts;         // since the last removal
@@ -24,8 +24,8 @@ namespace Rill
         /// <summary>Whether the state is a snapshot's, and no step was taken from it.</summary>
         public bool IsRestored => isRestored;
 
-        /// <summary>As two fluids are connected, at once: each gets what lies on its side, and of what both were filled with one is
-        /// removed. Before a step of either.</summary>
+        /// <summary>Splits the water of two fluids that are being connected, at once: each gets the particles on its side, and one of two fillings
+        /// that overlap is removed. To be called before a step of either.</summary>
         public static void PartFrom(PbfSolver one, in TransferRegion toOne, PbfSolver other, in TransferRegion toOther)
         {
             one.SplitFrom(other, toOne);
@@ -92,7 +92,7 @@ namespace Rill
             }
         }
 
-        // Of a neighbor that took no step since.
+        // Removes the ghosts of neighbors that took no step since.
         void RecordGhostsBefore(CommandBuffer cmd, StepConnections connections)
         {
             if (connections.count > 0)
@@ -155,70 +155,70 @@ namespace Rill
 
         void MarkRemoved() => markedAfter = stepIndex + 1;
 
-        // Room to take from a set of so many.
+        // Reserves room to take from a set of that capacity.
         void NeedTransfer(int capacity)
             => (Transfer ?? Keep(Features.Transfer, new ParticleTransfer(ReadbackErrors))).Reserve(capacity);
 
-        // Numbers of the transfers out of the box, back into it, and to its new frame, behind those from neighbors.
+        // Numbers of the transfers out of the box, back into it, and to its new frame, after those from neighbors.
         const int Leaving = ParticleTransfer.MaxTransfers, Returning = Leaving + 1, Listing = Leaving + 2;
 
-        KeptParticles kept;
+        OutsideParticles outside;
 
         /// <summary>Whether particles may be outside.</summary>
-        public bool KeepsParticles => kept != null;
+        public bool KeepsOutside => outside != null;
 
-        /// <summary>Particles outside, as far as has come back.</summary>
-        public int KeptCount => Transferred(Leaving, TransferWord.Handed) - Transferred(Returning, TransferWord.Handed);
+        /// <summary>Number of particles outside, as far as it was read back.</summary>
+        public int OutsideCount => Transferred(Leaving, TransferWord.Handed) - Transferred(Returning, TransferWord.Handed);
 
-        /// <summary>Particles of the newest move that were to be kept and had no room, as far as has come back.</summary>
-        public int RefusedToKeep => Transferred(Leaving, TransferWord.Held);
+        /// <summary>Number of particles of the newest move that had no room outside and were removed, as far as it was read back.</summary>
+        public int OutsideOverflow => Transferred(Leaving, TransferWord.Held);
 
-        /// <summary>What is kept outside goes along with a box that is put elsewhere.</summary>
+        /// <summary>Moves the particles outside along with a box that is put elsewhere.</summary>
         /// <param name="from">Where the box was in world space, m, its lowest corner.</param>
         /// <param name="to">Where it is now.</param>
-        public void TeleportKept(in RigidPose from, in RigidPose to) => kept?.Teleport(from, to);
+        public void TeleportOutside(in RigidPose from, in RigidPose to) => outside?.Teleport(from, to);
 
         /// <summary>Moves the box and leaves the particles where they are in the world, at once: those outside are kept up to a number, and
-        /// those kept that it then covers come back.</summary>
+        /// those that it then covers come back.</summary>
         /// <param name="from">Where the box was in world space, m, its lowest corner.</param>
         /// <param name="to">Where it then is, turned as before.</param>
-        /// <param name="most">Most particles outside; those kept before stay.</param>
+        /// <param name="maxOutside">Maximum number of particles outside; those that are there already stay.</param>
         /// <param name="keeps">False removes those that leave.</param>
-        public void Shift(in RigidPose from, in RigidPose to, int most, bool keeps)
+        public void Shift(in RigidPose from, in RigidPose to, int maxOutside, bool keeps)
         {
             PrepareConstants();
-            if (keeps && kept == null)
-                kept = new KeptParticles(most, from);
+            if (keeps && outside == null)
+                outside = new OutsideParticles(maxOutside, from);
             if (ParticleTags != null)
-                kept.NeedTags();
-            else if (kept.HasTags)
+                outside.NeedTags();
+            else if (outside.HasTags)
                 NeedTags();
-            NeedTransfer(math.max(Layout.Capacity, kept.Capacity));
+            NeedTransfer(math.max(Layout.Capacity, outside.Capacity));
             ParticleSet fluid = particles.AsSet(ParticleTags);
             using (var cmd = new CommandBuffer { name = "Rill.Keep" })
             {
-                // To the frame of the box as it will be. What it will not cover goes first: that is kept already.
-                Transfer.Record(cmd, kept.Set, kept.Next, RegionOf(kept.Box, to, Listing), TransferRule.Outside | TransferRule.KeepsIds);
+                // To the frame of the box as it will be. What it will not cover goes first: that is outside already.
+                Transfer.Record(cmd, outside.Set, outside.Next, RegionOf(outside.Box, to, Listing), TransferRule.Outside | TransferRule.KeepsIds);
                 if (keeps)
-                    Transfer.Record(cmd, fluid, kept.Next, RegionOf(from, to, Leaving), TransferRule.Outside | TransferRule.KeepsIds);
+                    Transfer.Record(cmd, fluid, outside.Next, RegionOf(from, to, Leaving), TransferRule.Outside | TransferRule.KeepsIds);
                 Graphics.ExecuteCommandBuffer(cmd);
                 cmd.Clear();
                 Shift(math.rotate(math.inverse(to.rotation), from.position - to.position) / Layout.Spacing);
-                Transfer.Record(cmd, kept.Set, fluid, RegionOf(kept.Box, to, Returning), TransferRule.KeepsIds);
-                // What came to a full box waits for the next move.
-                Transfer.Record(cmd, kept.Set, kept.Next, RegionOf(kept.Box, to, Listing), TransferRule.All | TransferRule.KeepsIds);
+                Transfer.Record(cmd, outside.Set, fluid, RegionOf(outside.Box, to, Returning), TransferRule.KeepsIds);
+                // Particles that came to a full box wait for the next move.
+                Transfer.Record(cmd, outside.Set, outside.Next, RegionOf(outside.Box, to, Listing), TransferRule.All | TransferRule.KeepsIds);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
-            kept.Advance(to);
+            outside.Advance(to);
             MarkAdded(Layout.Capacity, minAdded, maxAdded);
             Transfer.Request();
         }
 
-        void RemoveKept()
+        void RemoveOutside()
         {
-            if (kept == null)
+            if (outside == null)
                 return;
-            ReleaseKept();
+            ReleaseOutside();
             ResetTransfer(Leaving);
             ResetTransfer(Returning);
         }
@@ -237,13 +237,13 @@ namespace Rill
             };
         }
 
-        void ReleaseKept()
+        void ReleaseOutside()
         {
-            kept?.Dispose();
-            kept = null;
+            outside?.Dispose();
+            outside = null;
         }
 
-        // Number of the transfer to it, behind those of what is kept. Of a transfer whose rest is kept no number is read.
+        // Number of the transfer to another fluid, after those of the particles outside. A transfer whose rest is kept reads no number.
         const int HandingOver = Listing + 1;
 
         /// <summary>Particles of the newest hand-over that the other fluid had no room for and that were not kept, as far as has come
@@ -256,7 +256,7 @@ namespace Rill
         /// <param name="from">Where this box is in world space, m, its lowest corner.</param>
         /// <param name="to">Where it will be, turned as before.</param>
         /// <param name="takersBox">Where the other is.</param>
-        /// <param name="keepsRest">Whether what finds no room is kept.</param>
+        /// <param name="keepsRest">Whether what finds no room stays outside, see <see cref="Shift(in RigidPose, in RigidPose, int, bool)"/>.</param>
         public void HandOver(PbfSolver taker, in RigidPose from, in RigidPose to, in RigidPose takersBox, bool keepsRest)
         {
             TransferRegion region = RegionOf(from, takersBox, taker.Layout, keepsRest ? Listing : HandingOver);

@@ -115,7 +115,7 @@ namespace Rill
             InvalidateParticles(true);
             ReleaseWhatEnds(ParticleChange.Restarted);
             hasLifetimes = hasGhosts = false;
-            ReleaseKept();
+            ReleaseOutside();
             refusals?.Clear();
             markedAfter = 0;
             minAdded = float.MaxValue;
@@ -273,7 +273,7 @@ namespace Rill
                 state,
                 ParticleAccess.Describe(Access, step, noTags),
                 Drains.Describe(Drains, step, TagsWithLifetimes),
-                ParticleTransfer.Describe(Transfer, input.connections?.count ?? 0, ParticleTags != null, kept),
+                ParticleTransfer.Describe(Transfer, input.connections?.count ?? 0, ParticleTags != null, outside),
                 RestingRegions.Describe(Resting, input),
                 ForceFields.Describe(Fields, input),
                 CoarseCorrection.Describe(Coarse, input, WaterDepth(input.gravity)),
@@ -303,7 +303,7 @@ namespace Rill
             neighborSearch?.Dispose();
             densityConstraint?.Dispose();
             ReleaseStages();
-            ReleaseKept();
+            ReleaseOutside();
             surfaceWorkspace.Dispose();
             refusals?.Dispose();
             refusals = null;

@@ -125,7 +125,7 @@ namespace Rill
         /// <summary>Most that one fluid takes from: the number is in the ids of ghosts.</summary>
         public const int MaxTransfers = 16;
 
-        const int OwnTransfers = 4;     // of the fluid itself, behind those: see PbfSolver.Kept.cs
+        const int OwnTransfers = 4;     // of the fluid itself, behind those: see PbfSolver.Exchange.cs
 
         /// <summary>words of a transfer in _TransferStates</summary>
         [GenerateHlsl("ParticleTransfer", Prefix = "Transfer")] public const int Words = 4;
@@ -226,16 +226,16 @@ namespace Rill
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="connections">Neighbors that the fluid takes from.</param>
         /// <param name="tagged">Whether particles have tags.</param>
-        /// <param name="kept">Particles outside the box; null for none.</param>
-        public static StageDescription Describe(ParticleTransfer stage, int connections, bool tagged, KeptParticles kept)
+        /// <param name="outside">Particles outside the box; null for none.</param>
+        public static StageDescription Describe(ParticleTransfer stage, int connections, bool tagged, OutsideParticles outside)
         {
-            bool needed = connections > 0 || kept != null;
+            bool needed = connections > 0 || outside != null;
             var description = new StageDescription("Transfer", needed, !needed ? "no connection, and nothing is kept outside the box"
                 : Invariant($"{connections} fluids hand particles over, once a ") +
-                $"frame{(kept != null ? ", and some are kept outside the box" : "")}");
+                $"frame{(outside != null ? ", and some are kept outside the box" : "")}");
             if (!needed || stage == null)
                 return description;
-            kept?.Describe(description);
+            outside?.Describe(description);
             stage.Buffers.Describe(description);
             if (connections == 0)
                 return description;

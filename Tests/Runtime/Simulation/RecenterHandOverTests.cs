@@ -66,7 +66,7 @@ namespace Rill.Tests
             int over = Positions(lake.Fluid).Length;
             Assert.That(over, Is.EqualTo(before.Count(p => p.x > Home.x)).Within(20).And.GreaterThan(0));
             Assert.That(Positions(basin.Fluid), Is.Empty);
-            Assert.That(Kept(basin.Fluid), Is.EqualTo(leaving == LeavingParticles.Keep ? before.Length - over : 0));
+            Assert.That(Outside(basin.Fluid), Is.EqualTo(leaving == LeavingParticles.Keep ? before.Length - over : 0));
             FluidStatistics given = basin.Step().AssertConserved();
             Assert.That(given.drained, Is.EqualTo(leaving == LeavingParticles.Keep ? 0 : before.Length - over));
         }
@@ -87,7 +87,7 @@ namespace Rill.Tests
             LogAssert.NoUnexpectedReceived();
             FluidStatistics given = basin.AssertConserved();
             Assert.That(given.drained, Is.EqualTo(leaving == LeavingParticles.Remove ? rest : 0));
-            Assert.That(Kept(fluid), Is.EqualTo(leaving == LeavingParticles.Keep ? rest : 0));
+            Assert.That(Outside(fluid), Is.EqualTo(leaving == LeavingParticles.Keep ? rest : 0));
             fluid.Recenter(Home, leaving);
             Assert.That(Positions(fluid).Length, Is.EqualTo(leaving == LeavingParticles.Keep ? rest : 0), "found again");
         }
@@ -98,13 +98,13 @@ namespace Rill.Tests
             MakeBoth(2000);
             lake.Fluid.gameObject.SetActive(false);
             basin.Fluid.Recenter(Home + 0.5f * Vector3.right, LeavingParticles.Keep, lake.Fluid);
-            int kept = Kept(basin.Fluid), left = Positions(basin.Fluid).Length;
+            int kept = Outside(basin.Fluid), left = Positions(basin.Fluid).Length;
             Assert.That(kept + left, Is.EqualTo(200));
             lake.Fluid.gameObject.SetActive(true);
             Assert.That(Positions(lake.Fluid), Is.Empty);
             basin.Fluid.Recenter(Home + 1.5f * Vector3.right, LeavingParticles.Keep, lake.Fluid);
             Assert.That(Positions(lake.Fluid).Length, Is.EqualTo(left));
-            Assert.That(Kept(basin.Fluid), Is.EqualTo(kept), "what was kept before stays");
+            Assert.That(Outside(basin.Fluid), Is.EqualTo(kept), "what was kept before stays");
         }
 
         [Test]
@@ -152,7 +152,7 @@ namespace Rill.Tests
                 .Select(p => toWorld.MultiplyPoint3x4(p.xyz)).ToArray();
         }
 
-        static int Kept(FluidSimulation fluid)
+        static int Outside(FluidSimulation fluid)
         {
             AsyncGPUReadback.WaitAllRequests();
             fluid.Solver.RequestTransferred();

@@ -6,14 +6,14 @@ namespace Rill
 {
     /// <summary>Particles outside of a box that moves: where they were in the world, until the box is there again. Made when first
     /// needed.</summary>
-    sealed class KeptParticles : IDisposable
+    sealed class OutsideParticles : IDisposable
     {
         readonly Buffers[] sets = new Buffers[2];       // the particles, and room to list them again as the box moves
         int current;
 
-        /// <param name="capacity">Most particles.</param>
-        /// <param name="box">Of the frame in which the particles lie, see <see cref="Box"/>.</param>
-        public KeptParticles(int capacity, in RigidPose box)
+        /// <param name="capacity">Maximum number of particles.</param>
+        /// <param name="box">Pose of the frame in which the particles lie, see <see cref="Box"/>.</param>
+        public OutsideParticles(int capacity, in RigidPose box)
         {
             Capacity = capacity;
             Box = box;
@@ -23,15 +23,15 @@ namespace Rill
 
         public int Capacity { get; }
 
-        /// <summary>Where the box was, in world space, m, in whose frame the particles lie.</summary>
+        /// <summary>Pose of the box in whose frame the particles lie, world space, m.</summary>
         public RigidPose Box { get; private set; }
 
         public ParticleSet Set => sets[current].Set;
 
-        /// <summary>Where they go in the frame of a box elsewhere.</summary>
+        /// <summary>Returns the set that takes the particles in the frame of a box elsewhere.</summary>
         public ParticleSet Next => sets[1 - current].Set;
 
-        /// <summary>Phases and lifetimes go along from here on.</summary>
+        /// <summary>Makes phases and lifetimes go along from here on.</summary>
         public void NeedTags()
         {
             sets[0].NeedTags();
@@ -40,16 +40,16 @@ namespace Rill
 
         public bool HasTags => sets[0].HasTags;
 
-        /// <summary>They go along with a box that is put elsewhere.</summary>
+        /// <summary>Moves the particles along with a box that is put elsewhere.</summary>
         /// <param name="from">Where the corner of that box was, world space, m.</param>
         /// <param name="to">Where it is now.</param>
         public void Teleport(in RigidPose from, in RigidPose to)
         {
-            quaternion turn = math.mul(to.rotation, math.inverse(from.rotation));
-            Box = new RigidPose(to.position + math.rotate(turn, Box.position - from.position), math.mul(turn, Box.rotation));
+            quaternion rotation = math.mul(to.rotation, math.inverse(from.rotation));
+            Box = new RigidPose(to.position + math.rotate(rotation, Box.position - from.position), math.mul(rotation, Box.rotation));
         }
 
-        /// <summary>After the particles were listed again.</summary>
+        /// <summary>Makes <see cref="Next"/> the current set, once the particles are listed in it.</summary>
         public void Advance(in RigidPose box)
         {
             current = 1 - current;

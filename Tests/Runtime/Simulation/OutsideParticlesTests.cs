@@ -9,7 +9,7 @@ using UnityEngine.TestTools;
 namespace Rill.Tests
 {
     /// <summary>Particles that a box leaves behind as it moves, and finds again.</summary>
-    public class KeptParticlesTests
+    public class OutsideParticlesTests
     {
         const float Spacing = 0.1f;
 
@@ -37,15 +37,15 @@ namespace Rill.Tests
                 for (int i = 1; i <= 6; i++)
                 {
                     fluid.Recenter(home + 0.25f * i * along, LeavingParticles.Keep);
-                    Assert.That(Positions(fluid).Length + Kept(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i}");
+                    Assert.That(Positions(fluid).Length + Outside(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i}");
                 }
                 Assert.That(Positions(fluid), Is.Empty, "in a box beyond the water");
                 for (int i = 5; i >= 0; i--)
                 {
                     fluid.Recenter(home + 0.25f * i * along, LeavingParticles.Keep);
-                    Assert.That(Positions(fluid).Length + Kept(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i} back");
+                    Assert.That(Positions(fluid).Length + Outside(fluid), Is.EqualTo(before.Length), $"in the box and outside after move {i} back");
                 }
-                Assert.That(Kept(fluid), Is.Zero);
+                Assert.That(Outside(fluid), Is.Zero);
                 Vector3[] after = Positions(fluid);
                 foreach (Vector3 position in before)
                     Assert.That(after.Min(other => Vector3.Distance(position, other)), Is.LessThan(0.26f * Spacing), $"something at {position}");
@@ -108,7 +108,7 @@ namespace Rill.Tests
                 fluid.KeptCapacity = 70;
                 Vector3 home = fluid.transform.position;
                 fluid.Recenter(home + 1.5f * Vector3.right, LeavingParticles.Keep);
-                Assert.That(Kept(fluid), Is.EqualTo(70));
+                Assert.That(Outside(fluid), Is.EqualTo(70));
                 LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidSimulation 'Fluid' removed 130 particles that its box left behind: its " +
                     "kept capacity of 70 is full. Raise it"));
                 scene.Step(3);
@@ -139,7 +139,7 @@ namespace Rill.Tests
                 fluid.Recenter(home + 1.5f * Vector3.right, LeavingParticles.Keep);
                 fluid.Restart();
                 Assert.That(fluid.KeptParticleCount, Is.Zero);
-                Assert.That(fluid.Solver.KeepsParticles, Is.False);
+                Assert.That(fluid.Solver.KeepsOutside, Is.False);
             }
         }
 
@@ -172,7 +172,7 @@ namespace Rill.Tests
             return state.ids.Where((_, i) => math.all(math.isfinite(state.positions[i].xyz))).ToArray();
         }
 
-        static int Kept(FluidSimulation fluid)
+        static int Outside(FluidSimulation fluid)
         {
             AsyncGPUReadback.WaitAllRequests();
             fluid.Solver.RequestTransferred();
