@@ -64,7 +64,7 @@ namespace Rill
             fluid.Solver.AddInSpacings(batchPositions.GetSubArray(0, positions.Length), batchVelocities.GetSubArray(0, positions.Length), low, high,
                 tag);
             fluid.Solver.EndBatch();
-            if (positions.Length > ParticleUpload.KeptBatch)
+            if (positions.Length > ParticleUpload.MaxRetainedBatch)
                 Release();
         }
 

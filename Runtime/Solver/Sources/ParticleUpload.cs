@@ -12,13 +12,13 @@ namespace Rill
     {
         const int MaxBatch = 1 << 20;
 
-        /// <summary>Most particles of a batch of a script whose buffers stay for the next.</summary>
-        public const int KeptBatch = 1 << 14;
+        /// <summary>Maximum number of particles in a batch whose buffers are retained for the next one.</summary>
+        public const int MaxRetainedBatch = 1 << 14;
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleUpload");
         readonly Kernel append, commit, clear, countMarked, removeAll, countRefused;
         readonly LocalKeyword withTags;
-        CommandBuffer commands;         // kept: adding allocates nothing
+        CommandBuffer commands;         // retained: adding allocates nothing
         GraphicsBuffer batchPositions, batchVelocities;
 
         public ParticleUpload()
@@ -102,7 +102,7 @@ namespace Rill
         /// <summary>Releases upload buffers that are larger than those of a burst.</summary>
         public void TrimLarge()
         {
-            if (batchPositions != null && batchPositions.count > KeptBatch)
+            if (batchPositions != null && batchPositions.count > MaxRetainedBatch)
                 Trim();
         }
 
