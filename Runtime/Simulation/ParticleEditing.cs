@@ -160,7 +160,7 @@ namespace Rill
             fluid.GetPose(out _, out Quaternion rotation);
             uint tag = TagFor(phase, lifetime);
             fluid.Solver.BeginBatch(onRefusals);
-            fluid.Solver.AddWhereFree(all.GetSubArray(0, inside), (float3)(Quaternion.Inverse(rotation) * velocity) / fluid.ParticleSpacing,
+            fluid.Solver.AddIntoFreeSpace(all.GetSubArray(0, inside), (float3)(Quaternion.Inverse(rotation) * velocity) / fluid.ParticleSpacing,
                 low, high, tag);
             fluid.Solver.EndBatch();
         }

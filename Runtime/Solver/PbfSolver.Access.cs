@@ -138,10 +138,10 @@ namespace Rill
         /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
         /// <param name="high">And the highest.</param>
         /// <param name="tag">Of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
-        public void AddWhereFree(NativeArray<float4> positions, float3 velocity, float3 low, float3 high, uint tag)
+        public void AddIntoFreeSpace(NativeArray<float4> positions, float3 velocity, float3 low, float3 high, uint tag)
         {
             PrepareConstants();
-            NeedEdits().AddWhereFree(BetweenSteps(Edits.Commands), positions, velocity, tag, ParticleTags);
+            NeedEdits().AddIntoFreeSpace(BetweenSteps(Edits.Commands), positions, velocity, tag, ParticleTags);
             if (stepIndex == 0)
                 LeaveOutCovered();
             MarkAdded(positions.Length, low, high);

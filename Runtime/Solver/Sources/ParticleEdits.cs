@@ -61,7 +61,7 @@ namespace Rill
         /// <param name="velocity">d/s, of all.</param>
         /// <param name="tag">Of all, see ParticleTags.hlsl.</param>
         /// <param name="tags">Null for none.</param>
-        public void AddWhereFree(in StepContext step, NativeArray<float4> positions, float3 velocity, uint tag, ParticleTags tags)
+        public void AddIntoFreeSpace(in StepContext step, NativeArray<float4> positions, float3 velocity, uint tag, ParticleTags tags)
         {
             int most = Math.Min(positions.Length, MaxBatch);
             if (most == 0)
