@@ -87,7 +87,7 @@ namespace Rill
             commands.SetComputeBufferParam(shader, kernel, NameIds.Tags, from.TagsToBind);
             commands.SetComputeBufferParam(shader, kernel, NameIds.Counters, from.Counters);
             commands.SetComputeBufferParam(shader, kernel, NameIds.CellStarts, from.CellStarts);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.Order, from.Order);
+            commands.SetComputeBufferParam(shader, kernel, NameIds.Order, from.ParticleOrder);
             commands.SetComputeMatrixParam(shader, NameIds.DomainToWorld, DomainToWorld);
             commands.SetComputeVectorParam(shader, NameIds.Domain, frame.Domain);
             commands.SetComputeVectorParam(shader, NameIds.Cells, frame.Cells);
@@ -110,7 +110,7 @@ namespace Rill
             properties.SetBuffer(NameIds.Tags, from.TagsToBind);
             properties.SetBuffer(NameIds.Counters, from.Counters);
             properties.SetBuffer(NameIds.CellStarts, from.CellStarts);
-            properties.SetBuffer(NameIds.Order, from.Order);
+            properties.SetBuffer(NameIds.Order, from.ParticleOrder);
             properties.SetMatrix(NameIds.DomainToWorld, DomainToWorld);
             properties.SetVector(NameIds.Domain, frame.Domain);
             properties.SetVector(NameIds.Cells, frame.Cells);

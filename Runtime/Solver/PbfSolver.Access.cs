@@ -22,7 +22,7 @@ namespace Rill
         public GraphicsBuffer CellStarts => neighborSearch.CellStartsAtRest;
 
         /// <summary>uint [capacity], indices of particles by cell after <see cref="RecordOrder"/>.</summary>
-        public GraphicsBuffer Order => particles.SortedIds;
+        public GraphicsBuffer ParticleOrder => particles.SortedIds;
 
         /// <summary>The ParticleTags, or a buffer of one word that stands for them.</summary>
         public GraphicsBuffer TagsToBind

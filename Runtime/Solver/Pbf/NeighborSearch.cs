@@ -44,7 +44,7 @@ namespace Rill
             prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), cells + 1);
             CellStarts = Buffers.Structured<uint>("Rill.CellStarts", cells + 1);
             cellRanks = Buffers.Structured<uint2>("Rill.CellRanks", layout.Capacity);
-            Order = Buffers.Structured<uint2>("Rill.Order", layout.Capacity);
+            CellOrder = Buffers.Structured<uint2>("Rill.Order", layout.Capacity);
             BufferClear.Now(cellHistogram);
             BufferClear.Now(CellStarts);        // bound before the first step, too, though nothing is read there
         }
@@ -57,12 +57,12 @@ namespace Rill
         /// them.</summary>
         public bool IsSorted { get; set; }
 
-        /// <summary>uint [cells + 1], the same for <see cref="Order"/> after the newest <see cref="RecordOrderAtRest"/>. A buffer of its own:
+        /// <summary>uint [cells + 1], the same for <see cref="CellOrder"/> after the newest <see cref="RecordOrderAtRest"/>. A buffer of its own:
         /// what asks between steps still finds the particles in the rows where the sort put them.</summary>
         public GraphicsBuffer CellStartsAtRest => cellStartsAtRest ??= Buffers.Structured<uint>("Rill.CellStartsAtRest", cells + 1, BufferSet.Unbound);
 
         /// <summary>uint2 [capacity], by cell: index of the particle and its id.</summary>
-        public GraphicsBuffer Order { get; }
+        public GraphicsBuffer CellOrder { get; }
 
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
         /// <param name="takesProjection">Whether the coarse grid's displacements are added to the velocities first.</param>
@@ -118,7 +118,7 @@ namespace Rill
             DispatchOrdered(cmd, particles, GatherTags);
         }
 
-        /// <summary>Records <see cref="CellStartsAtRest"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
+        /// <summary>Records <see cref="CellStartsAtRest"/> and <see cref="CellOrder"/> for the current positions and moves no particle.</summary>
         public void RecordOrderAtRest(in StepContext step)
         {
             keywords.Record(step, allAwake: true);

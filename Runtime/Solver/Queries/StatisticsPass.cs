@@ -64,7 +64,7 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.ContactOffsets);
             }
             particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.Order);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.CellOrder);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStartsAtRest);
             Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);

@@ -109,7 +109,7 @@ namespace Rill
             step.Colliders?.BindShapes(commands, shader, kernel);
             buffers.Bind(commands, shader, kernel);
             commands.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStartsAtRest);
-            commands.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.Order);
+            commands.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.CellOrder);
             commands.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
             commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count + 1), 1, 1);
         }

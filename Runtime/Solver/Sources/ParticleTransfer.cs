@@ -204,7 +204,7 @@ namespace Rill
             taker.BindConstants(shader);
             Bind(cmd, markApart, from, to);
             cmd.SetComputeBufferParam(shader, markApart, ParticleIds.CellStarts, taker.Search.CellStartsAtRest);
-            cmd.SetComputeBufferParam(shader, markApart, ParticleIds.Order, taker.Search.Order);
+            cmd.SetComputeBufferParam(shader, markApart, ParticleIds.Order, taker.Search.CellOrder);
             Dispatch(cmd, markApart, from);
             RecordWrites(cmd, from, to);
         }

@@ -189,7 +189,7 @@ namespace Rill.Tests
                 GpuTest.Run(cmd => stages.Search.RecordOrderAtRest(stages.Context(cmd)));
 
                 int[] cells = Cells(state, stages.Layout);
-                uint2[] order = GpuTest.Read<uint2>(stages.Search.Order, 997);
+                uint2[] order = GpuTest.Read<uint2>(stages.Search.CellOrder, 997);
                 Compare.Same("cells in order", order.Select(o => (uint)cells[o.x]).ToArray(),
                     cells.OrderBy(cell => cell).Select(cell => (uint)cell).ToArray());
                 Compare.Same("every particle once", order.Select(o => o.x).OrderBy(i => i).ToArray(), state.ids);
