@@ -120,7 +120,7 @@ namespace Host.Tests
             using (var copy = new PackageCopy())
                 copy.Catches(new FxcRule(), () => copy.Replace("Shaders/Solver/GridRows.hlsl", "#endif",
                     "float Planted(float4 four) { return four; }\n#endif"), "Shaders/Solver/GridRows.hlsl(", "warning X3206",
-                    "Shaders/Solver/Look/SurfaceMesh.compute (", " more");
+                    "Shaders/Solver/Effects/SurfaceMesh.compute (", " more");
         }
 
         [Test]
