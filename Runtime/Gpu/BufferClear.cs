@@ -39,7 +39,7 @@ namespace Rill
         /// <exception cref="ArgumentException">The elements are of another size.</exception>
         public void Record(CommandBuffer cmd, GraphicsBuffer buffer) => Record(cmd, buffer, buffer.count);
 
-        /// <summary>The same of its first elements.</summary>
+        /// <summary>Records a clear of the first elements of a buffer.</summary>
         /// <param name="count">At least 1.</param>
         /// <exception cref="ArgumentException">The elements are of another size.</exception>
         public void Record(CommandBuffer cmd, GraphicsBuffer buffer, int count)

@@ -7,7 +7,7 @@ namespace Rill
     /// Shaders/Generated/[file].hlsl, which the shaders include: it is written once, here, with its unit in its summary.
     /// </summary>
     /// <remarks>
-    /// Of a constant or an enum's member Foo becomes kFoo. An int becomes a uint, as counts and indices are. Members of a struct keep their
+    /// The name Foo of a constant or an enum's member becomes kFoo. An int becomes a uint, as counts and indices are. Members of a struct keep their
     /// names. Those of a constant buffer get the shaders' form, _DomainSize for domainSize, and three with the scalar behind them become one
     /// 4-vector, since graphics APIs differ in where they put a vector of three.
     /// </remarks>
@@ -20,10 +20,10 @@ namespace Rill
         /// <summary>Put before the names of constants: with "Foam", Alive becomes kFoamAlive.</summary>
         public string Prefix;
 
-        /// <summary>Of a struct, where HLSL has another.</summary>
+        /// <summary>Name of a struct in HLSL, where it differs.</summary>
         public string Name;
 
-        /// <summary>Of the constant buffer that a struct is uploaded to as it lies in memory.</summary>
+        /// <summary>Name of the constant buffer that a struct is uploaded to as it lies in memory.</summary>
         public string ConstantBuffer;
 
         /// <summary>Whether an int stays one.</summary>

@@ -16,7 +16,7 @@ namespace Rill
         /// <summary>Asks the device for a format before something that needs it begins.</summary>
         /// <param name="format">Depth: as a texture of depth alone.</param>
         /// <param name="isWritten">By kernels; otherwise it is drawn into.</param>
-        /// <returns>Why there are no such textures, as the start of a sentence; null where there are.</returns>
+        /// <returns>Why the device lacks such textures, as the start of a sentence; null if it has them.</returns>
         public static string WhyNot(RenderTextureFormat format, bool isWritten)
         {
             bool has = isWritten ? SystemInfo.SupportsRandomWriteOnRenderTextureFormat(format) : SystemInfo.SupportsRenderTextureFormat(format);

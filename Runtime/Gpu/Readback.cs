@@ -36,10 +36,10 @@ namespace Rill
         /// <summary>Called when a result has come.</summary>
         public Action Arrived;
 
-        /// <summary>Called when a request that still counts ended with an error: there are no data.</summary>
+        /// <summary>Called when a request that still counts ended with an error and brought nothing.</summary>
         public Action Lost;
 
-        /// <summary>What is brought back; null after <see cref="Dispose"/>.</summary>
+        /// <summary>Buffer that is read back; null after <see cref="Dispose"/>.</summary>
         public GraphicsBuffer Buffer => disposed ? null : buffer;
 
         /// <summary>Whether a result is pending.</summary>
@@ -202,7 +202,7 @@ namespace Rill
     {
         const int NotYet = -1;
 
-        /// <summary>Of the game; -1 while it is pending.</summary>
+        /// <summary>Frame of the game in which it ended; -1 while it is pending.</summary>
         public int Frame = NotYet;
 
         /// <summary>Frames from a frame to that in which it has come; where it is pending still, to the present one.</summary>

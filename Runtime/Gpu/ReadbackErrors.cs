@@ -2,7 +2,7 @@ using System;
 
 namespace Rill
 {
-    /// <summary>What of a fluid comes back from the GPU, a bit for each.</summary>
+    /// <summary>Kinds of data of a fluid that are read back from the GPU, one bit each.</summary>
     [Flags]
     enum ReadbackKinds
     {
@@ -38,8 +38,8 @@ namespace Rill
                 untold |= kind & ~told;
         }
 
-        /// <summary>Kinds that were lost since the last call, each once, also where another request brought them since.</summary>
-        public ReadbackKinds TakeNew()
+        /// <summary>Returns the kinds that were lost since the last call, each once, also where another request brought them since.</summary>
+        public ReadbackKinds ConsumeNew()
         {
             ReadbackKinds fresh = untold;
             told |= fresh;
@@ -55,7 +55,7 @@ namespace Rill
             return kind != ReadbackKinds.None;
         }
 
-        /// <summary>What was lost, what follows, and what to do, of one kind; goes on after the name of the fluid.</summary>
+        /// <summary>Returns what of one kind was lost, what follows, and what to do, as a text that goes on after the name of the fluid.</summary>
         public static string Problem(ReadbackKinds kind)
         {
             (string what, string follows) = Texts(kind);

@@ -53,7 +53,7 @@ namespace Rill
             return -1;
         }
 
-        /// <summary>What a slot's answer is written into.</summary>
+        /// <summary>Returns the buffer that a slot's answer is written into.</summary>
         public GraphicsBuffer Buffer(int slot) => slots[slot].Buffer;
 
         /// <summary>Asks for what was recorded for a slot, after its command buffer was executed.</summary>

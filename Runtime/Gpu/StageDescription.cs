@@ -4,7 +4,7 @@ using UnityEngine.Experimental.Rendering;
 
 namespace Rill
 {
-    /// <summary>What a stage costs a scene: its dispatches in a step, its buffers, and why it is there or not.</summary>
+    /// <summary>Cost of a stage in a scene: its dispatches in a step, its buffers, and why it is there or not.</summary>
     sealed class StageDescription
     {
         public readonly string Name, Reason;

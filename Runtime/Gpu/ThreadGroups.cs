@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What holds for the groups of threads of every dispatch.</summary>
+    /// <summary>Limits and helpers for the thread groups of every dispatch.</summary>
     static class ThreadGroups
     {
         /// <summary>of a dispatch, along each axis; more fold into y</summary>

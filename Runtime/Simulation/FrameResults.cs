@@ -56,7 +56,7 @@ namespace Rill
         {
             if (fluid.Solver == null)
                 return;
-            for (ReadbackKinds fresh = fluid.Solver.ReadbackErrors.TakeNew(); ReadbackErrors.TryTake(ref fresh, out ReadbackKinds kind);)
+            for (ReadbackKinds fresh = fluid.Solver.ReadbackErrors.ConsumeNew(); ReadbackErrors.TryTake(ref fresh, out ReadbackKinds kind);)
                 Debug.LogError($"Rill: FluidSimulation '{fluid.name}' {ReadbackErrors.Problem(kind)}", fluid);
         }
 

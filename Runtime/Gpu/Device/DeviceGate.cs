@@ -13,7 +13,7 @@ namespace Rill
         /// <summary>Whether the player has no graphics at all: a dedicated server, or -nographics.</summary>
         public static bool HasNoGraphics => SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null;
 
-        /// <summary>What every fluid needs and this device lacks; null where nothing is missing.</summary>
+        /// <summary>Returns what every fluid needs and this device lacks; null if nothing is missing.</summary>
         public static string MissingAbility()
         {
             if (HasNoGraphics)
@@ -22,7 +22,7 @@ namespace Rill
                 SystemInfo.supportsSetConstantBuffer, SystemInfo.supportsAsyncGPUReadback);
         }
 
-        /// <summary>The same by what SystemInfo says of the device.</summary>
+        /// <summary>Returns what is missing on a device for which SystemInfo gives these answers; null for nothing.</summary>
         internal static string MissingAbility(bool computeShaders, bool indirectArguments, bool constantBuffers, bool asyncReadback)
         {
             string missing = !computeShaders ? "no compute shaders (SystemInfo.supportsComputeShaders), which the fluid is computed with"

@@ -5,7 +5,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What the graphics device grants a program: the one place that decides between variants of a kernel.</summary>
+    /// <summary>Limits of the graphics device for one program. Only these decide between variants of a kernel.</summary>
     /// <remarks>
     /// SystemInfo reports storage buffers and threads. It does not report groupshared memory, and two of its answers are not
     /// taken as they are. Metal: Unity reported 8 buffers there for years (31 in 6000.3), while Metal has 31; and the threads
@@ -17,11 +17,11 @@ namespace Rill
         const int MetalBuffers = 31;        // the buffer argument table
         const int SafeThreads = 256;        // on which every pipeline of Metal can count
 
-        /// <summary>Of a kernel, for reading or writing.</summary>
+        /// <summary>Maximum number of buffers that a kernel reads or writes.</summary>
         public readonly int StorageBuffers;
-        /// <summary>The same of the vertex stage.</summary>
+        /// <summary>Maximum number of buffers that a vertex stage reads.</summary>
         public readonly int VertexStorageBuffers;
-        /// <summary>In a group.</summary>
+        /// <summary>Maximum number of threads in a group.</summary>
         public readonly int Threads;
         public readonly int GroupsharedBytes;
 
@@ -81,7 +81,7 @@ namespace Rill
             throw new ArgumentException($"{file}.compute has no kernel '{kernel}' in the table of what kernels need: run `Headless~/rill generate`.");
         }
 
-        /// <summary>What a program takes that the device has not; null where it runs.</summary>
+        /// <summary>Returns which limit of the device a program exceeds; null if it runs.</summary>
         public string WhyNot(in KernelNeed need)
         {
             if (need.Kernel == KernelNeed.Vertex && need.StorageBuffers > VertexStorageBuffers)

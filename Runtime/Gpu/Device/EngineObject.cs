@@ -27,7 +27,7 @@ namespace Rill
             Destroy(ref texture);
         }
 
-        /// <summary>As <see cref="Destroy{T}"/>; its memory on the GPU is free at once.</summary>
+        /// <summary>Destroys a mesh like <see cref="Destroy{T}"/>, and frees its memory on the GPU at once.</summary>
         public static void Release(ref Mesh mesh)
         {
             if (mesh == null)

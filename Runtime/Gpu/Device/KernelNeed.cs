@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What a variant of a kernel, or a stage of a draw shader, takes of a device.</summary>
+    /// <summary>Resources of a device that a variant of a kernel, or a stage of a draw shader, takes.</summary>
     readonly struct KernelNeed
     {
         /// <summary>Ends the name of a kernel that stands in for another where a group has 256 threads or 16 KB of groupshared memory.</summary>
