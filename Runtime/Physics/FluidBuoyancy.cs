@@ -165,7 +165,7 @@ namespace Rill
 
         void ICarriedBody.Save(FluidSimulation fluid, SnapshotBody to, SnapshotCapture capture) => floating.Save(body, fluid, to, capture);
 
-        bool ICarriedBody.Place(SnapshotBody from, in BoxMotion box) => BodyPlacement.Restore(body, from.record, box);
+        bool ICarriedBody.Restore(SnapshotBody from, in BoxMotion box) => BodyPlacement.Restore(body, from.record, box);
 
         void ICarriedBody.Load(FluidSimulation fluid, SnapshotBody from, in BoxMotion box) => floating.Load(fluid, from, box);
 

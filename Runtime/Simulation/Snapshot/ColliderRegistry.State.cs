@@ -58,7 +58,7 @@ namespace Rill
         public ReactionsRecord SaveTaken(FluidSimulation fluid, List<TakenRecord> records)
         {
             for (int i = 0; i < takenCount; i++)
-                records.Add(new TakenRecord { motion = taken[i].motion, place = taken[i].position, arm = taken[i].arm });
+                records.Add(new TakenRecord { motion = taken[i].motion, position = taken[i].position, arm = taken[i].arm });
             return new ReactionsRecord
             {
                 takenImpulse = takenImpulse,
@@ -93,7 +93,7 @@ namespace Rill
                 {
                     owner = entries[i].owner,
                     motion = records[i].motion,
-                    position = records[i].place,
+                    position = records[i].position,
                     arm = records[i].arm,
                 };
             ReactionsRecord sums = contents.Get<ReactionsRecord>(SnapshotSection.Reactions);

@@ -157,7 +157,7 @@ namespace Rill
             fluid.GetPose(out Vector3 position, out Quaternion rotation);
             var box = new BoxMotion(time.box.Pose, new RigidPose(position, rotation));
             DomainFrame frame = fluid.Box.Frame;
-            List<RestoredBody> restored = putsBodies ? bodies.Place(contents, box) : new List<RestoredBody>();
+            List<RestoredBody> restored = putsBodies ? bodies.Restore(contents, box) : new List<RestoredBody>();
             inputs.Parts.Load(contents, time, frame, Tolerance);
             inputs.Colliders.Load(contents, frame, box, Tolerance);
             inputs.Colliders.Load(time);

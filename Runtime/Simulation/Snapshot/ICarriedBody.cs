@@ -16,7 +16,7 @@ namespace Rill
 
         /// <summary>Puts the body back.</summary>
         /// <returns>Whether all of it could be: a kinematic body takes no velocity.</returns>
-        bool Place(SnapshotBody from, in BoxMotion box);
+        bool Restore(SnapshotBody from, in BoxMotion box);
 
         /// <summary>Goes on with what was known of the water, after the body was put back; forgets it where the box is turned otherwise.</summary>
         void Load(FluidSimulation fluid, SnapshotBody from, in BoxMotion box);

@@ -42,7 +42,7 @@ namespace Rill
         }
 
         /// <summary>Puts the bodies of a snapshot back, and logs which are gone and which are new.</summary>
-        public List<RestoredBody> Place(SnapshotContents contents, in BoxMotion box)
+        public List<RestoredBody> Restore(SnapshotContents contents, in BoxMotion box)
         {
             var restored = new List<RestoredBody>();
             if (contents.Bodies == null)
@@ -54,7 +54,7 @@ namespace Rill
                 ICarriedBody to = Find(from, known);
                 if (to == null)
                     List(ref gone, from.path);
-                else if (!to.Place(from, box))
+                else if (!to.Restore(from, box))
                     List(ref still, from.path);
                 known.Remove(to);
                 restored.Add(new RestoredBody { from = from, to = to });

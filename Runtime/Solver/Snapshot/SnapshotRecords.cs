@@ -200,7 +200,7 @@ namespace Rill
     struct TakenRecord
     {
         public RelativeMotion motion;
-        public Vector3 place;
+        public Vector3 position;
         /// <summary>d.</summary>
         public float arm;
     }
