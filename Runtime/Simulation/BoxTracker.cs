@@ -118,7 +118,7 @@ namespace Rill
             isTeleported = false;
         }
 
-        /// <summary>Takes the box to where the transform was put, with all that it holds. Does nothing where there is no pose, or was none
+        /// <summary>Takes the box to where the transform was put, with all that it holds. Does nothing while the pose is invalid, or was
         /// before.</summary>
         public void Teleport()
         {

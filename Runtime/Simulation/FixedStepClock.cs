@@ -23,7 +23,7 @@ namespace Rill
         /// <summary>Time by which the steps so far stay behind the newest frame, s: less than a step.</summary>
         public double Lag { get; private set; }
 
-        /// <summary>Time by which the steps of that last frame stayed behind it, s: less than a step.</summary>
+        /// <summary>Time by which the steps of that last frame lag it, s: less than a step.</summary>
         public double FrameLag { get; private set; }
 
         /// <summary>Time by which the steps of the frame before it stayed behind, s.</summary>

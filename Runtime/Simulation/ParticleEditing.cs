@@ -117,8 +117,8 @@ namespace Rill
                 AddIntoFreeSpace(positions, volume.Velocity, phase, lifetime, $"FluidVolume '{volume.name}'", volume);
         }
 
-        /// <summary>Whether the particles of the fluid can be changed now: false where there is no graphics device, and so nothing to
-        /// do.</summary>
+        /// <summary>Whether the particles of the fluid can be changed now: false without a graphics device, where nothing is to
+        /// be done.</summary>
         /// <exception cref="InvalidOperationException">The fluid is not running, or this is called in a pass of a step.</exception>
         public bool IsReadyTo(string act)
         {

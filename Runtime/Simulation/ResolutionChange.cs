@@ -49,7 +49,7 @@ namespace Rill
             RequestWater(pending);
         }
 
-        /// <summary>Marks the water that is on its way as outdated, since scripts have changed the fluid.</summary>
+        /// <summary>Marks the water that is being read back as outdated, since scripts have changed the fluid.</summary>
         public void MarkChanged()
         {
             if (pending != null)

@@ -54,7 +54,7 @@ namespace Rill
                     this.tags[Count] = tags[i];
                 Count++;
             }
-            // Across gravity whole layers from wall to wall, a little closer or wider, and along it as much the other way, so that a site
+            // Across gravity whole layers from wall to wall, a little closer or wider, and along it wider or closer by as much, so that a site
             // stands for a cube of the new spacing.
             int along = math.abs(down.x) > 0.7f ? 0 : math.abs(down.z) > 0.7f ? 2 : 1;
             step = size / math.max(math.round(size), 1f);
@@ -140,7 +140,7 @@ namespace Rill
             int least = Ranks - 1, above = 0;
             while (least > 0 && above + histogram[least] < count)
                 above += histogram[least--];
-            // Of those with the last rank, the first by their hashes are taken.
+            // Among those with the last rank, the first by their hashes are taken.
             var ties = new List<(uint hash, int index)>();
             var chosen = new List<int3>(count);
             for (int i = 0; i < sites.Count; i++)

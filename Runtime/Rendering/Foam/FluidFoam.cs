@@ -40,8 +40,8 @@ namespace Rill
 
         MaterialPropertyBlock properties;
 
-        /// <summary>How much foam there is and how long it lasts. Out-of-range values are clamped with a warning. Another budget takes away
-        /// what is there.</summary>
+        /// <summary>How much foam there is and how long it lasts. Out-of-range values are clamped with a warning. Another budget removes
+        /// all foam.</summary>
         public FoamSettings Settings { get => settings; set { settings = value; Changed(); } }
 
         /// <summary>Radius of the largest particle, m, 0 to 10; 0 for a hundredth of the scene's depth. One that is out of range is clamped

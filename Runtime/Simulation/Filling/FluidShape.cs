@@ -39,9 +39,9 @@ namespace Rill
         /// <exception cref="ArgumentException">The radius is negative, or an argument not finite.</exception>
         public static FluidShape Sphere(Vector3 center, float radius) => Capsule(center, center, radius);
 
-        /// <summary>A capsule: all that is no further than the radius from the line between two points.</summary>
+        /// <summary>Returns a capsule: all points within the radius of the line between two points.</summary>
         /// <param name="start">Center of the sphere at one end, world space, m.</param>
-        /// <param name="end">And at the other.</param>
+        /// <param name="end">Center of the sphere at the other end, world space, m.</param>
         /// <param name="radius">m, 0 or more.</param>
         /// <exception cref="ArgumentException">The radius is negative, or an argument not finite.</exception>
         public static FluidShape Capsule(Vector3 start, Vector3 end, float radius)

@@ -4,7 +4,7 @@ namespace Rill
 {
     static class SnapshotContentsExtensions
     {
-        /// <summary>Sets a section to records, and none where there are no records.</summary>
+        /// <summary>Sets a section to records; without records the section is left out.</summary>
         public static void SetIfAny<T>(this SnapshotContents contents, SnapshotSection section, List<T> records) where T : struct
         {
             if (records.Count > 0)
