@@ -48,25 +48,25 @@ namespace Rill
         public double Time { get; private set; }
 
         /// <summary>Positions, world space, m. A view, good until the next request ends.</summary>
-        /// <exception cref="InvalidOperationException">There is no data, or the request did not ask for this.</exception>
+        /// <exception cref="InvalidOperationException">No data has come back, or the request did not ask for this.</exception>
         public NativeArray<float3> Positions => View(ParticleFields.Positions, layout.PositionsAt, 3).Reinterpret<float3>(sizeof(uint));
 
         /// <summary>Velocities against the box, world space, m/s. A view, good until the next request ends.</summary>
-        /// <exception cref="InvalidOperationException">There is no data, or the request did not ask for this.</exception>
+        /// <exception cref="InvalidOperationException">No data has come back, or the request did not ask for this.</exception>
         public NativeArray<float3> Velocities => View(ParticleFields.Velocities, layout.VelocitiesAt, 3).Reinterpret<float3>(sizeof(uint));
 
         /// <summary>Ids. A view, good until the next request ends.</summary>
-        /// <exception cref="InvalidOperationException">There is no data, or the request did not ask for this.</exception>
+        /// <exception cref="InvalidOperationException">No data has come back, or the request did not ask for this.</exception>
         public NativeArray<uint> Ids => View(ParticleFields.Ids, layout.IdsAt, 1);
 
         /// <summary>Phases, 0 to 255; 0 where there are none. A view, good until the next request ends.</summary>
-        /// <exception cref="InvalidOperationException">There is no data, or the request did not ask for this.</exception>
+        /// <exception cref="InvalidOperationException">No data has come back, or the request did not ask for this.</exception>
         public NativeArray<uint> Phases => View(ParticleFields.Phases, layout.PhasesAt, 1);
 
         /// <summary>Copies the particles into arrays of the caller, the same particle to the same index; arrays that are not created are
         /// left out.</summary>
         /// <returns>The number of particles.</returns>
-        /// <exception cref="InvalidOperationException">There is no data, or the request did not ask for what an array is for.</exception>
+        /// <exception cref="InvalidOperationException">No data has come back, or the request did not ask for what an array is for.</exception>
         /// <exception cref="ArgumentException">An array is too short; nothing was copied.</exception>
         public int CopyTo(NativeArray<float3> positions, NativeArray<float3> velocities = default, NativeArray<uint> ids = default,
             NativeArray<uint> phases = default)

@@ -21,8 +21,8 @@ namespace Rill
                 substep += 0.09f + 0.097f * millions;
             if (elastic)
                 substep += 0.027f + 0.498f * millions;
-            float displace = 0.004f + 0.093f * millions, multiplier = 0.003f + 0.087f * millions;
-            return substeps * (substep + iterations * displace + (iterations - 1) * multiplier);
+            float displacement = 0.004f + 0.093f * millions, multiplier = 0.003f + 0.087f * millions;
+            return substeps * (substep + iterations * displacement + (iterations - 1) * multiplier);
         }
     }
 }

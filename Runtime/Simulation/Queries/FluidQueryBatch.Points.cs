@@ -97,7 +97,7 @@ namespace Rill
         /// <summary>Moves one of the points.</summary>
         /// <param name="index">0 to below <see cref="PointCount"/>.</param>
         /// <param name="position">World space, m.</param>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The index is not one of a point.</exception>
         /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
         public void SetPoint(int index, Vector3 position)
         {
@@ -112,7 +112,7 @@ namespace Rill
         /// <param name="sample">What was found.</param>
         /// <returns>Whether it is valid: false before the first since the fluid started, while the fluid is off, where the point was outside
         /// the fluid's box or not finite, and for a point that was not asked for yet.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such point.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The index is not one of a point.</exception>
         /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
         public bool TryGetSample(int index, out FluidProbeSample sample)
         {

@@ -90,7 +90,7 @@ namespace Rill
         /// <summary>Changes one of the rays.</summary>
         /// <param name="index">0 to below <see cref="RayCount"/>.</param>
         /// <param name="cast">A ray, or a ball.</param>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such ray.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The index is not one of a ray.</exception>
         /// <exception cref="ArgumentException">It cannot be cast; the message says why.</exception>
         /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
         public void SetRay(int index, in FluidRay cast)
@@ -107,7 +107,7 @@ namespace Rill
         /// <param name="found">What was found, and the ray that was cast.</param>
         /// <returns>Whether it is valid: false before the first since the fluid started, while the fluid is off, and for a ray that was not
         /// cast yet. A valid one may have missed: ask <see cref="FluidRayHit.hit"/>.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such ray.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The index is not one of a ray.</exception>
         /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
         public bool TryGetHit(int index, out FluidRayHit found)
         {
