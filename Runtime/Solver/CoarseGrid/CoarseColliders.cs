@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What solid colliders leave open of the coarse grid, for its solves: made when deep water and colliders meet.</summary>
+    /// <summary>Fractions of the coarse grid that solid colliders leave open, for its solves. Made when deep water has colliders.</summary>
     sealed class CoarseColliders : IDisposable
     {
         /// <summary>cells of a group of OpenCells</summary>

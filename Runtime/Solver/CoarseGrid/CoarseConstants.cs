@@ -32,9 +32,9 @@ namespace Rill
         public uint levelCount;
         /// <summary>the first of those that one thread group does together</summary>
         public uint firstTailLevel;
-        /// <summary>nearest that the free surface lies from the water's middle, cells</summary>
+        /// <summary>minimum distance of the free surface from the water's center, cells</summary>
         public float minSurfaceDistance;
-        /// <summary>and furthest</summary>
+        /// <summary>maximum of it, cells</summary>
         public float maxSurfaceDistance;
         /// <summary>cells along x, y, z and index of the first; [0] is the grid itself</summary>
         public CoarseLevels levels;
@@ -64,7 +64,7 @@ namespace Rill
         const float MaxFlow = 40f;
         public const float MaxPush = 2f;
 
-        /// <summary>Nearest and furthest that the free surface lies from the middle of the water in an active cell, in cells.</summary>
+        /// <summary>Minimum and maximum distance of the free surface from the center of the water in an active cell, in cells.</summary>
         const float MinSurfaceDistance = 0.1f, MaxSurfaceDistance = 1.5f;
 
         public static CoarseConstants For(CoarseGrid grid)

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What the coarse grids of fluids whose boxes overlap found: each holds its potential to the other's beyond its own side. So the
+    // Couples the coarse grids of fluids whose boxes overlap: each holds its potential to the other's beyond its own side. So the
     // water on both sides of an opening is moved by what is nearly one solution, as in the alternating method of Schwarz, a pass a substep.
     partial class CoarseCorrection
     {

@@ -86,7 +86,7 @@ namespace Rill
         /// <summary>uint [cells], bits: where the water's surface is; see CoarseGrid.compute.</summary>
         public GraphicsBuffer Surface => surface;
 
-        /// <summary>What lies between the passes, for tests; see CoarseGrid.compute.</summary>
+        /// <summary>Buffers that the passes hand on, for tests; see CoarseGrid.compute.</summary>
         public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer surface, GraphicsBuffer source, GraphicsBuffer lastErrors,
             GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
             => (flow, fill, surface, source, lastErrors, diagonal, flowPotential, errorPotential);
@@ -115,7 +115,7 @@ namespace Rill
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
         public const float StaysAboveLayers = 3f;
 
-        /// <summary>What solid colliders leave open of the grid; null where there are none.</summary>
+        /// <summary>Fractions of the grid that solid colliders leave open; null without colliders.</summary>
         public CoarseColliders Colliders => coarseColliders;
 
         /// <summary>Records what solid colliders leave open of the grid in this substep; before the rest of it.</summary>

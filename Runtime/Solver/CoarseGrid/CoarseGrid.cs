@@ -22,9 +22,9 @@ namespace Rill
         public const int MaxCells = 1 << 22;
 
         const int EnoughCells = 64, EnoughAlong = 4;        // of the coarsest level, in all and along an axis: its sweeps are few
-        const float Fine = 4f, Middle = 5f, Coarse = 8f;    // sides of cells, d
+        const float Fine = 4f, Medium = 5f, Coarse = 8f;    // sides of cells, d
         const float MaxDepth = 5000f;       // layers² times |g| Δt², d, for fine cells
-        const float MaxGravityStep = 1.4f;  // |g| Δt², d, for fine and middle ones
+        const float MaxGravityStep = 1.4f;  // |g| Δt², d, for fine and medium ones
         const float Grows = 1.2f, Returns = 0.67f;          // of these limits, for a grid that is there
 
         readonly List<uint4> levels = new List<uint4>();
@@ -88,12 +88,12 @@ namespace Rill
             bool Exceeds(float value, float limit, float size)
                 => value > limit * (present >= size ? Returns : present > 0f ? Grows : 1f);
             return Fit(domainSize, Exceeds(gravityStep, MaxGravityStep, Coarse) ? Coarse
-                : Exceeds(layers * layers * gravityStep, MaxDepth, Middle) ? Middle : Fine);
+                : Exceeds(layers * layers * gravityStep, MaxDepth, Medium) ? Medium : Fine);
         }
 
         /// <summary>Whether cells of so many d can be those of a domain.</summary>
         public static bool IsCellSize(float3 domainSize, float size)
-            => size == Fit(domainSize, Fine) || size == Fit(domainSize, Middle) || size == Fit(domainSize, Coarse);
+            => size == Fit(domainSize, Fine) || size == Fit(domainSize, Medium) || size == Fit(domainSize, Coarse);
 
         static float Fit(float3 domainSize, float size)
         {

@@ -51,10 +51,10 @@ namespace Rill
         public int Cycles { get; set; } = 1;
 
         /// <summary>Records a solve, from the potential's present values.</summary>
-        /// <param name="source">float [cells], right-hand side; kInactive where there is no potential.</param>
+        /// <param name="source">float [cells], right-hand side; kInactive in cells without a potential.</param>
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
-        /// <param name="coarseColliders">What closes faces; null for nothing.</param>
+        /// <param name="coarseColliders">Colliders that close faces; null for none.</param>
         /// <param name="isFirst">Whether the potential has no past: such a solve takes <see cref="FirstCycles"/> at least.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal,
             GraphicsBuffer potential, CoarseColliders coarseColliders = null, bool isFirst = false)

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>Signed distance from a collider where it is at the end of the steps, on the CPU; what Colliders.hlsl says of the same place.
+    /// <summary>Signed distance from a collider where it is at the end of the steps, on the CPU, as Colliders.hlsl computes it.
     /// Outside of a mesh's field it is a little less.</summary>
     readonly struct ColliderDistance
     {
@@ -66,7 +66,7 @@ namespace Rill
             }
         }
 
-        // As if the ground below were a plane; beyond its sides there is none.
+        // Returns the distance as if the ground below were a plane; beyond its sides there is none.
         float OverGround(float3 p)
         {
             float2 inside = math.clamp(p.xz, -motion.size.xz, motion.size.xz), beyond = p.xz - inside;
@@ -75,10 +75,10 @@ namespace Rill
             return math.all(beyond == 0f) ? distance : math.sqrt(math.lengthsq(beyond) + math.max(distance, 0f) * math.max(distance, 0f));
         }
 
-        float Height(float2 place, out float2 slope)
+        float Height(float2 position, out float2 slope)
         {
             var last = new int2(motion.field.width, motion.field.depth) - 1;
-            float2 scale = last / (2f * motion.size.xz), at = (place + motion.size.xz) * scale;
+            float2 scale = last / (2f * motion.size.xz), at = (position + motion.size.xz) * scale;
             int2 a = math.clamp((int2)math.floor(at), 0, last - 1);
             float2 weight = at - a;
             float low = heights[a.x, 0, a.y], right = heights[a.x + 1, 0, a.y];

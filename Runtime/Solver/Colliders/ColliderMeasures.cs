@@ -5,7 +5,7 @@ namespace Rill
     /// <summary>Sizes of a collider, in the unit of its lengths.</summary>
     static class ColliderMeasures
     {
-        /// <summary>Of a sphere, box or capsule; 0 for the other kinds.</summary>
+        /// <summary>Returns the volume of a sphere, box or capsule, m³; 0 for the other kinds.</summary>
         public static float Volume(in ColliderMotion motion)
         {
             float3 size = motion.size;

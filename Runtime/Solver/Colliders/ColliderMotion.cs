@@ -23,10 +23,10 @@ namespace Rill
         public bool reacts;
         /// <summary>Whether how much of it is wet is measured; only with <see cref="reacts"/>.</summary>
         public bool tellsWettedArea;
-        /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for
+        /// <summary>Signed distances of a mesh, lowest corner first, or heights over the center of a height field, one voxel high; null for
         /// other kinds.</summary>
         public Texture3D field;
-        /// <summary>Of a mesh that deforms, instead of <see cref="field"/>; null for others.</summary>
+        /// <summary>Shape of a mesh that deforms, instead of <see cref="field"/>; null for others.</summary>
         public IDeformingShape deforming;
         /// <summary>How far it has come from the older to the newer of its fields at the end of the steps, 0 to 1, and which they are.</summary>
         public float blend;
@@ -37,10 +37,10 @@ namespace Rill
         public bool3 mirrored;
         /// <summary>Side of a voxel of the field, and one stored unit of distance; d.</summary>
         public float voxel, fieldUnit;
-        /// <summary>Of the height over a height field, what is free on all sides even beside its steepest place.</summary>
+        /// <summary>Fraction of the height over a height field within which all sides are free, even beside its steepest slope.</summary>
         public float minFraction;
 
-        /// <summary>Of a ball around its place that holds all of it; of a plane, which has no end, 1.</summary>
+        /// <summary>Radius of a ball around its position that holds all of it; 1 for a plane, which has no end.</summary>
         public float Radius
         {
             get

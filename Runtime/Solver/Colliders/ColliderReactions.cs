@@ -5,8 +5,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the fluid does to colliders: summed on the GPU over steps, brought back without waiting. Made when a collider wants to
-    /// know.</summary>
+    /// <summary>Forces and contacts of the fluid on colliders: summed on the GPU over steps and read back without waiting. Made when a collider
+    /// asks for them.</summary>
     sealed class ColliderReactions : IDisposable
     {
         /// <summary>words of a collider: three sums, three moments, and what was added</summary>
@@ -118,8 +118,8 @@ namespace Rill
 
         public void Request() => readback.Request();
 
-        /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about
-        /// its place over its moment arm.</summary>
+        /// <summary>Gets what collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about
+        /// its position over its moment arm.</summary>
         public void Get(int index, out double3 sum, out double3 moment)
         {
             int at = index * Stride;
@@ -127,15 +127,15 @@ namespace Rill
             moment = new double3(Signed(at + 6), Signed(at + 8), Signed(at + 10));
         }
 
-        /// <summary>How much of collider number <paramref name="index"/> was wet when the sums were taken, d²; only with
+        /// <summary>Returns how much of collider number <paramref name="index"/> was wet when the sums were taken, d²; only with
         /// <see cref="HasWettedAreas"/>.</summary>
         /// <param name="normal">Sum of its parts' areas times their normals, d².</param>
-        /// <param name="place">Sum of its parts' areas times where they are, from the collider's place, over its moment arm.</param>
-        public double WettedArea(int index, out double3 normal, out double3 place)
+        /// <param name="position">Sum of its parts' areas times their positions, from the collider's own, over its moment arm.</param>
+        public double WettedArea(int index, out double3 normal, out double3 position)
         {
             int at = WettedFirst + index * WettedStride;
             normal = new double3(Signed(at + 2), Signed(at + 4), Signed(at + 6));
-            place = new double3(Signed(at + 8), Signed(at + 10), Signed(at + 12));
+            position = new double3(Signed(at + 8), Signed(at + 10), Signed(at + 12));
             return Signed(at);
         }
 

@@ -34,7 +34,7 @@ namespace Rill
             pose = now;
         }
 
-        /// <summary>Goes on from another pose: time that the fluid dropped is no motion in it.</summary>
+        /// <summary>Continues from another pose: time that the fluid dropped does not count as motion.</summary>
         public void SkipTo(in RigidPose start) => pose = start;
 
         /// <param name="next">Pose at the end of the steps, world space, m.</param>
@@ -45,9 +45,9 @@ namespace Rill
             memory = MemorySteps * substep;
             slips += slip.Follow((next.position - pose.position) / duration, duration, memory) * duration;
             angularSlips += angularSlip.Follow(RigidPose.RotationVector(pose.rotation, next.rotation) / duration, duration, memory) * duration;
-            RigidPose middle = RigidPose.Between(pose, next, 0.5f);
-            float4 rotation = middle.rotation.value;
-            positions += middle.position * duration;
+            RigidPose halfway = RigidPose.Between(pose, next, 0.5f);
+            float4 rotation = halfway.rotation.value;
+            positions += halfway.position * duration;
             rotations += (math.dot(rotations, rotation) < 0f ? -rotation : rotation) * duration;
             time += duration;
             pose = next;

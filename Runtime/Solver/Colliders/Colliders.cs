@@ -99,7 +99,7 @@ namespace Rill
         /// <summary>uint [1], what they take of the domain's volume; see OpenFraction.hlsl.</summary>
         public GraphicsBuffer ColliderVolume => colliderVolume;
 
-        /// <summary>What the fluid does to them; null where none wants to know.</summary>
+        /// <summary>Forces and contacts of the fluid on them; null if none asks for them.</summary>
         public ColliderReactions Reactions => reactions;
 
         /// <summary>Whether a collider came, went, changed or moves: what rests has to wake.</summary>
@@ -110,7 +110,7 @@ namespace Rill
             return changed || set.Moves;
         }
 
-        /// <summary>What rests came to rest beside these: they are no change. Nor are they for what was summed.</summary>
+        /// <summary>Takes over colliders without a change: sleeping water came to rest beside them, and what was summed is theirs.</summary>
         public void Adopt(ColliderSet set) => (seenVersion, seenOrder) = (set.Version, set.Order);
 
         /// <summary>Whether what was summed is of these colliders.</summary>

@@ -8,14 +8,14 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>Where a field lies in the atlas, in fractions of it.</summary>
+    /// <summary>Position of a field in the atlas, in fractions of the atlas.</summary>
     struct FieldBrick
     {
-        /// <summary>Of the middle of the field.</summary>
+        /// <summary>Center of the field.</summary>
         public float3 Center;
-        /// <summary>Of a voxel.</summary>
+        /// <summary>Size of a voxel.</summary>
         public float3 VoxelFraction;
-        /// <summary>Along z, to the field of where the frame's steps start; 0 where it does not deform in them.</summary>
+        /// <summary>Offset along z to the field from which the frame's steps start; 0 where it does not deform in them.</summary>
         public float Before;
     }
 

@@ -7,7 +7,7 @@ namespace Rill
     [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     readonly struct RelativeMotion
     {
-        /// <summary>Of its middle, m.</summary>
+        /// <summary>Position of its center, m.</summary>
         public readonly Vector3 Position;
         public readonly Quaternion Rotation;
         /// <summary>Against the water around it, m/s; see <see cref="SlipVelocity"/>.</summary>

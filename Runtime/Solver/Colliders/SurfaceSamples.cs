@@ -65,7 +65,7 @@ namespace Rill
             }
         }
 
-        // Of a capsule both ends, each half of a ball.
+        // Appends both ends of a capsule, each half of a ball.
         static void AppendBall(List<SurfaceSample> to, float radius, float halfStraight, float spacing)
         {
             float whole = 4f * math.PI * radius * radius;

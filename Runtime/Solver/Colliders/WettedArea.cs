@@ -10,9 +10,9 @@ namespace Rill
         /// <summary>Length of the mean normal from which it is a direction: below it the water is all around.</summary>
         public const double MinFacing = 0.05;
 
-        /// <summary>m²; 0 where nothing is wet, or nobody asks.</summary>
+        /// <summary>Wet area, m²; 0 if nothing is wet, or it is not measured.</summary>
         public readonly float Area;
-        /// <summary>Its center, m.</summary>
+        /// <summary>Center of the wet area, m.</summary>
         public readonly Vector3 Point;
         /// <summary>Mean of its normals, into the water, length 1; 0 where the water is all around.</summary>
         public readonly Vector3 Normal;
