@@ -56,7 +56,7 @@ namespace Rill
         readonly GraphicsBuffer arguments, cells, potentials, spawnCounts, groupCounts, sums;
         GraphicsBuffer particles, moved;
 
-        /// <param name="budget">Most particles.</param>
+        /// <param name="budget">Maximum number of particles.</param>
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
         /// <exception cref="ArgumentOutOfRangeException">More than the device can bind.</exception>
         public Foam(SolverLayout layout, int budget, ReadbackErrors errors = null)
@@ -110,7 +110,7 @@ namespace Rill
         /// <summary>FoamParticle [<see cref="Budget"/>], see Foam.hlsl: those that are there come first.</summary>
         public GraphicsBuffer Particles => particles;
 
-        /// <summary>Of a draw of the particles and a dispatch over them, see <see cref="GpuBuffer.Arguments"/>.</summary>
+        /// <summary>Arguments of a draw of the particles and a dispatch over them, see <see cref="GpuBuffer.Arguments"/>.</summary>
         public GraphicsBuffer Arguments => arguments;
 
         /// <summary>uint [<see cref="CounterCount"/>], by <see cref="FoamCounter"/>.</summary>

@@ -7,19 +7,19 @@ namespace Rill
     /// and s.</summary>
     readonly struct FoamScales
     {
-        /// <summary>Of the scene's speed: slower water makes no foam, faster than the second makes all that it can.</summary>
+        /// <summary>Fractions of the scene's speed: slower water makes no foam, water faster than the second makes all that it can.</summary>
         public const double MinSpeed = 0.25, MaxSpeed = 0.5;
-        /// <summary>Of the scene's speed over its depth: water that is sheared and pressed together more slowly traps no air, faster than
-        /// twice that all that it can.</summary>
+        /// <summary>Fraction of the scene's speed over its depth: water that is sheared and pressed together more slowly traps no air, faster
+        /// than twice that all that it can.</summary>
         public const double MinStrain = 2.0;
-        /// <summary>The same over the length of a substep: what passes of the solver leave in nine of ten particles of water that flows as
-        /// one. Taken out of what is measured, in squares.</summary>
+        /// <summary>Strain times the length of a substep that the solver's passes leave in nine of ten particles of water that flows as one.
+        /// Its square is subtracted from what is measured.</summary>
         public const double SolverStrain = 0.025;
         /// <summary>Mean of 1 - cosine between normals from which a bend is a crest, and from which it is all of one.</summary>
         public const double MinBend = 0.1, MaxBend = 0.5;
         /// <summary>Foam particles along the scene's depth that broken water, and crests, make while a wave goes as far.</summary>
         public const double TrappedAir = 50.0, Crest = 50.0;
-        /// <summary>Of the scene's speed, with which bubbles rise.</summary>
+        /// <summary>Fraction of the scene's speed with which bubbles rise.</summary>
         public const double Rise = 0.1;
 
         /// <summary>d/s and d.</summary>

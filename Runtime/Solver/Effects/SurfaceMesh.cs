@@ -63,7 +63,7 @@ namespace Rill
         PrefixSum sumCounts;
         RenderTexture field;
         readonly SurfaceWorkspace workspace;
-        GraphicsBuffer marks, marksBefore, meshTop, brickPlaces, cellMasks, brickCounts, countsBefore, meshVertices, meshIndices, arguments,
+        GraphicsBuffer marks, marksBefore, meshTop, brickSlots, cellMasks, brickCounts, countsBefore, meshVertices, meshIndices, arguments,
             counters;
 
         /// <param name="layout">Of the solver.</param>
@@ -145,7 +145,7 @@ namespace Rill
         /// <summary>uint for each brick of the box: 0 air, 1 water, n + 2 for the brick with number n.</summary>
         public GraphicsBuffer Top => meshTop;
 
-        /// <summary>Why there is no mesh on this device; null where there is.</summary>
+        /// <summary>Returns why this device cannot make the mesh; null if it can.</summary>
         public static string DeviceProblem => GpuTexture.WhyNot(RenderTextureFormat.RHalf, true);
 
         /// <summary>Half, 5 x 5 x 5 texels for each brick, see MeshField.hlsl: the distance of a node from the surface, d, positive in water, -2 to
@@ -162,14 +162,14 @@ namespace Rill
             if (bricks > BrickCapacity)
             {
                 sumCounts?.Dispose();
-                Buffers.Release(ref brickPlaces);
+                Buffers.Release(ref brickSlots);
                 EngineObject.Release(ref field);
                 Buffers.Release(ref cellMasks);
                 Buffers.Release(ref brickCounts);
                 Buffers.Release(ref countsBefore);
                 workspace.Reserve((long)SumBytes * BrickNodes * bricks);
                 sumCounts = new PrefixSum(StageShader.LoadCompute("PrefixSum"), 2 * bricks + 1);
-                brickPlaces = Buffers.Structured<uint>("Rill.Mesh.BrickPlaces", bricks);
+                brickSlots = Buffers.Structured<uint>("Rill.Mesh.BrickPlaces", bricks);
                 field = MakeField(bricks);
                 cellMasks = Buffers.Structured<uint>("Rill.Mesh.CellMasks", 2L * bricks);
                 brickCounts = Buffers.Structured<uint>("Rill.Mesh.BrickCounts", 2L * bricks + 1);
@@ -322,11 +322,11 @@ namespace Rill
                 RecordContacts(step);
             sumMarks.Record(cmd, marks, marksBefore, top + 1);
 
-            int place = placeBricks.For(withColliders);
-            BindColliders(step, place);
-            cmd.SetComputeBufferParam(shader, place, ParticleIds.CellStarts, step.Search.CellStarts);
-            Buffers.Bind(cmd, shader, place);
-            ThreadGroups.Dispatch(cmd, shader, place, ((long)top + ParticleBuffers.Group - 1) / ParticleBuffers.Group);
+            int kernel = placeBricks.For(withColliders);
+            BindColliders(step, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStarts);
+            Buffers.Bind(cmd, shader, kernel);
+            ThreadGroups.Dispatch(cmd, shader, kernel, ((long)top + ParticleBuffers.Group - 1) / ParticleBuffers.Group);
 
             Buffers.Bind(cmd, shader, storeBricks);
             cmd.DispatchCompute(shader, storeBricks, 1, 1, 1);

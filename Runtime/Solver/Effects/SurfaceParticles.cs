@@ -8,7 +8,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What has to be drawn of the water, as ellipsoids, found once a frame for all cameras. Made when first needed.</summary>
+    /// <summary>Ellipsoids that have to be drawn of the water, found once a frame for all cameras. Made when first needed.</summary>
     sealed class SurfaceParticles : Stage
     {
         /// <summary>An element of <see cref="Particles"/>; SurfaceParticle.hlsl says what the words are.</summary>

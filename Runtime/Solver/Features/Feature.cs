@@ -18,7 +18,7 @@ namespace Rill
         /// <summary>Name in messages, as in "goes on without vorticity confinement".</summary>
         public readonly string Name;
 
-        /// <summary>What a user can do where the device does not hold it, as in "set vorticity to 0"; null where no device is
+        /// <summary>Remedy for a device that does not hold it, as in "set vorticity to 0"; null if no device is
         /// asked about it.</summary>
         public readonly string Remedy;
 
@@ -54,7 +54,7 @@ namespace Rill
             this.make = make;
         }
 
-        /// <summary>Place in <see cref="Features.All"/>.</summary>
+        /// <summary>Index in <see cref="Features.All"/>.</summary>
         public int Index { get; internal set; }
 
         public bool IsAsked(PbfSolver solver, in StepInput step) => asked != null && asked(solver, step);

@@ -22,10 +22,10 @@ namespace Rill
         /// <param name="owner">Whose features they are, for messages; null for none.</param>
         public FeatureGate(UnityEngine.Object owner = null) => this.owner = owner;
 
-        /// <summary>Of the features last decided on, those that the device is too small for.</summary>
+        /// <summary>Features of the last decision that the device is too small for.</summary>
         public FeatureSet Refused { get; private set; }
 
-        /// <summary>The same one by one, and why.</summary>
+        /// <summary>Each of the refused features, and why.</summary>
         public IReadOnlyList<(Feature feature, string problem)> Refusals => refusals;
 
         /// <summary>Why it goes on without a feature that has no shaders here; null where all that was looked for is loaded.</summary>

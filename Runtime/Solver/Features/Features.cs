@@ -129,11 +129,11 @@ namespace Rill
 
         public static readonly Feature SurfaceMesh = new Feature("the water's surface", stages: new[] { "SurfaceMesh" }, kernels: NoKernels);
 
-        /// <summary>What draws that mesh as water.</summary>
+        /// <summary>Draws that mesh as water.</summary>
         public static readonly Feature Surface = new Feature("the water's surface", kernels: NoKernels,
             stages: new[] { "Water", "WaterInside", "WaterDrops", "WaterRays", "WaterShadow", "WaterSpray", "SurfaceMotion", "ShadowCopy" });
 
-        /// <summary>What hands that mesh to renderers.</summary>
+        /// <summary>Hands that mesh to renderers.</summary>
         public static readonly Feature RenderedMesh = new Feature("the water's surface", stages: new[] { "RenderedMesh" }, kernels: NoKernels);
 
         public static readonly Feature Wetness = new Feature("wet surfaces", "disable its FluidWetness", stages: new[] { "Wetness" });

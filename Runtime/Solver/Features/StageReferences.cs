@@ -12,7 +12,7 @@ namespace Rill
         [NonSerialized] StageShader[] held;
         FeatureSet followed;
 
-        /// <summary>What is stored; an element is null where its asset is gone.</summary>
+        /// <summary>Stored assets; an element is null where its asset is gone.</summary>
         public StageShader[] Stages => stages;
 
         /// <summary>Makes the stages findable until <see cref="Release()"/>; twice in a row is safe.</summary>
@@ -34,7 +34,7 @@ namespace Rill
             held = null;
         }
 
-        /// <summary>Of changed settings: <see cref="Update"/> where other features are wanted than at the last call.</summary>
+        /// <summary>Follows changed settings: calls <see cref="Update"/> if other features are wanted than at the last call.</summary>
         public void Follow(FeatureSet wanted)
         {
             if (wanted == followed)

@@ -3,7 +3,7 @@ using System;
 namespace Rill
 {
     /// <summary>
-    /// What the SPH kernels (Müller et al. 2003: poly6 eq. 20, spiky eq. 21) sum to on a cubic lattice of the particle
+    /// Sums of the SPH kernels (Müller et al. 2003: poly6 eq. 20, spiky eq. 21) on a cubic lattice of the particle
     /// spacing: the rest state from which every solver constant is derived, so that none is typed in.
     /// </summary>
     /// <remarks>Lengths in particle spacings d; the support radius h is 2 d. Evaluated once, in double precision.</remarks>
@@ -55,19 +55,19 @@ namespace Rill
         /// the lattice are together held by ν times the shear; 1/d² of Δt ν.</summary>
         public static readonly double ViscosityWallHold = 1.0 / (ViscosityWallShape(0.5) + ViscosityWallShape(1.5));
 
-        /// <summary>By which it is the part of Σ w r⁴ that a lattice particle half a spacing from a wall misses.</summary>
+        /// <summary>Factor that turns it into the part of Σ w r⁴ that a lattice particle half a spacing from a wall misses.</summary>
         public static readonly double ViscosityWallMoment = MissingBehindWall((y, r) => ViscosityWeight(r) * r * r * r * r) / ViscosityWallShape(0.5);
 
-        /// <summary>And of Σ w r².</summary>
+        /// <summary>Factor that turns it into the missing part of Σ w r².</summary>
         public static readonly double ViscosityWallSquares = MissingBehindWall((y, r) => ViscosityWeight(r) * r * r) / ViscosityWallShape(0.5);
 
-        /// <summary>And of |Σ w r² x|.</summary>
+        /// <summary>Factor that turns it into the missing part of |Σ w r² x|.</summary>
         public static readonly double ViscosityWallLean = MissingBehindWall((y, r) => -ViscosityWeight(r) * r * r * y) / ViscosityWallShape(0.5);
 
         /// <summary>
-        /// What a free surface adds to Σ w r⁴ of a particle, over |Σ w r² x|² / Σ w r² above that of disorder: as much as gives the
-        /// outermost layer of the lattice the
-        /// Σ w x²z² of flow along the surface that it has inside, half of the lattice's own and half of its plane's.
+        /// Amount that a free surface adds to Σ w r⁴ of a particle, over |Σ w r² x|² / Σ w r² above that of disorder. It gives
+        /// the outermost layer of the lattice the Σ w x²z² of flow along the surface that it has inside, half of the lattice's own
+        /// and half of its plane's.
         /// </summary>
         public static readonly double ViscositySurface = SurfaceMoment();
 
@@ -110,7 +110,7 @@ namespace Rill
             return 0.5 - 315.0 / 256.0 * x * (1.0 + y * (-4.0 / 3.0 + y * (6.0 / 5.0 + y * (-4.0 / 7.0 + y / 9.0))));
         }
 
-        // What the layers below a lattice particle contribute.
+        // Returns what the layers below a lattice particle contribute.
         static double MissingBehindWall(Func<double, double, double> value)
         {
             double missing = 0.0;

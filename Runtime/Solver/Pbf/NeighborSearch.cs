@@ -12,7 +12,7 @@ namespace Rill
     {
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
-        /// <summary>What other stages take through the sort, who list them among their kernels.</summary>
+        /// <summary>Kernels that carry data of other stages through the sort; those stages list them among their own.</summary>
         public readonly Kernel GatherTags, GatherPreviousIndices, GatherMeans;
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
@@ -59,7 +59,8 @@ namespace Rill
 
         /// <summary>uint [cells + 1], the same for <see cref="CellOrder"/> after the newest <see cref="RecordOrderAtRest"/>. A buffer of its own:
         /// what asks between steps still finds the particles in the rows where the sort put them.</summary>
-        public GraphicsBuffer CellStartsAtRest => cellStartsAtRest ??= Buffers.Structured<uint>("Rill.CellStartsAtRest", cells + 1, BufferSet.Unbound);
+        public GraphicsBuffer CellStartsAtRest => cellStartsAtRest
+            ??= Buffers.Structured<uint>("Rill.CellStartsAtRest", cells + 1, BufferSet.Unbound);
 
         /// <summary>uint2 [capacity], by cell: index of the particle and its id.</summary>
         public GraphicsBuffer CellOrder { get; }

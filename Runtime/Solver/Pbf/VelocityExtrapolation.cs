@@ -57,7 +57,7 @@ namespace Rill
 
         public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Means, means, StateExtent.Moved));
 
-        /// <summary>What the next step depends on besides buffers.</summary>
+        /// <summary>State besides buffers that the next step depends on.</summary>
         public ExtrapolationRecord Record
         {
             get => new ExtrapolationRecord { lastTimeStep = lastTimeStep, lastWeight = lastWeight };

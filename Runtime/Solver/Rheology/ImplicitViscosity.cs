@@ -16,7 +16,7 @@ namespace Rill
         /// <summary>Passes at most, however viscous the fluid.</summary>
         public const int MaxPasses = 96;
 
-        /// <summary>What the passes leave of the first error where they are fewer than <see cref="MaxPasses"/>.</summary>
+        /// <summary>Fraction of the first error that the passes leave if they are fewer than <see cref="MaxPasses"/>.</summary>
         public const double Tolerance = 0.004;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.ImplicitViscosity");
@@ -151,8 +151,8 @@ namespace Rill
             return description;
         }
 
-        // Of the lattice's Σ w r⁴: with fewer neighbors than that a particle resists less. And how much more than the lattice crowded
-        // particles may resist: half as much for the reach that is left of Σ w r⁴ / Σ w r².
+        // Fractions of the lattice's Σ w r⁴, below which a particle with few neighbors resists less, and of its reach Σ w r⁴ / Σ w r²,
+        // which limits how much more than the lattice crowded particles resist.
         const double MinFill = 0.25, MinReach = 0.5;
 
         void Bind(in StepContext step, int kernel)

@@ -18,7 +18,7 @@ namespace Rill
         /// <summary>of the stiffness times what its particle's neighborhood multiplies it by: as much as a substep can follow</summary>
         [GenerateHlsl("Viscoelasticity")] const double StableStiffness = 0.5;
 
-        /// <summary>The same over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
+        /// <summary>Maximum of G Δt² / (ρ d²): the stable stiffness over what a particle of the lattice multiplies it by.</summary>
         public static readonly double MaxStiffness = StableStiffness / (Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Viscoelasticity");
@@ -58,7 +58,8 @@ namespace Rill
         /// <summary>uint [capacity], where each particle was before the sort; NeighborSearch writes it.</summary>
         public GraphicsBuffer PreviousIndices => previousIndices;
 
-        public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Conformation, conformation, StateExtent.Moved));
+        public override void ListState(List<StateBuffer> state)
+            => state.Add(new StateBuffer(SnapshotSection.Conformation, conformation, StateExtent.Moved));
 
         public override bool Survives(ParticleChange change) => change == ParticleChange.Shifted;
 
