@@ -12,7 +12,7 @@ namespace Rill
         Capsule,
         /// <summary>All below an endless plane; y points out of it.</summary>
         Plane,
-        /// <summary>What a signed distance field describes.</summary>
+        /// <summary>A mesh, described by a signed distance field.</summary>
         Mesh,
         /// <summary>All below the heights of a <see cref="Rill.HeightField"/>: the ground.</summary>
         HeightField,

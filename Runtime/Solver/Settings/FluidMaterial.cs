@@ -4,7 +4,7 @@ using UnityEngine.Serialization;
 
 namespace Rill
 {
-    /// <summary>What the fluid is: SI units, or relative where a unit would make the value depend on the spacing.</summary>
+    /// <summary>Material of a fluid, in SI units, or relative where a unit would make the value depend on the spacing.</summary>
     [Serializable]
     public partial struct FluidMaterial
     {

@@ -15,7 +15,7 @@ namespace Rill
 
         internal const int BlockSize = QuantityCount + 2 + ParticleBuffers.CounterCount;
 
-        /// <summary>What is measured: sums, then maxima.</summary>
+        /// <summary>Measured quantities: sums, then maxima.</summary>
         [GenerateHlsl("Statistics")]
         enum Quantity
         {
@@ -87,7 +87,7 @@ namespace Rill
 
         /// <summary>C+: mean of max(0, ρ/ρ0 − 1), boundary density included.</summary>
         public float densityError;
-        /// <summary>What one particle in a thousand exceeds of max(0, ρ/ρ0 − 1).</summary>
+        /// <summary>Value of max(0, ρ/ρ0 − 1) that one particle in a thousand exceeds.</summary>
         public float densityError999;
         /// <summary>Largest max(0, ρ/ρ0 − 1).</summary>
         public float densityErrorMax;

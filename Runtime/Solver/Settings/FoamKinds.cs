@@ -2,7 +2,7 @@ using System;
 
 namespace Rill
 {
-    /// <summary>What foam there is; a bit each.</summary>
+    /// <summary>Kinds of foam, one bit each.</summary>
     [Flags]
     public enum FoamKinds
     {

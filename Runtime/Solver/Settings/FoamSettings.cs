@@ -42,8 +42,8 @@ namespace Rill
             "pace. 0: as far as the fluid that was put in reaches along gravity. 0 to 10,000.")]
         [Min(0f)] public float referenceDepth;
 
-        /// <summary>What there is. Without spray what leaves the water is gone, without bubbles what sinks is.</summary>
-        [Tooltip("What there is. Without spray what leaves the water is gone, without bubbles what sinks is.")]
+        /// <summary>Kinds to simulate. Particles of a disabled kind are removed: spray as it leaves the water, bubbles as they sink.</summary>
+        [Tooltip("Kinds to simulate. Particles of a disabled kind are removed: spray as it leaves the water, bubbles as they sink.")]
         public FoamKinds kinds;
 
         /// <summary>100,000 particles that float 4 seconds.</summary>

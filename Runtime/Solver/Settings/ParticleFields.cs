@@ -2,7 +2,7 @@ using System;
 
 namespace Rill
 {
-    /// <summary>What of each particle a readback brings.</summary>
+    /// <summary>Fields of each particle that a readback brings.</summary>
     [Flags]
     public enum ParticleFields
     {

@@ -3,11 +3,11 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What the solver spends on a step. Every value means the same at any particle spacing.</summary>
+    /// <summary>Effort of the solver in a step. Every value means the same at any particle spacing.</summary>
     [Serializable]
     public struct SolverSettings
     {
-        /// <summary>Where over-relaxation ends in theory.</summary>
+        /// <summary>Upper limit of over-relaxation in theory.</summary>
         const float RelaxationLimit = 2f;
 
         /// <summary>Less than that lets the coarse grid press particles together faster than the passes part them; see
@@ -16,17 +16,17 @@ namespace Rill
 
         internal const int MaxSubsteps = 16;
 
-        /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the
-        /// coarse grid.</summary>
+        /// <summary>Maximum of |g| Δt² in a substep, d: beyond it neither the passes nor the coarse grid make up for what gravity presses
+        /// together.</summary>
         const float MaxGravityStep = 0.6f;
 
-        /// <summary>What is left of it once more substeps are taken: as far as the coarse grid does with cells that shallow water fills
+        /// <summary>Maximum of |g| Δt² once more substeps are taken, d: as far as the coarse grid copes with cells that shallow water fills
         /// too.</summary>
         const float EasyGravityStep = 0.3f;
 
-        /// <summary>Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than a few layers of
+        /// <summary>Also solves for the pressure of deep water on a coarse grid. Without it water more than a few layers of
         /// particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.</summary>
-        [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than a few layers of " +
+        [Tooltip("Also solves for the pressure of deep water on a coarse grid. Without it water more than a few layers of " +
             "particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.")]
         public DeepWater deepWater;
 
