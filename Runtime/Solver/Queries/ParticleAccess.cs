@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What passes and readbacks of a project need of the particles. Made when first needed.</summary>
+    /// <summary>Buffers and kernels that passes and readbacks of a project need of the particles. Made when first needed.</summary>
     sealed class ParticleAccess : Stage
     {
         /// <summary>threads of a kernel over the particles</summary>

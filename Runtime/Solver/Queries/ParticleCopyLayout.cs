@@ -1,7 +1,7 @@
 namespace Rill
 {
-    /// <summary>Where the fields of a copy of the particles begin in it, words; <see cref="ParticleAccess.NotCopied"/>, as an int, for one
-    /// that is not in it.</summary>
+    /// <summary>First word of each field in a copy of the particles; <see cref="ParticleAccess.NotCopied"/>, as an int, for a field that
+    /// is not in it.</summary>
     readonly struct ParticleCopyLayout
     {
         /// <summary>First word of a field that is not copied.</summary>
@@ -9,7 +9,7 @@ namespace Rill
 
         public readonly int PositionsAt, VelocitiesAt, IdsAt, PhasesAt;
 
-        /// <summary>Of the whole copy.</summary>
+        /// <summary>Number of words of the whole copy.</summary>
         public readonly long Words;
 
         /// <param name="capacity">Particles that each field holds.</param>

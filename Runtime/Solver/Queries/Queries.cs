@@ -9,7 +9,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What a detector has the shape of.</summary>
+    /// <summary>Shape of a detector.</summary>
     [GenerateHlsl("Queries")]
     public enum DetectorShape
     {
@@ -67,7 +67,7 @@ namespace Rill
         Flags = SurfaceVelocity + 3,
     }
 
-    /// <summary>What a probe's result has.</summary>
+    /// <summary>Flags of a probe's result.</summary>
     [Flags, GenerateHlsl("Queries")]
     enum ProbeFlag
     {
@@ -77,14 +77,14 @@ namespace Rill
         HasSurface = 2,
     }
 
-    /// <summary>What is asked of a state; lengths in d, in the domain's frame.</summary>
+    /// <summary>Queries of one state; lengths in d, in the domain's frame.</summary>
     sealed class QueryInput
     {
         /// <summary>xyz within the domain.</summary>
         public readonly float4[] points = new float4[Queries.MaxProbes];
         /// <summary>Those that are meshes come last.</summary>
         public readonly DetectorRegion[] detectors = new DetectorRegion[Queries.MaxDetectors];
-        /// <summary>Of the detectors that are meshes.</summary>
+        /// <summary>Signed distance fields of the detectors that are meshes.</summary>
         public readonly Texture3D[] fields = new Texture3D[Queries.MaxDetectors];
         public int pointCount, detectorCount, meshCount;
         /// <summary>Against gravity, length 1; 0 without gravity.</summary>
@@ -188,7 +188,7 @@ namespace Rill
             return true;
         }
 
-        /// <summary>What has come to a slot: from <see cref="ProbeWords"/> times its number on, the words of each probe.</summary>
+        /// <summary>Returns the results of a slot: from <see cref="ProbeWords"/> times its number on, the words of each probe.</summary>
         public NativeArray<uint> Latest(int slot) => ring.Latest(slot);
 
         /// <summary>A sum of a detector's result: 0 to 2 velocity times volume in particles, d/s; from 3 on the volume of each phase, in

@@ -11,7 +11,7 @@ namespace Rill
     /// <summary>The buffers of a batch of questions, of its own size: one upload, the kernels, one readback. It never waits.</summary>
     sealed class QueryBatch : IDisposable
     {
-        /// <summary>As many requests as may be pending, and the newest answer, which is read meanwhile.</summary>
+        /// <summary>Number of requests that may be pending, and 1 for the newest answer, which is read meanwhile.</summary>
         public const int RingSize = Queries.RingSize + 1;
 
         /// <summary>Around the answers to all batches of a frame.</summary>
@@ -132,7 +132,7 @@ namespace Rill
         /// <summary>Lists the slots whose answers are pending, in the order of the requests.</summary>
         public void ListPending(List<int> pending) => ring.ListPending(pending);
 
-        /// <summary>What a slot's answers are written into.</summary>
+        /// <summary>Returns the buffer that a slot's answers are written into.</summary>
         public GraphicsBuffer Results(int slot) => ring.Buffer(slot);
 
         /// <summary>Waits for the answers that are pending, and for nothing else.</summary>
@@ -199,7 +199,7 @@ namespace Rill
         }
     }
 
-    /// <summary>What a batch asks of a state; lengths in d, in the domain's frame.</summary>
+    /// <summary>Queries of a batch for one state; lengths in d, in the domain's frame.</summary>
     struct BatchInput
     {
         /// <summary>xyz within the domain.</summary>

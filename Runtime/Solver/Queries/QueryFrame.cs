@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Of which state the results of a frame are.</summary>
+    /// <summary>State of the fluid to which the results of a frame belong.</summary>
     [StructLayout(LayoutKind.Sequential, Pack = 4)]      // as it stands in snapshots
     struct QueryFrame
     {

@@ -56,7 +56,7 @@ namespace Rill
         Flags,
     }
 
-    /// <summary>What a ray's result has.</summary>
+    /// <summary>Flags of a ray's result.</summary>
     [Flags, GenerateHlsl("Queries", Prefix = "Ray")]
     enum RayFlag
     {

@@ -80,7 +80,7 @@ namespace Rill
             state.Add(new StateBuffer(SnapshotSection.QuietSteps, quietSteps, StateExtent.All));
         }
 
-        /// <summary>What the next step depends on besides buffers.</summary>
+        /// <summary>Returns the state besides buffers that the next step depends on.</summary>
         public RestRecord Save()
         {
             RestRecord record = restored ?? new RestRecord

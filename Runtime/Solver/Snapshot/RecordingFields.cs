@@ -2,7 +2,7 @@ using System;
 
 namespace Rill
 {
-    /// <summary>What a recording keeps of each particle besides its position.</summary>
+    /// <summary>Fields of each particle that a recording holds besides its position.</summary>
     [Flags]
     public enum RecordingFields
     {

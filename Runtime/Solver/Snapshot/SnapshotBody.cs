@@ -17,10 +17,10 @@ namespace Rill
         public SnapshotWater water;
     }
 
-    /// <summary>What a fluid was asked of the water around a body.</summary>
+    /// <summary>Queries and answers about the water around a body.</summary>
     sealed class SnapshotWater
     {
-        /// <summary>Without need, s.</summary>
+        /// <summary>Time for which no answer was needed, s.</summary>
         public float unneeded;
         /// <summary>World space, m.</summary>
         public readonly List<float3> points = new List<float3>();
@@ -34,7 +34,7 @@ namespace Rill
         public QueryFrame frame;
         /// <summary>How far the fluid was teleported since, m.</summary>
         public Vector3 shiftSince;
-        /// <summary>Of the game, after the snapshot, in which it came; 0 where it had come.</summary>
+        /// <summary>Number of frames after the snapshot in which it came; 0 if it had come before.</summary>
         public int frames;
         /// <summary>World space, m; w 1 outside the box.</summary>
         public float4[] points;
@@ -46,7 +46,7 @@ namespace Rill
     struct BodyRecord
     {
         public PoseRecord pose;
-        /// <summary>Of its object, which a body that interpolates stays behind.</summary>
+        /// <summary>Pose of its object, which lags a body that interpolates.</summary>
         public PoseRecord shown;
         public Vector3 velocity, angularVelocity, force, torque;
         /// <summary>Flags: <see cref="Sleeps"/> and so on.</summary>
@@ -62,7 +62,7 @@ namespace Rill
         public bool Has(uint flag) => (flags & flag) != 0;
     }
 
-    /// <summary>What a <see cref="FloatingResponse"/> keeps from step to step.</summary>
+    /// <summary>State of a <see cref="FloatingResponse"/> from step to step.</summary>
     [StructLayout(LayoutKind.Sequential, Pack = 4)]
     struct ResponseRecord
     {

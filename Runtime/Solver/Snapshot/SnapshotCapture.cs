@@ -18,7 +18,7 @@ namespace Rill
         int coming;
         bool failed;
 
-        /// <param name="contents">With all that is no buffer; its <see cref="SolverRecord"/> gets the numbers of particles.</param>
+        /// <param name="contents">Holds all that is not a buffer; its <see cref="SolverRecord"/> gets the numbers of particles.</param>
         public SnapshotCapture(SolverLayout layout, SnapshotContents contents)
         {
             this.layout = layout;
@@ -30,7 +30,7 @@ namespace Rill
             public StateBuffer state;
             public int bytes;
             public bool isList;
-            public Action<byte[]> arrived;      // takes what is no section of its own
+            public Action<byte[]> arrived;      // takes data without a section of its own
             public byte[] data = Array.Empty<byte>();
             public AsyncGPUReadbackRequest request;
         }

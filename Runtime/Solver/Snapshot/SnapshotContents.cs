@@ -19,7 +19,7 @@ namespace Rill
 
         public bool Has(SnapshotSection section) => sections.ContainsKey(section);
 
-        /// <summary>Empty where there is no such section.</summary>
+        /// <summary>Returns the bytes of a section; empty if it is missing.</summary>
         public byte[] Bytes(SnapshotSection section) => sections.TryGetValue(section, out byte[] bytes) ? bytes : Array.Empty<byte>();
 
         public void Set(SnapshotSection section, byte[] bytes) => sections[section] = bytes;
@@ -38,13 +38,13 @@ namespace Rill
             Set(section, bytes);
         }
 
-        /// <summary>The values of a section; none where there is no such section.</summary>
+        /// <summary>Returns the values of a section; none if it is missing.</summary>
         public ReadOnlySpan<T> Values<T>(SnapshotSection section) where T : struct => MemoryMarshal.Cast<byte, T>(Bytes(section));
 
         public void SetValues<T>(SnapshotSection section, ReadOnlySpan<T> values) where T : struct
             => Set(section, MemoryMarshal.AsBytes(values).ToArray());
 
-        /// <summary>The same fluid at the start of its time: counts begin again with the particles that are there, and nothing is known of
+        /// <summary>Returns the fluid as at the start of its time: counts begin again with the present particles, and nothing is known of
         /// emitters, drains and colliders.</summary>
         public SnapshotContents Fluid()
         {

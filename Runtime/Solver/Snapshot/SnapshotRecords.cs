@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    // What a snapshot holds besides buffers, as it lies in its bytes: little endian, without gaps. A change of any is a new version.
+    // Contents of a snapshot besides buffers, as they lie in its bytes: little endian, without gaps. A change of any is a new version.
 
     /// <summary>The solver's own numbers. Lengths in d.</summary>
     [StructLayout(LayoutKind.Sequential, Pack = 4)]
@@ -14,7 +14,7 @@ namespace Rill
         public float spacing;
         public float3 domainSize;
         public uint particles;
-        /// <summary>Of those, the first that took part in the last step.</summary>
+        /// <summary>Number of those that took part in the last step: the first.</summary>
         public uint moved;
         /// <summary>Particles at most, as far as is known without asking the GPU.</summary>
         public uint maxParticles;
@@ -73,7 +73,7 @@ namespace Rill
         /// <summary>s.</summary>
         public double fluidTime, lastFrameTime;
         public ClockRecord clock;
-        /// <summary>Where the box was as the snapshot was taken.</summary>
+        /// <summary>Pose of the box as the snapshot was taken.</summary>
         public PoseRecord box;
         public float3 lastPosition, lastVelocity;
         public float lastDuration;
@@ -81,7 +81,7 @@ namespace Rill
         public uint collidersJump;
     }
 
-    /// <summary>Of <see cref="RestingRegions"/>: under what the water came to rest.</summary>
+    /// <summary>State of <see cref="RestingRegions"/>: under what the water came to rest.</summary>
     [StructLayout(LayoutKind.Sequential, Pack = 4)]
     struct RestRecord
     {
@@ -110,7 +110,7 @@ namespace Rill
     struct PartRecord
     {
         public uint number;
-        /// <summary>As the snapshot was taken.</summary>
+        /// <summary>Pose as the snapshot was taken.</summary>
         public PoseRecord now;
         /// <summary>At the end of the last steps.</summary>
         public PoseRecord last;
@@ -147,7 +147,7 @@ namespace Rill
     {
         public int shape;
         public float3 size;
-        /// <summary>As the snapshot was taken.</summary>
+        /// <summary>Pose as the snapshot was taken.</summary>
         public PoseRecord now;
         /// <summary>At the end of the last steps, and at their frame.</summary>
         public PoseRecord end, seen;
@@ -155,18 +155,18 @@ namespace Rill
         public uint follows;
     }
 
-    /// <summary>What scripts and frames did since the last steps that is no state of the water.</summary>
+    /// <summary>Effects of scripts and frames since the last steps that are not a part of the water.</summary>
     [StructLayout(LayoutKind.Sequential, Pack = 4)]
     struct CallsRecord
     {
         /// <summary>s, see <see cref="FixedStepClock"/>.</summary>
         public double frameDropped;
         public int droppingFrames, sinceDrop;
-        /// <summary>Where the box was in the last steps, world space, m.</summary>
+        /// <summary>Pose of the box in the last steps, world space, m.</summary>
         public PoseRecord collected;
         /// <summary>Flags: <see cref="PositionIsKnown"/> and <see cref="IsTeleported"/>.</summary>
         public uint flags;
-        /// <summary>Since the counts of emitters and drains were last asked for.</summary>
+        /// <summary>Number of steps since the counts of emitters and drains were last requested.</summary>
         public int stepsSinceReadback;
 
         /// <summary>The box came from its last position.</summary>
@@ -175,18 +175,18 @@ namespace Rill
         public const uint IsTeleported = 2;
     }
 
-    /// <summary>Of <see cref="ColliderReactions"/> and what waits for them.</summary>
+    /// <summary>State of <see cref="ColliderReactions"/> and of what waits for them.</summary>
     [StructLayout(LayoutKind.Sequential, Pack = 4)]
     struct ReactionsRecord
     {
         /// <summary>Fluid time of the sums and of what was asked for, s.</summary>
         public float time, takenTime;
         public uint hasWettedAreas;
-        /// <summary>Of the game, after the snapshot, in which what was asked for came; -1 where nothing was.</summary>
+        /// <summary>Number of frames after the snapshot in which the requested sums came; -1 if none were requested.</summary>
         public int frames;
         /// <summary>N s of a displacement of one particle by d.</summary>
         public double takenImpulse;
-        /// <summary>Of the domain, world space.</summary>
+        /// <summary>Rotation of the domain, world space.</summary>
         public Quaternion takenRotation;
         /// <summary>How far the fluid was teleported since, m.</summary>
         public Vector3 shiftSince;

@@ -6,9 +6,9 @@ namespace Rill
     enum StateExtent
     {
         All,
-        /// <summary>Of the particles alive.</summary>
+        /// <summary>Elements of the particles alive.</summary>
         Particles,
-        /// <summary>Of those that took part in the last step: the first of those alive.</summary>
+        /// <summary>Elements of those that took part in the last step: the first of those alive.</summary>
         Moved,
     }
 

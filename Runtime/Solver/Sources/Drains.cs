@@ -37,7 +37,7 @@ namespace Rill
         public uint number;
     }
 
-    /// <summary>What is known of each drain on the GPU alone, words of _DrainStates.</summary>
+    /// <summary>State of each drain that only the GPU knows, words of _DrainStates.</summary>
     [GenerateHlsl("Drains", Prefix = "Drain")]
     enum DrainWord
     {
@@ -105,7 +105,8 @@ namespace Rill
             return true;
         }
 
-        public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.DrainStates, readback.Buffer, StateExtent.All));
+        public override void ListState(List<StateBuffer> state)
+            => state.Add(new StateBuffer(SnapshotSection.DrainStates, readback.Buffer, StateExtent.All));
 
         /// <summary>Drains whose numbers go to others: bit d for number d.</summary>
         public void Remove(uint drains) => gone |= drains;

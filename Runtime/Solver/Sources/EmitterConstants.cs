@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>What the kernels read of one emitter in a step; lengths in d, in the domain's frame.</summary>
+    /// <summary>Constants of one emitter in a step that the kernels read; lengths in d, in the domain's frame.</summary>
     [GenerateHlsl("Emitters", ConstantBuffer = "RillEmitter")]
     [StructLayout(LayoutKind.Sequential)]
     struct EmitterConstants

@@ -8,7 +8,7 @@ using static System.FormattableString;
 namespace Rill
 {
     /// <summary>
-    /// Where an emitter puts particles: the positions of a cross-section, which the flow fills again and again, or those of a
+    /// Positions at which an emitter puts particles: those of a cross-section, which the flow fills again and again, or those of a
     /// volume. Spacings, in the emitter's frame; made again when its shape changes.
     /// </summary>
     sealed class EmitterPositions
@@ -34,7 +34,7 @@ namespace Rill
         /// <summary>Position and direction of flow, xyz each, one after the other.</summary>
         public float4[] Data { get; }
         public int Count => Data.Length / 2;
-        /// <summary>Furthest place from the origin, d.</summary>
+        /// <summary>Furthest position from the origin, d.</summary>
         public float Radius { get; }
         /// <summary>Half of what the positions of a plane cross-section take, along x and y, d; y is 0 for a round one, whose radius x is. 0 for a
         /// volume and for a surface.</summary>
@@ -105,7 +105,7 @@ namespace Rill
             return math.all(math.isfinite(scale)) ? null : Invariant($"its scale {scale} is not finite. Set it to numbers.");
         }
 
-        // A spiral of even density, from the middle on (Vogel 1979): a low rate uses the inner ones.
+        // A spiral of even density, from the center on (Vogel 1979): a low rate uses the inner ones.
         static List<float3> Disc(float radius)
         {
             const float GoldenAngle = 2.39996323f;
@@ -121,7 +121,7 @@ namespace Rill
 
         static int2 CountsOf(float2 size) => math.max((int2)math.floor(size + 1e-3f), 1);
 
-        // A square lattice, from the middle on.
+        // A square lattice, from the center on.
         static List<float3> Rectangle(float2 size)
         {
             int2 counts = CountsOf(size);
@@ -132,11 +132,11 @@ namespace Rill
             positions.Sort((a, b) => Ring(a).CompareTo(Ring(b)));
             return positions;
 
-            // The fraction of the rectangle's size at which a place lies, and then its direction, so that no two are equal.
-            double Ring(float3 place)
+            // The fraction of the rectangle's size at which a position lies, and then its direction, so that no two are equal.
+            double Ring(float3 position)
             {
-                float2 fraction = math.abs(place.xy) / (float2)counts;
-                return math.round(math.max(fraction.x, fraction.y) * 1e6) + (math.atan2(place.y, place.x) + math.PI) * 0.1;
+                float2 fraction = math.abs(position.xy) / (float2)counts;
+                return math.round(math.max(fraction.x, fraction.y) * 1e6) + (math.atan2(position.y, position.x) + math.PI) * 0.1;
             }
         }
 
@@ -151,9 +151,9 @@ namespace Rill
                 for (int z = 0; z < counts.z; z++)
                     for (int x = 0; x < counts.x; x++)
                     {
-                        float3 place = new float3(x, y, z) - (float3)(counts - 1) * 0.5f;
-                        if (shape == EmitterShape.Box || math.length(place) <= math.max(radius - 0.5f, 0.87f))
-                            positions.Add(place);
+                        float3 position = new float3(x, y, z) - (float3)(counts - 1) * 0.5f;
+                        if (shape == EmitterShape.Box || math.length(position) <= math.max(radius - 0.5f, 0.87f))
+                            positions.Add(position);
                     }
             return positions;
         }
@@ -206,20 +206,20 @@ namespace Rill
                 float2 uv = random.NextFloat2();
                 if (uv.x + uv.y > 1f)
                     uv = 1f - uv;
-                float3 place = Vertex(t) + uv.x * (Vertex(t + 1) - Vertex(t)) + uv.y * (Vertex(t + 2) - Vertex(t));
-                int3 cell = (int3)math.floor(place / SurfaceClearance);
+                float3 position = Vertex(t) + uv.x * (Vertex(t + 1) - Vertex(t)) + uv.y * (Vertex(t + 2) - Vertex(t));
+                int3 cell = (int3)math.floor(position / SurfaceClearance);
                 for (int n = 0; n < 27; n++)
                 {
                     if (!taken.TryGetValue(cell + new int3(n % 3, n / 3 % 3, n / 9) - 1, out List<int> near))
                         continue;
                     foreach (int i in near)
-                        if (math.distancesq(positions[i], place) < SurfaceClearance * SurfaceClearance)
+                        if (math.distancesq(positions[i], position) < SurfaceClearance * SurfaceClearance)
                             return;
                 }
                 if (!taken.TryGetValue(cell, out List<int> own))
                     taken[cell] = own = new List<int>();
                 own.Add(positions.Count);
-                positions.Add(place);
+                positions.Add(position);
                 normals.Add(math.normalizesafe(Normal(t), new float3(0f, 0f, 1f)));
             }
         }

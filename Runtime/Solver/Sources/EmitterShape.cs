@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>Where an emitter puts particles.</summary>
+    /// <summary>Shape in which an emitter puts particles.</summary>
     public enum EmitterShape
     {
         /// <summary>The inside of a box, or its cross-section for a jet.</summary>

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What is known of each emitter on the GPU alone, and the numbers that come back from there without waiting.</summary>
+    /// <summary>State of each emitter that only the GPU knows, and the numbers that are read back without waiting.</summary>
     sealed class EmitterStates : IDisposable
     {
         /// <summary>words of an emitter in _EmitterStates</summary>
@@ -41,9 +41,9 @@ namespace Rill
             PressureSum,
             /// <summary>particles of that sum; 0 between</summary>
             PressureCount,
-            /// <summary>their mean error while the water gives way, in steps of 1 / PressureSteps; 0 while it presses nothing away</summary>
+            /// <summary>their mean error while the water yields, in steps of 1 / PressureSteps; 0 while it presses nothing away</summary>
             Pressure,
-            /// <summary>emissions in a row in which the water before it did not give way</summary>
+            /// <summary>emissions in a row in which the water before it did not yield</summary>
             Stalled,
             /// <summary>why none had room, see <see cref="ShutCause"/></summary>
             ShutBy,
@@ -59,7 +59,7 @@ namespace Rill
             Outside,
             /// <summary>the box holds as much as fits</summary>
             Full,
-            /// <summary>water lies there and does not give way</summary>
+            /// <summary>water lies there and does not yield</summary>
             Water,
         }
 

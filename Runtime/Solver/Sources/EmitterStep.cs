@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>What one emitter does in one step. Lengths in d, times in seconds, directions in the domain's frame.</summary>
+    /// <summary>Work of one emitter in one step. Lengths in d, times in seconds, directions in the domain's frame.</summary>
     struct EmitterStep
     {
         const float MinPressDepth = 2f;     // d
@@ -14,9 +14,9 @@ namespace Rill
         public RigidPose start, end;
         /// <summary>d/s, along each place's direction of flow.</summary>
         public float speed;
-        /// <summary>What particles take along of the emitter's own velocity, d/s, and of its angular velocity, rad/s.</summary>
+        /// <summary>Parts of the emitter's own velocity, d/s, and of its angular velocity, rad/s, that particles take along.</summary>
         public float3 velocity, spin;
-        /// <summary>Of the largest angle between a particle's velocity and its direction of flow.</summary>
+        /// <summary>Cosine of the largest angle between a particle's velocity and its direction of flow.</summary>
         public float cosSpread;
         /// <summary>Particles due in this step, and how many were before since the reset.</summary>
         public int due;
@@ -125,7 +125,7 @@ namespace Rill
         /// <summary>Lets particles take the emitter's own velocity along.</summary>
         /// <param name="fraction">0 to 1.</param>
         /// <param name="duration">Time in which it came from start to end, s, above 0; not that of the step where frames and steps differ.</param>
-        /// <param name="most">Most that a particle takes of each, d/s.</param>
+        /// <param name="most">Maximum that a particle takes of each, d/s.</param>
         public void Inherit(float fraction, float duration, float most)
         {
             float4 turn = math.mul(end.rotation, math.conjugate(start.rotation)).value;

@@ -155,7 +155,7 @@ namespace Rill
             cmd.DispatchCompute(shader, emit, 1, 1, 1);
         }
 
-        // What looks at the water before an outlet, or moves it.
+        // Records kernels that read or move the water before an outlet.
         void RecordBefore(in StepContext step, KernelVariants variants, int cells)
         {
             CommandBuffer cmd = step.Commands;
@@ -186,7 +186,7 @@ namespace Rill
             uploaded[number] = null;
         }
 
-        // What another put nearby in this step is not in the grid yet.
+        // Returns whether another emitter put particles nearby in this step, which are not in the grid yet.
         static bool SeesNew(StepSources sources, int index, float step)
         {
             ref EmitterStep emitter = ref sources.emitters[index];

@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What a force field does.</summary>
+    /// <summary>Effect of a force field.</summary>
     [GenerateHlsl("ForceFields")]
     public enum ForceFieldKind
     {

@@ -6,8 +6,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What scripts do to the particles between steps: removes those inside a shape, moves them against the box, and adds those of
-    /// a batch that have room. Made when first needed.</summary>
+    /// <summary>Edits of the particles by scripts between steps: removes those inside a shape, moves them against the box, and adds those
+    /// of a batch that have room. Made when first needed.</summary>
     sealed class ParticleEdits : Stage
     {
         const int MaxBatch = 1 << 20;
@@ -26,7 +26,7 @@ namespace Rill
             commitFree = new Kernel(shader, "CommitFree");
         }
 
-        /// <summary>Where a context records that is given to the calls below; they execute it.</summary>
+        /// <summary>Command buffer of the contexts that are given to the calls below, which execute it.</summary>
         public CommandBuffer Commands => commands;
 
         /// <summary>Takes out the particles inside a shape, at once: the next sort leaves them out.</summary>

@@ -96,7 +96,7 @@ namespace Rill
         }
     }
 
-    /// <summary>What goes from one set to another, and where it comes to lie.</summary>
+    /// <summary>Region of the particles that go from one set to another, and their positions in the other.</summary>
     struct TransferRegion
     {
         /// <summary>Origin of the frame that gives in the frame that takes, d.</summary>
@@ -122,7 +122,7 @@ namespace Rill
     /// <summary>Moves or copies particles from one set to the end of another, in their order. Made when first needed by what takes.</summary>
     sealed class ParticleTransfer : Stage
     {
-        /// <summary>Most that one fluid takes from: the number is in the ids of ghosts.</summary>
+        /// <summary>Maximum number of fluids that one takes from: the number is in the ids of ghosts.</summary>
         public const int MaxTransfers = 16;
 
         const int OwnTransfers = 4;     // of the fluid itself, behind those: see PbfSolver.Exchange.cs

@@ -4,9 +4,9 @@ namespace Rill
     struct StepConnection
     {
         public PbfSolver neighbor;
-        /// <summary>Where the neighbor's particles are in this fluid's frame, and which of them are this fluid's.</summary>
+        /// <summary>Transform of the neighbor's particles to this fluid's frame, and which of them are this fluid's.</summary>
         public TransferRegion region;
-        /// <summary>The same with both exchanged, where the neighbor takes as well: before a step of either.</summary>
+        /// <summary>Region with both exchanged, for a neighbor that takes as well: before a step of either.</summary>
         public TransferRegion back;
         public bool isMutual;
         /// <summary>Whether nothing is moved: the neighbor's water is on its way to another solver.</summary>
@@ -19,7 +19,7 @@ namespace Rill
     struct StepNeighbor
     {
         public PbfSolver solver;
-        /// <summary>Where the neighbor's frame is in this fluid's, and which side is this fluid's.</summary>
+        /// <summary>Transform of the neighbor's frame to this fluid's, and which side is this fluid's.</summary>
         public TransferRegion region;
 
         /// <summary>Whether the coarse grid is held to the neighbor's.</summary>

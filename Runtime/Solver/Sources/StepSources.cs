@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What emitters, drains and force fields do to one step, in the domain's frame; used again for every step.</summary>
+    /// <summary>Work of emitters, drains and force fields in one step, in the domain's frame; used again for every step.</summary>
     sealed class StepSources
     {
         /// <summary>Most emitters of a simulation.</summary>
