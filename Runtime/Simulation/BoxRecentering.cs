@@ -65,7 +65,8 @@ namespace Rill
                 : ConnectionFaults.Describe(fault, fluid, other);
         }
 
-        /// <summary>Requests the numbers of particles outside and handed over, after the steps of a frame, and logs what the last numbers say.</summary>
+        /// <summary>Requests the numbers of particles outside and handed over, after the steps of a frame, and logs what the last ones
+        /// mean.</summary>
         public void RequestCounts()
         {
             PbfSolver solver = fluid.Solver;

@@ -27,7 +27,7 @@ namespace Rill
         Added,
         Emitted,
         Drained,
-        /// <summary>due from an emitter and given up, since there was no room for a second</summary>
+        /// <summary>due from an emitter and given up after a second without room</summary>
         Blocked,
         /// <summary>due from an emitter and without room so far</summary>
         Waiting,
@@ -117,7 +117,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, Counters);
         }
 
-        /// <summary>The same as a set that transfers give to and take from.</summary>
+        /// <summary>Returns the particles as a set that transfers give to and take from.</summary>
         /// <param name="tags">Null for none.</param>
         public ParticleSet AsSet(ParticleTags tags)
             => new ParticleSet(Positions, Velocities, Ids, tags?.Current, Counters, AliveArguments, capacity);
@@ -147,7 +147,7 @@ namespace Rill
             buffers.Swap(ref ids, ref sortedIds);
         }
 
-        /// <summary>What a pass has left in the memory of the multipliers is the corrected position.</summary>
+        /// <summary>Swaps the buffers of positions after a pass: it left the corrected positions in the memory of the multipliers.</summary>
         public void SwapPasses() => buffers.Swap(ref positions, ref predicted);
 
         public void Dispose() => buffers.Dispose();

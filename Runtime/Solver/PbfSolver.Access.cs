@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What others do between steps: passes and edits of scripts, answers to probes, frames of a recording.
+    // Access of others between steps: passes and edits of scripts, answers to probes, frames of a recording.
     partial class PbfSolver
     {
         GraphicsBuffer noTags;
@@ -70,7 +70,7 @@ namespace Rill
                 NeedAccess().RecordKills(step);
         }
 
-        // What was taken of the particles before is of another state.
+        // Marks what was taken of the particles before as outdated.
         void InvalidateParticles(bool areOthers)
         {
             StateVersion++;
@@ -136,7 +136,7 @@ namespace Rill
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocity">d/s, of all.</param>
         /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
-        /// <param name="high">And the highest.</param>
+        /// <param name="high">Highest coordinates of the positions, d, within the domain.</param>
         /// <param name="tag">Of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
         public void AddIntoFreeSpace(NativeArray<float4> positions, float3 velocity, float3 low, float3 high, uint tag)
         {
@@ -244,7 +244,7 @@ namespace Rill
             return BetweenSteps(cmd);
         }
 
-        /// <summary>What a batch costs.</summary>
+        /// <summary>Describes the cost of a batch.</summary>
         public void DescribeBatch(QueryBatch batch, StageDescription description) => batch.Describe(description, QueryShader, ParticleTags);
 
         /// <summary>Gives back what answering needs, where nothing asks any more.</summary>

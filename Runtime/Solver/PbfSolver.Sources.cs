@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What comes and goes while the fluid runs.
+    // Sources, drains and force fields, which come and go while the fluid runs.
     partial class PbfSolver
     {
         bool hasLifetimes;
@@ -12,7 +12,7 @@ namespace Rill
         /// <summary>uint [capacity], see ParticleTags.hlsl; null while no emitter gives its particles a phase or a lifetime.</summary>
         public GraphicsBuffer Tags => ParticleTags?.Current;
 
-        /// <summary>What the emitters have done; null while there are none.</summary>
+        /// <summary>Results of the emitters; null without emitters.</summary>
         public EmitterStates EmitterStates => Emitters?.States;
 
         /// <summary>Particles that a drain has removed, as far as it has come back.</summary>

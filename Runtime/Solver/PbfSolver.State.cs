@@ -118,7 +118,7 @@ namespace Rill
             Upload(neighborSearch.CellStarts, contents.Bytes(SnapshotSection.CellStarts));
         }
 
-        /// <summary>What the colliders of the next step were to what rests: no change.</summary>
+        /// <summary>Takes over the colliders of the next step without a change that would wake sleeping water.</summary>
         public void AdoptColliders(ColliderSet set)
         {
             if (Resting == null && Reactions == null)

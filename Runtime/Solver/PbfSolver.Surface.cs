@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What is drawn of the water, from the state that the last step left.
+    // The drawn surface of the water, from the state that the last step left.
     partial class PbfSolver
     {
         readonly SurfaceWorkspace surfaceWorkspace = new SurfaceWorkspace();
@@ -80,7 +80,7 @@ namespace Rill
             Mesh.Record(step, Surface, hasSteps, meshWalls);
         }
 
-        // What comes next has nothing to do with what was drawn before.
+        // Makes the next drawn surface independent of the ones before.
         void InvalidateSurface()
         {
             SurfaceIsCurrent = false;

@@ -92,7 +92,7 @@ namespace Rill
         /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for the particles alive.</summary>
         public GraphicsBuffer DrawArguments => particles.AliveArguments;
 
-        /// <summary>What the fluid does to colliders; null where none wants to know.</summary>
+        /// <summary>Forces and contacts of the fluid on colliders; null if none asks for them.</summary>
         public ColliderReactions Reactions => Colliders?.Reactions;
 
         /// <summary>Records how much of the colliders is wet after a step, where one wants to know.</summary>
@@ -157,9 +157,9 @@ namespace Rill
             }
         }
 
-        /// <summary>As <see cref="Add"/>, in d and d/s; velocities as many as positions, or one for all.</summary>
+        /// <summary>Adds particles like <see cref="Add"/>, in d and d/s; with one velocity for each position, or one for all.</summary>
         /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
-        /// <param name="high">And the highest.</param>
+        /// <param name="high">Highest coordinates of the positions, d, within the domain.</param>
         /// <param name="tag">Of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high, uint tag = 0)
         {
@@ -260,7 +260,7 @@ namespace Rill
             return true;
         }
 
-        /// <summary>What each stage costs with this input, in the order of the step.</summary>
+        /// <summary>Returns what each stage costs with this input, in the order of the step.</summary>
         /// <param name="statisticsInterval">Steps between measurements; 0 for none.</param>
         public List<StageDescription> Describe(in StepInput input, int statisticsInterval)
         {
@@ -334,7 +334,7 @@ namespace Rill
             => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
             hasSteps ? Coarse : null, hasSteps ? Resting : null, Colliders, Extrapolation, Vorticity?.Unconfined);
 
-        // For what looks at the particles as the last step left them, or edits them: there is no input.
+        // Returns the context for passes that read or edit the particles as the last step left them, without an input.
         StepContext BetweenSteps(CommandBuffer cmd) => Context(cmd, default);
 
         /// <summary>Side of a coarse cell, d, that a step with this input wants.</summary>

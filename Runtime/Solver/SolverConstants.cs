@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>What every kernel of the solver reads of a substep; lengths in d.</summary>
+    /// <summary>Constants of a substep that every kernel of the solver reads; lengths in d.</summary>
     [GenerateHlsl("Solver", ConstantBuffer = "RillSolver")]
     [StructLayout(LayoutKind.Sequential)]
     struct SolverConstants
@@ -66,7 +66,7 @@ namespace Rill
         public float accelerationFraction;
         /// <summary>change of velocity in a substep up to which it is, d/s</summary>
         public float maxExtrapolation;
-        /// <summary>bit 2 a + b: along axis a the lower (b 0) or upper end of the box is no wall to the coarse
+        /// <summary>bit 2 a + b: along axis a the lower (b 0) or upper end of the box is open to the coarse
         /// grid; from kTiedFaces on the same where a neighbor's coarse solution is known</summary>
         public uint openFaces;
 

@@ -5,7 +5,7 @@ using static System.FormattableString;
 namespace Rill
 {
     /// <summary>
-    /// What a solver's memory is laid out for: domain, spacing, capacity and neighbor lists. Changing any of it means a
+    /// Layout of a solver's memory: domain, spacing, capacity and neighbor lists. Changing any of it means a
     /// new solver; everything else can change from step to step.
     /// </summary>
     sealed class SolverLayout
@@ -26,12 +26,12 @@ namespace Rill
         // that wide ones in y keep more of what a thread group fetches near it. A domain with too many cells gets wide ones.
         static readonly int3 TightCells = new int3(3, 1, 2), WideCells = 1;
 
-        // What each particle and each grid cell takes besides the lists, in a scene without optional stages.
+        // Memory of each particle and each grid cell besides the lists, in a scene without optional stages.
         const long BytesOfParticle = 92, BytesOfCell = 8;
 
         /// <param name="domainSize">Inner size of the box, m, each at least the support radius 2 d.</param>
         /// <param name="spacing">Particle spacing d, m, above 0.</param>
-        /// <param name="capacity">Most particles, 1 to <see cref="MaxCapacity"/>, as far as the device can bind their buffers.</param>
+        /// <param name="capacity">Maximum number of particles, 1 to <see cref="MaxCapacity"/>, as far as the device can bind their buffers.</param>
         /// <param name="neighborCapacity">Entries of a particle's neighbor list.</param>
         /// <param name="listMargin">List radius over support radius, at least 1.</param>
         /// <exception cref="ArgumentException">A value is out of range; the message names it, the limit and the remedy.</exception>
@@ -76,7 +76,7 @@ namespace Rill
         public int Capacity { get; }
         /// <summary>Entries of a particle's neighbor list: what was asked for, rounded up to whole blocks.</summary>
         public int NeighborCapacity { get; }
-        /// <summary>As it was asked for.</summary>
+        /// <summary>Requested capacity of a neighbor list.</summary>
         public int AskedNeighborCapacity { get; }
         /// <summary>Radius within which a neighbor is listed, d.</summary>
         public float ListRadius { get; }
@@ -98,7 +98,7 @@ namespace Rill
         /// <summary>Entries of the lists of the first particles, in whole blocks of particles.</summary>
         public long ListWords(int particles) => (long)RoundUp(particles) * NeighborCapacity;
 
-        /// <summary>Where entry k of a particle's list lies, with the second buffer after the first; as NeighborList.hlsl has it.</summary>
+        /// <summary>Returns the word of entry k of a particle's list, with the second buffer after the first; as NeighborList.hlsl has it.</summary>
         public long WordOfEntry(int particle, int k)
             => ((long)(particle / ParticlesPerListBlock) * (NeighborCapacity / NeighborLists.BlockEntries) + k / NeighborLists.BlockEntries)
             * (ParticlesPerListBlock * NeighborLists.BlockEntries)

@@ -3,8 +3,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the stages of a step have in common: where they record, the particles and their lists, and the stages that others read. One is
-    /// made for each step.</summary>
+    /// <summary>Common data of the stages of a step: their command buffer, the particles and their lists, and the stages that others read. One
+    /// is made for each step.</summary>
     readonly struct StepContext
     {
         /// <summary>Null where stages are described and nothing is recorded.</summary>
@@ -27,8 +27,8 @@ namespace Rill
         public readonly Colliders Colliders;
         /// <summary>Null where velocities are those of a first-order step.</summary>
         public readonly VelocityExtrapolation Extrapolation;
-        /// <summary>Where the stages after the constraint leave the velocities: the particles' own buffer, or another from which a later stage
-        /// fills it.</summary>
+        /// <summary>Buffer in which the stages after the constraint leave the velocities: the particles' own, or another from which a later
+        /// stage fills it.</summary>
         public readonly GraphicsBuffer NewVelocities;
         /// <summary>Whether a stage after the velocity update visits the neighbors, and smooths the velocities there.</summary>
         public readonly bool SmoothsLater;

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>What one step of a solver is given; all of it may change from step to step.</summary>
+    /// <summary>Input of one step of a solver; all of it may change from step to step.</summary>
     struct StepInput
     {
         /// <summary>Length of the step, s, above 0; divided among the substeps.</summary>
@@ -29,9 +29,9 @@ namespace Rill
         public bool removesKilled;
         /// <summary>Whether particles have phases also where no emitter gives any.</summary>
         public bool tracksPhases;
-        /// <summary>Validated; a budget of 0 is no foam.</summary>
+        /// <summary>Validated settings; a budget of 0 means without foam.</summary>
         public FoamSettings foam;
-        /// <summary>Of the random numbers of foam.</summary>
+        /// <summary>Seed of the random numbers of foam.</summary>
         public int foamSeed;
 
         /// <summary>Length of a substep, s.</summary>
