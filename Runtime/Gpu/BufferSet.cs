@@ -44,7 +44,7 @@ namespace Rill
             => Add(name, GpuBuffer.Constants<T>(name), block);
 
         /// <summary>Describes and binds a buffer that another object releases.</summary>
-        public GraphicsBuffer Share(string name, GraphicsBuffer buffer, string property = null) => Add(name, buffer, property, false);
+        public GraphicsBuffer AddShared(string name, GraphicsBuffer buffer, string property = null) => Add(name, buffer, property, false);
 
         /// <summary>Makes two buffers change roles, and names.</summary>
         public void Swap(ref GraphicsBuffer a, ref GraphicsBuffer b)

@@ -43,7 +43,7 @@ namespace Rill
             this.shader = shader;
             take = new Kernel(shader, "TakeReactions");
             sums = buffers.Structured<uint>("Rill.Colliders.Reactions", words);
-            buffers.Share("Rill.Colliders.Taken", readback.Buffer);
+            buffers.AddShared("Rill.Colliders.Taken", readback.Buffer);
             BufferClear.Now(sums);
             readback.Arrived = OnArrived;
         }

@@ -85,7 +85,7 @@ namespace Rill
                 moved = Buffers.Structured<FoamParticle>("Rill.Foam.Moved", budget);
                 arguments = Buffers.Arguments("Rill.Foam.Arguments", property: "_FoamArguments");
                 readback = new Readback(GpuBuffer.Structured<uint>("Rill.Foam.Counters", CounterCount));
-                Buffers.Share("Rill.Foam.Counters", readback.Buffer, "_FoamCounters");
+                Buffers.AddShared("Rill.Foam.Counters", readback.Buffer, "_FoamCounters");
                 cells = Buffers.Structured<float4>("Rill.Foam.Cells", cellTotal, "_FoamCells");
                 potentials = Buffers.Structured<uint2>("Rill.Foam.Potentials", layout.Capacity);
                 spawnCounts = Buffers.Structured<uint>("Rill.Foam.SpawnCounts", layout.Capacity);

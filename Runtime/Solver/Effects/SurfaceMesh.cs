@@ -105,7 +105,7 @@ namespace Rill
                 marksBefore = Buffers.Structured<uint>("Rill.Mesh.MarksBefore", top + 1);
                 meshTop = Buffers.Structured<uint>("Rill.Mesh.Top", top, "_MeshTop");
                 readback = new Readback(GpuBuffer.Structured<uint>("Rill.Mesh.Counters", Enum.GetValues(typeof(Counter)).Length));
-                counters = Buffers.Share("Rill.Mesh.Counters", readback.Buffer, "_MeshCounters");
+                counters = Buffers.AddShared("Rill.Mesh.Counters", readback.Buffer, "_MeshCounters");
                 arguments = Buffers.Arguments("Rill.Mesh.Arguments", ArgumentWords, property: "_MeshArguments");
                 workspace.Reserve(sizeof(uint) * (long)layout.Capacity);        // for the list of drops
                 BufferClear.Now(marks, counters);

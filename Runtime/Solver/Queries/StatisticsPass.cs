@@ -35,7 +35,7 @@ namespace Rill
             int groups = ParticleBuffers.Groups(capacity);
             partials = Buffers.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
             histogram = Buffers.Structured<uint>("Rill.Statistics.Histogram", Bins);
-            Buffers.Share("Rill.Statistics.Results", readback.Buffer, "_Statistics");
+            Buffers.AddShared("Rill.Statistics.Results", readback.Buffer, "_Statistics");
             BufferClear.Now(histogram);
         }
 

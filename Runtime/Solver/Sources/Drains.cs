@@ -83,7 +83,7 @@ namespace Rill
             lifetimes = new LocalKeyword(shader, LifetimesKeyword);
             recycling = new LocalKeyword(shader, RecyclingKeyword);
             regions = Buffers.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MaxDrains, "_Drains");
-            Buffers.Share("Rill.Drains.States", readback.Buffer, "_DrainStates");
+            Buffers.AddShared("Rill.Drains.States", readback.Buffer, "_DrainStates");
             regions.SetData(new DrainRegion[StepSources.MaxDrains]);
             Clear();
         }

@@ -48,7 +48,7 @@ namespace Rill
             keywords = new StepKeywords(shader, readsLists: false, skipsAsleep: true);
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
             States = new EmitterStates(errors);
-            Buffers.Share("Rill.Emitters.States", States.Buffer, "_EmitterStates");
+            Buffers.AddShared("Rill.Emitters.States", States.Buffer, "_EmitterStates");
             Buffers.Structured<uint>("Rill.Emitters.Free", MaxCandidates);
             constants = Buffers.Constants<EmitterConstants>("Rill.Emitters.Constants", "RillEmitter");
         }

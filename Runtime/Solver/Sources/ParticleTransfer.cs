@@ -152,7 +152,7 @@ namespace Rill
             writeIds = new KernelVariants(shader, "WriteIds", "WriteIdsTagged");
             commit = new Kernel(shader, "Commit");
             removeGhosts = new Kernel(shader, "RemoveGhosts");
-            Buffers.Share("Rill.Transfer.States", readback.Buffer, "_TransferStates");
+            Buffers.AddShared("Rill.Transfer.States", readback.Buffer, "_TransferStates");
             Clear();
         }
 
