@@ -110,7 +110,7 @@ namespace Rill.Editor
                 if (item.Failed)
                     continue;
                 if (receiver != null)
-                    item.SetTaken(receiver.Take(item.Mesh, item.Field));
+                    item.SetTaken(receiver.Assign(item.Mesh, item.Field));
                 else if (assign != BakeAssign.Nothing)
                     foreach (GameObject shown in item.Objects)
                         Assign(shown, item.Field, assign);

@@ -17,6 +17,6 @@ namespace Rill.Editor
         public string Label { get; }
 
         /// <summary>Takes the field of a mesh; false where it is no longer wanted.</summary>
-        public bool Take(Mesh mesh, SignedDistanceField field) => take(mesh, field);
+        public bool Assign(Mesh mesh, SignedDistanceField field) => take(mesh, field);
     }
 }

@@ -54,7 +54,7 @@ namespace Rill.Editor
             TriangleMesh triangles = EditorMesh.Read(Mesh);
             isCanceled = false;
             (progress, stage) = (0f, Reading);
-            running = Task.Run(() => Check(triangles, Tell));
+            running = Task.Run(() => Check(triangles, SetProgress));
         }
 
         /// <summary>Takes what the other thread found.</summary>
@@ -113,7 +113,7 @@ namespace Rill.Editor
             return MeshCheck.Run(triangles, MaxCrossingTests, go);
         }
 
-        bool Tell(float fraction, string what)
+        bool SetProgress(float fraction, string what)
         {
             (progress, stage) = (fraction, what);
             return !isCanceled;

@@ -27,7 +27,7 @@ namespace Rill.Editor
                 handle.DrawHandle();
                 if (!EditorGUI.EndChangeCheck())
                     return;
-                Take(handle, target, scale);
+                ApplyHandle(handle, target, scale);
                 target.ApplyModifiedProperties();
             }
         }
@@ -58,7 +58,7 @@ namespace Rill.Editor
             }
         }
 
-        static void Take(PrimitiveBoundsHandle handle, SerializedObject to, Vector3 scale)
+        static void ApplyHandle(PrimitiveBoundsHandle handle, SerializedObject to, Vector3 scale)
         {
             to.FindProperty("center").vector3Value = Divide(handle.center, scale);
             if (handle == box)

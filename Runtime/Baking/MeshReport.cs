@@ -48,7 +48,7 @@ namespace Rill
             HoleFraction = HoleFractionOf(edges);
             Sign = SignOf(edges);
             Problem = ProblemOf(edges.Triangles);
-            Texts = Tell();
+            Texts = Describe();
         }
 
         /// <summary>Name of the mesh that was checked.</summary>
@@ -183,7 +183,7 @@ namespace Rill
             return null;
         }
 
-        List<string> Tell()
+        List<string> Describe()
         {
             var texts = new List<string>();
             if (Problem != null)

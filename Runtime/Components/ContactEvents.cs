@@ -43,11 +43,11 @@ namespace Rill
         public void Raise(ContactChange change, in FluidContact contact)
         {
             if ((change & ContactChange.Enter) != 0)
-                Listeners.Tell(onEnter, Enter, contact, contact.Collider);
+                Listeners.Raise(onEnter, Enter, contact, contact.Collider);
             if ((change & ContactChange.Hit) != 0)
-                Listeners.Tell(onHit, Hit, contact, contact.Collider);
+                Listeners.Raise(onHit, Hit, contact, contact.Collider);
             if ((change & ContactChange.Exit) != 0)
-                Listeners.Tell(onExit, Exit, contact, contact.Collider);
+                Listeners.Raise(onExit, Exit, contact, contact.Collider);
         }
     }
 }

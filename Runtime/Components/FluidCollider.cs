@@ -208,7 +208,7 @@ namespace Rill
         internal bool TryDescribe(out ColliderMotion motion)
         {
             string problem = Describe(out motion);
-            Say(problem);
+            LogProblem(problem);
             return problem == null;
         }
 
@@ -391,7 +391,7 @@ namespace Rill
         static string Positive(string what, float value) => value > 0f && !float.IsInfinity(value) ? null : $"its {what} is " +
             Invariant($"{value}. Set it above 0.");
 
-        void Say(string problem)
+        void LogProblem(string problem)
         {
             if (problem != null && !problemIsKnown)
                 Debug.LogError($"Rill: FluidCollider '{name}' is left out: {problem}", this);

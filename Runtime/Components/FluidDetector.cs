@@ -299,7 +299,7 @@ namespace Rill
             Raise(onEmptied, empty, wasFilled && !isFilled);
             Raise(onExit, exit, wasEntered && !isEntered);
             if (hasLevelChanged)
-                Listeners.Tell(onLevelChanged, levelChanged, now.fill, this);
+                Listeners.Raise(onLevelChanged, levelChanged, now.fill, this);
         }
 
         private protected override string ValidateValues()
@@ -322,7 +322,7 @@ namespace Rill
         void Raise(UnityEvent listed, in Delegates<Action> scripts, bool hasHappened)
         {
             if (hasHappened)
-                Listeners.Tell(listed, scripts, this);
+                Listeners.Raise(listed, scripts, this);
         }
 
         float EvenScale => math.cmax(math.abs((float3)transform.lossyScale));

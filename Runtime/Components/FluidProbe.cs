@@ -99,7 +99,7 @@ namespace Rill
                 return;
             isNew = false;
             if (TryGetSample(out FluidProbeSample now) && now.hasSurface && level.Follow(now.height, levelStep))
-                Listeners.Tell(onLevelChanged, levelChanged, now.height, this);
+                Listeners.Raise(onLevelChanged, levelChanged, now.height, this);
         }
 
         private protected override string ValidateValues()

@@ -11,7 +11,7 @@ namespace Rill
     static class Listeners
     {
         /// <param name="of">Whose event it is, for the console.</param>
-        public static void Tell(UnityEvent listed, in Delegates<Action> scripts, Object of)
+        public static void Raise(UnityEvent listed, in Delegates<Action> scripts, Object of)
         {
             try
             {
@@ -35,7 +35,7 @@ namespace Rill
         }
 
         /// <param name="of">Whose event it is, for the console.</param>
-        public static void Tell<T>(UnityEvent<T> listed, in Delegates<Action<T>> scripts, in T what, Object of)
+        public static void Raise<T>(UnityEvent<T> listed, in Delegates<Action<T>> scripts, in T what, Object of)
         {
             try
             {

@@ -176,7 +176,7 @@ namespace Rill
             IsPending = false;
             if (pendingGeneration != generation)
                 return;
-            errors?.Note(kind, arrived.hasError);
+            errors?.Mark(kind, arrived.hasError);
             if (arrived.hasError)
             {
                 Lost?.Invoke();

@@ -22,7 +22,7 @@ namespace Rill
     /// <summary>Which results of a fluid the graphics device gave an error for instead of their data.</summary>
     sealed class ReadbackErrors
     {
-        // Those that asked are told themselves, and may never ask again.
+        // Scripts that requested them learn it themselves, and may never request again.
         const ReadbackKinds OfScripts = ReadbackKinds.QueryBatches | ReadbackKinds.Particles;
 
         ReadbackKinds told, untold, lost;
@@ -30,8 +30,8 @@ namespace Rill
         /// <summary>Kinds whose newest request ended with an error, but those of scripts' requests.</summary>
         public ReadbackKinds Lost => lost & ~OfScripts;
 
-        /// <summary>Notes how a request ended.</summary>
-        public void Note(ReadbackKinds kind, bool isLost)
+        /// <summary>Marks how a request ended.</summary>
+        public void Mark(ReadbackKinds kind, bool isLost)
         {
             lost = isLost ? lost | kind : lost & ~kind;
             if (isLost)

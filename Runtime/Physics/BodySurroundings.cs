@@ -53,7 +53,7 @@ namespace Rill
             }
             unneeded = 0f;
             Vector3 up = gravity / -g;
-            Ask(parts, up, isNear);
+            RequestWater(parts, up, isNear);
             if (!water.IsAnswered && !float.IsNaN(knownLevel))
                 water.Assume(knownLevel);
             if (!water.HasWater)
@@ -161,8 +161,8 @@ namespace Rill
             return false;
         }
 
-        // At points around the body, as high as its center.
-        void Ask(List<BodyPart> parts, Vector3 up, bool isNearSolid)
+        // Requests the water at points around the body, as high as its center.
+        void RequestWater(List<BodyPart> parts, Vector3 up, bool isNearSolid)
         {
             if (water == null)
                 water = new SurroundingWater(fluid);
@@ -185,9 +185,9 @@ namespace Rill
                 Vector3 far = side + direction * (FarDistance * fluid.ParticleSpacing);
                 Vector3 near = side + direction * (NearDistance * fluid.ParticleSpacing);
                 if (isNearSolid && IsFree(frame.Point(far)))
-                    water.Ask(far);
+                    water.AddPoint(far);
                 else if (IsFree(frame.Point(near)))
-                    water.Ask(near);
+                    water.AddPoint(near);
             }
             water.Update();
         }

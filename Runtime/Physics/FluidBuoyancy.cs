@@ -239,7 +239,7 @@ namespace Rill
                 problem = own;
                 leftOut = collider;
             }
-            Say(problem, leftOut);
+            LogProblem(problem, leftOut);
         }
 
         // All parts that one fluid told of, at the first of them.
@@ -289,7 +289,7 @@ namespace Rill
                 "the simulation.", this);
         }
 
-        void Say(string problem, FluidCollider leftOut)
+        void LogProblem(string problem, FluidCollider leftOut)
         {
             if (problem != null && !problemIsKnown)
                 Debug.LogError($"Rill: FluidBuoyancy '{name}' {(parts.Count == 0 ? "carries nothing" : $"leaves out '{leftOut.name}'")}: " +

@@ -133,7 +133,7 @@ namespace Rill
         {
             var of = GetComponent<FluidSimulation>();
             of.GetPose(out Vector3 center, out Quaternion rotation);
-            int count = Ask(center, rotation, of.DomainSize, of.ParticleSpacing);
+            int count = FindOverlaps(center, rotation, of.DomainSize, of.ParticleSpacing);
             for (int i = 0; i < count; i++)
                 if (found[i] is MeshCollider mesh && mesh.sharedMesh != null && FieldOf(mesh.sharedMesh) == null && !IsLeftOut(mesh)
                     && !missing.Contains(mesh.sharedMesh))
@@ -148,10 +148,10 @@ namespace Rill
                 return taken;
             }
             round++;
-            int count = Ask(center, rotation, size, spacing);
+            int count = FindOverlaps(center, rotation, size, spacing);
             for (int i = 0; i < count; i++)
                 if (!IsLeftOut(found[i]))
-                    TryTake(found[i]);
+                    TryCollect(found[i]);
             DropOthers();
             listens = contacts.HasListeners;
             FollowBodies();
@@ -230,7 +230,7 @@ namespace Rill
         }
 
         /// <summary>Calls who listens.</summary>
-        internal void Tell(ContactChange change, in FluidContact contact) => contacts.Raise(change, contact);
+        internal void Raise(ContactChange change, in FluidContact contact) => contacts.Raise(change, contact);
 
         void OnValidate() => ChangedSettings.ApplyLater(this);
 
@@ -248,7 +248,7 @@ namespace Rill
             shaders.Follow(UsedFeatures);
         }
 
-        int Ask(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
+        int FindOverlaps(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
         {
             Vector3 half = size + 2f * spacing * Vector3.one;       // half the box more on all sides: what is fast is seen before it comes
             found ??= new Collider[FirstFound];
@@ -276,12 +276,12 @@ namespace Rill
                 || body.TryGetComponent(out FluidBuoyancy buoyancy) && buoyancy.isActiveAndEnabled);
         }
 
-        // A collider's ground may throw: the others are taken all the same.
-        void TryTake(Collider collider)
+        // A collider's ground may throw: the others are collected all the same.
+        void TryCollect(Collider collider)
         {
             try
             {
-                Take(collider);
+                Collect(collider);
             }
             catch (Exception problem) when (fluid != null)
             {
@@ -289,7 +289,7 @@ namespace Rill
             }
         }
 
-        void Take(Collider collider)
+        void Collect(Collider collider)
         {
             if (!known.TryGetValue(collider, out GatheredCollider gathered))
             {

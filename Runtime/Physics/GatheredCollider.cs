@@ -160,7 +160,7 @@ namespace Rill
             if (!source.ListensToContacts)
                 return;
             ContactChange change = watch.Follow(force.Impulse.magnitude, force.Duration, source.HitImpulse);
-            source.Tell(change, new FluidContact(Collider, force, watch.Follow(force.Wetted, Collider.transform.position)));
+            source.Raise(change, new FluidContact(Collider, force, watch.Follow(force.Wetted, Collider.transform.position)));
         }
 
         public bool Leave(FluidSimulation fluid)
@@ -190,7 +190,7 @@ namespace Rill
         public void RaiseExit(FluidSimulation fluid)
         {
             if (Collider != null)       // destroyed since
-                source.Tell(ContactChange.Exit, FluidContact.Exit(Collider, fluid));
+                source.Raise(ContactChange.Exit, FluidContact.Exit(Collider, fluid));
         }
 
         // The height follows the scale along it, the radius the larger of the other two.
@@ -204,7 +204,7 @@ namespace Rill
 
         string DescribeGround(ref ColliderMotion motion, ref RigidPose pose)
         {
-            HeightField heights = ground.Take(out string problem);
+            HeightField heights = ground.GetHeights(out string problem);
             if (problem == null)
                 placement.DescribeHeights(heights, ref motion, ref pose);
             return problem;

@@ -9,7 +9,7 @@ namespace Rill
     {
         /// <summary>The heights as they are now, from the object's position.</summary>
         /// <param name="problem">Why there are none; null where there are.</param>
-        HeightField Take(out string problem);
+        HeightField GetHeights(out string problem);
 
         /// <summary>Parts that are left out of the heights; null for none.</summary>
         string LeftOut { get; }

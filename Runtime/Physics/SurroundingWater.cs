@@ -45,7 +45,7 @@ namespace Rill
         public void Clear() => asked = 0;
 
         /// <param name="point">World space, m.</param>
-        public void Ask(Vector3 point) => points[asked++] = point;
+        public void AddPoint(Vector3 point) => points[asked++] = point;
 
         /// <summary>Asks at the points, and takes the newest answer.</summary>
         public void Update()

@@ -237,7 +237,7 @@ namespace Rill
                     MissedFrames++;
                     follows = isShown;
                     if (failure != null)
-                        Say(Invariant($"leaves out frame {number:N0} of '{opened}': {failure}"));
+                        LogProblem(Invariant($"leaves out frame {number:N0} of '{opened}': {failure}"));
                     return false;
                 }
                 (ShownFrame, shownSolver, shownGeneration) = (number, solver, solver.Generation);
@@ -259,7 +259,7 @@ namespace Rill
             }
             catch (Exception refusal) when (IsOfFile(refusal) || refusal is InvalidOperationException)
             {
-                Say($"does not play '{recording}': {refusal.Message}");
+                LogProblem($"does not play '{recording}': {refusal.Message}");
             }
         }
 
@@ -325,13 +325,13 @@ namespace Rill
                 checkedSolver = solver;
                 refused = reader.Header.ProblemFor(solver.Layout, reader.MaxParticles);
                 if (refused != null)
-                    Say($"does not show '{opened}': {refused}");
+                    LogProblem($"does not show '{opened}': {refused}");
             }
             return refused == null;
         }
 
-        // Each thing once in a row.
-        void Say(string what)
+        // Logs a problem, once if it comes several times in a row.
+        void LogProblem(string what)
         {
             if (what == problem)
                 return;

@@ -35,7 +35,7 @@ namespace Rill
                 return;
             }
             HasHoles = FindHoles();
-            Take();
+            ReadHeights();
         }
 
         /// <summary>Null where there are none: see <see cref="Problem"/>.</summary>
@@ -58,7 +58,7 @@ namespace Rill
             Field = null;
         }
 
-        void Take()
+        void ReadHeights()
         {
             Vector3 spacing = size / (resolution - 1);
             float[,] heights = data.GetHeights(taken.x, taken.y, taken.width, taken.height);

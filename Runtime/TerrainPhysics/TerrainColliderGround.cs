@@ -12,7 +12,7 @@ namespace Rill
 
         public string LeftOut { get; private set; }
 
-        public HeightField Take(out string problem)
+        public HeightField GetHeights(out string problem)
         {
             TerrainData data = collider.terrainData;
             if (!ReferenceEquals(data, used))

@@ -228,7 +228,7 @@ namespace Rill
                 throw new InvalidOperationException($"{why}. Draw the fluid with a Particle Renderer there.");
             meshDraw = new MeshDraw(ShaderMaterial);
             active.Add(this);
-            Simulation.Results.Surface.Requesting += Ask;
+            Simulation.Results.Surface.Requesting += RequestSurface;
             BuiltInSurfaces.Begin();
         }
 
@@ -237,7 +237,7 @@ namespace Rill
             mesh = null;
             active.Remove(this);
             if (Simulation != null)
-                Simulation.Results.Surface.Requesting -= Ask;
+                Simulation.Results.Surface.Requesting -= RequestSurface;
             BuiltInSurfaces.End();
             RenderSetups.End();
             shadow?.Dispose();
@@ -262,7 +262,7 @@ namespace Rill
         bool CastsShadow => CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
 
         // The surface is found where a camera can see it or its shadow.
-        void Ask()
+        void RequestSurface()
         {
             Simulation.Results.Surface.RequestMesh(CellOf(quality), BoxWalls.All & ~hiddenWalls);
             if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked

@@ -98,13 +98,13 @@ namespace Rill
                     enabled = false;
                 return;
             }
-            fluid.Results.Surface.Requesting += Ask;
+            fluid.Results.Surface.Requesting += RequestSurface;
         }
 
         void OnDisable()
         {
             if (fluid != null)
-                fluid.Results.Surface.Requesting -= Ask;
+                fluid.Results.Surface.Requesting -= RequestSurface;
             Hide();
             rendered?.Dispose();
             rendered = null;
@@ -120,7 +120,7 @@ namespace Rill
         // Who looks at it is not known: shadows of any light and probes may show what no camera sees.
         bool IsWanted => failure == null && meshRenderer != null && meshRenderer.enabled && ScaleProblem == null;
 
-        void Ask()
+        void RequestSurface()
         {
             if (!IsWanted)
                 return;

@@ -85,7 +85,7 @@ namespace Rill
         /// <returns>The rung for the next steps.</returns>
         public int Update(in BudgetReading reading, BudgetLadder ladder, float target, float targetError)
         {
-            Hear(reading);
+            Collect(reading);
             if (!factor.IsKnown || sinceReading >= LostSeconds)
             {
                 Reason = BudgetReason.TimeUnknown;
@@ -103,7 +103,7 @@ namespace Rill
             return Rung;
         }
 
-        void Hear(in BudgetReading reading)
+        void Collect(in BudgetReading reading)
         {
             sinceChange += reading.seconds;
             sinceReading += reading.seconds;

@@ -236,7 +236,7 @@ namespace Rill
                 rayLength = length,
                 up = up,
             };
-            buffers.Ask(input, slot);
+            buffers.Prepare(input, slot);
             batches.Add(buffers);
             recordedVersion = version;
             recorded = slot;

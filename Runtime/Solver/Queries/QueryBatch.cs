@@ -51,9 +51,9 @@ namespace Rill
         /// <param name="newest">A slot that is still read, or -1.</param>
         public int FreeSlot(int newest) => ring.Free(newest);
 
-        /// <summary>Sets what <see cref="PbfSolver.RecordBatches"/> asks, and the slot of the answers; call <see cref="Request"/> after its
-        /// commands ran.</summary>
-        public void Ask(in BatchInput what, int slot)
+        /// <summary>Prepares the queries of <see cref="PbfSolver.RecordBatches"/>, and the slot of the answers; call <see cref="Request"/> after
+        /// its commands ran.</summary>
+        public void Prepare(in BatchInput what, int slot)
         {
             input = what;
             results = ring.Buffer(slot);

@@ -96,7 +96,7 @@ namespace Host.Bench
                         solver.RecordQueries(cmd, asked, 0);
                     if (batch != null)
                     {
-                        batch.Ask(batched, 0);
+                        batch.Prepare(batched, 0);
                         solver.RecordBatches(cmd, batches);
                     }
                 });
