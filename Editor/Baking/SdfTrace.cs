@@ -45,7 +45,7 @@ namespace Rill.Editor
         }
 
         /// <summary>The first place along a ray where the distance is 0, or has become negative.</summary>
-        /// <param name="along">Of length 1.</param>
+        /// <param name="along">Direction, of length 1.</param>
         public static bool TryHit(SdfVolume volume, float3 from, float3 along, out float3 hit)
         {
             hit = default;

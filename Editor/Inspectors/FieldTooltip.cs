@@ -9,7 +9,7 @@ namespace Rill.Editor
     {
         const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
-        /// <param name="type">Of the object.</param>
+        /// <param name="type">Type of the object.</param>
         /// <param name="path">As SerializedObject.FindProperty takes it; not into lists.</param>
         /// <returns>"" where there is none.</returns>
         public static string Of(Type type, string path)

@@ -10,7 +10,7 @@ namespace Rill.Editor
         static readonly BoxBoundsHandle box = new BoxBoundsHandle();
         static readonly SphereBoundsHandle sphere = new SphereBoundsHandle();
 
-        /// <param name="path">Of the size, m.</param>
+        /// <param name="path">Property path of the size, m.</param>
         /// <param name="flat">Whether only x and y count.</param>
         public static void Box(Component of, string path, bool flat, Color color)
         {
@@ -28,7 +28,7 @@ namespace Rill.Editor
             }
         }
 
-        /// <param name="path">Of the radius, m.</param>
+        /// <param name="path">Property path of the radius, m.</param>
         /// <param name="flat">Whether it is a disc across the forward axis.</param>
         public static void Sphere(Component of, string path, bool flat, Color color)
         {

@@ -50,7 +50,7 @@ namespace Rill.Editor
                 SaveAsStart(simulation, done.Snapshot, path);
         }
 
-        /// <param name="path">Of the project; a snapshot that is there is replaced, and references to it stay.</param>
+        /// <param name="path">Path in the project; a snapshot that is there is replaced, and references to it stay.</param>
         internal static void SaveAsStart(FluidSimulation simulation, FluidSnapshot snapshot, string path)
         {
             FluidSnapshotAsset asset = Write(AssetDatabase.LoadAssetAtPath<FluidSnapshotAsset>(path), snapshot, path);

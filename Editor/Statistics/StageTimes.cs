@@ -88,7 +88,7 @@ namespace Rill.Editor
             Add(readings);
         }
 
-        /// <param name="milliseconds">Of a frame, by stage; all 0 where the frame took no step or is not known.</param>
+        /// <param name="milliseconds">Times of a frame, ms, by stage; all 0 if the frame took no step or is not known.</param>
         internal void Add(float[] milliseconds)
         {
             float sum = 0f;

@@ -51,7 +51,7 @@ namespace Rill
         readonly List<LargeTriangle> large = new List<LargeTriangle>();
         readonly List<long> firstPairs = new List<long> { 0 };
 
-        /// <param name="order">Of the triangles that take part. It becomes <see cref="Order"/>.</param>
+        /// <param name="order">Order of the triangles that take part. It becomes <see cref="Order"/>.</param>
         /// <param name="turned">By triangle of the mesh: those to turn over; null for none.</param>
         /// <param name="turnAll">Whether all triangles face the wrong side.</param>
         /// <param name="splitsLarge">Whether large triangles are taken brick by brick: not where they deform.</param>

@@ -8,7 +8,7 @@ namespace Rill
         public static string NotReadable(Mesh mesh)
             => $"its mesh '{mesh.name}' cannot be read. Tick Read/Write in the import settings of the model.";
 
-        /// <param name="bones">Of the renderer.</param>
+        /// <param name="bones">Bones of the renderer.</param>
         /// <returns>Null where its mesh and weights can be used.</returns>
         public static string Of(SkinnedMeshRenderer renderer, Transform[] bones)
         {

@@ -114,10 +114,10 @@ namespace Rill
         };
 
         /// <summary>Begins a step; of those before, the water's level, the slip and the estimate of the virtual mass are kept.</summary>
-        /// <param name="center">Of mass, world space, m.</param>
-        /// <param name="bodyVelocity">Of the center of mass.</param>
-        /// <param name="stepTime">Of this step and the last, s.</param>
-        /// <param name="moments">Of inertia about the principal axes, kg m²; about one with 0 the body does not turn.</param>
+        /// <param name="center">Center of mass, world space, m.</param>
+        /// <param name="bodyVelocity">Velocity of the center of mass.</param>
+        /// <param name="stepTime">Length of this step and of the last, s.</param>
+        /// <param name="moments">Moments of inertia about the principal axes, kg m²; about one with 0 the body does not turn.</param>
         public void Begin(float bodyMass, Vector3 center, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime,
             Vector3 moments = default)
         {
@@ -142,8 +142,8 @@ namespace Rill
             Tune(DefaultVirtualMass, DefaultDamping);
         }
 
-        /// <param name="virtualMassFraction">Of the displaced water; holds while the forces tell nothing of it.</param>
-        /// <param name="dampingFraction">Of the critical damping.</param>
+        /// <param name="virtualMassFraction">Virtual mass as a fraction of the displaced water; holds while the forces tell nothing of it.</param>
+        /// <param name="dampingFraction">Damping as a fraction of the critical damping.</param>
         public void Tune(float virtualMassFraction, float dampingFraction)
         {
             virtualFraction = virtualMassFraction;
@@ -169,8 +169,8 @@ namespace Rill
         }
 
         /// <summary>Ends the parts of one fluid.</summary>
-        /// <param name="density">Of the fluid, kg/m³.</param>
-        /// <param name="gravity">Of the fluid, m/s².</param>
+        /// <param name="density">Density of the fluid, kg/m³.</param>
+        /// <param name="gravity">Gravity of the fluid, m/s².</param>
         /// <param name="still">What water at rest adds to what was measured, or stands for it.</param>
         public void EndFluid(float density, Vector3 gravity, in StillWater still = default)
         {

@@ -78,7 +78,7 @@ namespace Rill
 
         /// <summary>Describes its work in the next step.</summary>
         /// <param name="from">Fraction of the frame at which the step starts.</param>
-        /// <param name="to">And ends.</param>
+        /// <param name="to">Fraction of the frame at which it ends.</param>
         /// <returns>Whether it does anything.</returns>
         bool IDrain.TryGetStep(in DomainFrame frame, float spacing, float step, float from, float to, out DrainRegion region)
         {

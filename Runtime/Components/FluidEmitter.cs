@@ -174,7 +174,7 @@ namespace Rill
 
         /// <summary>Describes its work in the next step.</summary>
         /// <param name="from">Fraction of the frame at which the step starts.</param>
-        /// <param name="to">And ends.</param>
+        /// <param name="to">Fraction of the frame at which it ends.</param>
         /// <param name="frameTime">Time in which this came from where it was at the last frame's steps, s, above 0.</param>
         /// <param name="isTarget">Whether a drain gives it particles.</param>
         /// <returns>Whether it does anything.</returns>

@@ -31,7 +31,7 @@ namespace Rill
 
         /// <summary>Begins to sum; the data must not change until <see cref="End"/> has returned.</summary>
         /// <param name="data">What is summed.</param>
-        /// <param name="bytes">Of them, from the first on.</param>
+        /// <param name="bytes">Number of bytes, from the first on.</param>
         /// <exception cref="ArgumentOutOfRangeException">There are not so many bytes.</exception>
         /// <exception cref="InvalidOperationException">What was begun before has not ended.</exception>
         public void Begin(uint[] data, int bytes)

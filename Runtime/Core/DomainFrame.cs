@@ -11,7 +11,7 @@ namespace Rill
         readonly float3 half;
         readonly float spacing, inverseSpacing;
 
-        /// <param name="position">Of the domain's center, world space, m.</param>
+        /// <param name="position">Position of the domain's center, world space, m.</param>
         /// <param name="size">m.</param>
         /// <param name="spacing">m.</param>
         public DomainFrame(Vector3 position, Quaternion rotation, float3 size, float spacing)

@@ -73,7 +73,7 @@ namespace Rill
         }
 
         /// <summary>Takes words that a request of before a snapshot was to bring: they come by themselves. Of one that has made no request.</summary>
-        /// <param name="frames">Of the game, from now on, in which they come.</param>
+        /// <param name="frames">Number of frames from now on in which they come.</param>
         public void Resume(ReadOnlySpan<uint> words, int frames)
         {
             resumed = words.ToArray();

@@ -13,9 +13,9 @@ namespace Rill
         readonly long[] numbers;        // of the newest request of each slot
         long requests;
 
-        /// <param name="name">Of each buffer.</param>
+        /// <param name="name">Name of each buffer.</param>
         /// <param name="count">Buffers.</param>
-        /// <param name="words">Of each.</param>
+        /// <param name="words">Number of words of each buffer.</param>
         /// <param name="arrived">Called with the slot of each answer that has come, in the order of the requests.</param>
         /// <param name="lost">Called with the slot of each request that ended with an error; may be null.</param>
         public ReadbackRing(string name, int count, int words, Action<int> arrived, Action<int> lost = null)
@@ -65,7 +65,7 @@ namespace Rill
 
         /// <summary>Takes words that a request of before a snapshot was to bring.</summary>
         /// <param name="slot">One without a request so far.</param>
-        /// <param name="frames">Of the game, in which they come.</param>
+        /// <param name="frames">Number of frames in which they come.</param>
         public void Resume(int slot, ReadOnlySpan<uint> words, int frames)
         {
             numbers[slot] = requests++;

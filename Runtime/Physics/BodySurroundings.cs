@@ -34,10 +34,10 @@ namespace Rill
         public FluidSimulation Fluid => fluid;
 
         /// <summary>Looks around the body.</summary>
-        /// <param name="center">Of mass, world space, m.</param>
+        /// <param name="center">Center of mass, world space, m.</param>
         /// <param name="touches">Whether the fluid presses on it.</param>
         /// <param name="time">Since the last look, s.</param>
-        /// <param name="knownLevel">Of the water, where what was measured told it: until it is asked. No number else.</param>
+        /// <param name="knownLevel">Level of the water that was measured before, until it is requested; NaN if unknown.</param>
         /// <returns>All 0 where what was measured needs nothing beside it.</returns>
         public StillWater Look(List<BodyPart> parts, float mass, Vector3 center, bool touches, float time, float knownLevel)
         {

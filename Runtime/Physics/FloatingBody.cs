@@ -173,7 +173,7 @@ namespace Rill
         }
 
         /// <summary>Volume of a collider, m³; 0 if it has none.</summary>
-        /// <param name="field">Of a mesh; null for a mesh without.</param>
+        /// <param name="field">Field of a mesh; null for a mesh without.</param>
         public static float VolumeOf(in ColliderMotion shape, SignedDistanceField field)
         {
             if (shape.shape != ColliderShape.Mesh)

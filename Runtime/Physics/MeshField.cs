@@ -13,7 +13,7 @@ namespace Rill
         [Tooltip("Signed distances that were baked from it.")]
         [SerializeField] SignedDistanceField field;
 
-        /// <param name="mesh">Of the Mesh Collider.</param>
+        /// <param name="mesh">Mesh of the Mesh Collider.</param>
         /// <param name="field">That was baked from it.</param>
         public MeshField(Mesh mesh, SignedDistanceField field)
         {

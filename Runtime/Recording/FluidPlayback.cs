@@ -216,7 +216,7 @@ namespace Rill
         }
 
         /// <summary>Lets the time of a frame pass.</summary>
-        /// <param name="seconds">Of the game.</param>
+        /// <param name="seconds">Time of the game, s.</param>
         /// <param name="frame">What to show; null where what is shown stays.</param>
         /// <param name="follows">Whether it goes on from what was shown: false after a jump.</param>
         internal bool Advance(float seconds, PbfSolver solver, out RecordedFrame frame, out bool follows)

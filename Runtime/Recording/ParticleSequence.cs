@@ -20,8 +20,8 @@ namespace Rill
 
         /// <param name="simulation">Whose particles.</param>
         /// <param name="folder">Made where it is missing.</param>
-        /// <param name="prefix">Of the files' names.</param>
-        /// <param name="format">Of the files.</param>
+        /// <param name="prefix">Prefix of the files' names.</param>
+        /// <param name="format">Format of the files.</param>
         /// <exception cref="ArgumentNullException">An argument is missing.</exception>
         /// <exception cref="IOException">The folder cannot be made.</exception>
         public ParticleSequence(FluidSimulation simulation, string folder, string prefix, ParticleFileFormat format)

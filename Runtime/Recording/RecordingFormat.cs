@@ -73,8 +73,8 @@ namespace Rill
             return new RecordingHeader(new FrameLayout((RecordingFields)fields, bits == FrameLayout.WideBits), (int)capacity, spacing, size);
         }
 
-        /// <param name="length">Of the particles, bytes.</param>
-        /// <param name="checksum">Of the particles.</param>
+        /// <param name="length">Size of the particles, bytes.</param>
+        /// <param name="checksum">Checksum of the particles.</param>
         public static void WriteFrameHeader(RecordedFrame frame, int length, uint checksum, Span<byte> to)
         {
             Put(to, 0, FrameMark);

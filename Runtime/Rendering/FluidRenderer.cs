@@ -141,7 +141,7 @@ namespace Rill
         }
 
         /// <summary>Turns a keyword of what this renderer draws with on or off.</summary>
-        /// <param name="instead">Of the material that is drawn with; null: its own.</param>
+        /// <param name="instead">Material to set it on instead of its own; null for its own.</param>
         private protected void SetKeyword(string name, bool isOn, Material instead = null)
         {
             SetKeyword(instead != null ? instead : shaderMaterial, name, isOn);

@@ -20,7 +20,7 @@ namespace Rill
         public int Height => height;
 
         /// <summary>Asks for so many texels, once in a frame.</summary>
-        /// <param name="maxWidth">Of the whole picture: no room is spared beyond it.</param>
+        /// <param name="maxWidth">Width of the whole picture: no room is spared beyond it.</param>
         /// <param name="maxHeight">The same.</param>
         /// <returns>Whether textures have to be made again, of <see cref="Width"/> and <see cref="Height"/>.</returns>
         public bool Fit(int neededWidth, int neededHeight, int maxWidth, int maxHeight)

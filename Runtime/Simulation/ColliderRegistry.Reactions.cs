@@ -26,7 +26,7 @@ namespace Rill
         int takenStep;
 
         /// <summary>Records the handing over of the sums since the last.</summary>
-        /// <param name="rotation">Of the domain, world space.</param>
+        /// <param name="rotation">Rotation of the domain, world space.</param>
         /// <param name="fluid">Whose steps they are.</param>
         public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, in DomainFrame frame,
             Quaternion rotation, FluidSimulation fluid)

@@ -341,7 +341,7 @@ namespace Rill
         /// is new is empty: <see cref="Fill(FluidShape, Vector3, int, float)"/> of the whole box fills it and leaves the rest as it is.
         /// A particle that is handed over keeps position, velocity, phase and lifetime, and gets a new id. It does not look for room.
         /// </remarks>
-        /// <param name="position">Of this object, world space, m.</param>
+        /// <param name="position">Position of this object, world space, m.</param>
         /// <param name="leaving">What happens to particles that then lie outside. What was kept before comes back in any case.</param>
         /// <param name="handOverTo">The fluid that gets those of them that lie in its box, whatever its rotation; null for none. Where its
         /// capacity is full, or it does not run, the rest is removed or kept as the others.</param>
@@ -384,7 +384,7 @@ namespace Rill
         /// Emitters and drains are told apart by the order in which they were enabled, colliders by shape and size. Foam begins again.
         /// Does nothing in a player without a graphics device.
         /// </remarks>
-        /// <param name="snapshot">Of a fluid with the same box and particle spacing, and of no more particles than this capacity.</param>
+        /// <param name="snapshot">Snapshot of a fluid with the same box and particle spacing, and of no more particles than this capacity.</param>
         /// <param name="bodies">Whether floating bodies are put back. False: they stay where they are, and begin there at rest.</param>
         /// <exception cref="ArgumentNullException">There is none.</exception>
         /// <exception cref="ArgumentException">It does not fit this fluid; the message says why. The fluid stays as it was.</exception>

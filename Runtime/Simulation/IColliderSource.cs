@@ -7,9 +7,9 @@ namespace Rill
     interface IColliderSource
     {
         /// <summary>Those that may reach into the fluid's box, in an order that stays while they do. Called before the steps of a frame.</summary>
-        /// <param name="center">Of the box, world space, m.</param>
+        /// <param name="center">Center of the box, world space, m.</param>
         /// <param name="size">m.</param>
-        /// <param name="spacing">Of the particles, m.</param>
+        /// <param name="spacing">Spacing of the particles, m.</param>
         List<IFluidCollider> Gather(Vector3 center, Quaternion rotation, Vector3 size, float spacing);
     }
 }

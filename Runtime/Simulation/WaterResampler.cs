@@ -30,7 +30,7 @@ namespace Rill
         /// <param name="velocities">xyz, old spacings a second.</param>
         /// <param name="tags">As many, or none.</param>
         /// <param name="ratio">Old spacing over new.</param>
-        /// <param name="size">Of the domain, new spacings.</param>
+        /// <param name="size">Size of the domain, new spacings.</param>
         /// <param name="colliders">In old spacings: no new particle touches one.</param>
         /// <param name="down">Along gravity in the domain's frame: the lattice lies on that side.</param>
         public WaterResampler(ReadOnlySpan<float4> positions, ReadOnlySpan<float4> velocities, ReadOnlySpan<uint> tags, float ratio, float3 size,

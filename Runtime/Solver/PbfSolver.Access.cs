@@ -137,7 +137,7 @@ namespace Rill
         /// <param name="velocity">d/s, of all.</param>
         /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
         /// <param name="high">Highest coordinates of the positions, d, within the domain.</param>
-        /// <param name="tag">Of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
+        /// <param name="tag">Tag of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
         public void AddIntoFreeSpace(NativeArray<float4> positions, float3 velocity, float3 low, float3 high, uint tag)
         {
             PrepareConstants();

@@ -174,14 +174,14 @@ namespace Rill
         public int OutsideOverflow => Transferred(Leaving, TransferWord.Held);
 
         /// <summary>Moves the particles outside along with a box that is put elsewhere.</summary>
-        /// <param name="from">Where the box was in world space, m, its lowest corner.</param>
-        /// <param name="to">Where it is now.</param>
+        /// <param name="from">Former pose of the box in world space, m, at its lowest corner.</param>
+        /// <param name="to">New pose of the box.</param>
         public void TeleportOutside(in RigidPose from, in RigidPose to) => outside?.Teleport(from, to);
 
         /// <summary>Moves the box and leaves the particles where they are in the world, at once: those outside are kept up to a number, and
         /// those that it then covers come back.</summary>
-        /// <param name="from">Where the box was in world space, m, its lowest corner.</param>
-        /// <param name="to">Where it then is, turned as before.</param>
+        /// <param name="from">Former pose of the box in world space, m, at its lowest corner.</param>
+        /// <param name="to">New pose of the box, with the same rotation.</param>
         /// <param name="maxOutside">Maximum number of particles outside; those that are there already stay.</param>
         /// <param name="keeps">False removes those that leave.</param>
         public void Shift(in RigidPose from, in RigidPose to, int maxOutside, bool keeps)
@@ -252,10 +252,10 @@ namespace Rill
 
         /// <summary>Moves to another fluid, at once, what lies in its box and will lie outside of this one's. Before
         /// <see cref="Shift(float3)"/>.</summary>
-        /// <param name="taker">Of the same particle spacing.</param>
-        /// <param name="from">Where this box is in world space, m, its lowest corner.</param>
-        /// <param name="to">Where it will be, turned as before.</param>
-        /// <param name="takersBox">Where the other is.</param>
+        /// <param name="taker">Fluid that takes, with the same particle spacing.</param>
+        /// <param name="from">Pose of this box in world space, m, at its lowest corner.</param>
+        /// <param name="to">Pose to which it moves, with the same rotation.</param>
+        /// <param name="takersBox">Pose of the other box.</param>
         /// <param name="keepsRest">Whether what finds no room stays outside, see <see cref="Shift(in RigidPose, in RigidPose, int, bool)"/>.</param>
         public void HandOver(PbfSolver taker, in RigidPose from, in RigidPose to, in RigidPose takersBox, bool keepsRest)
         {

@@ -160,7 +160,7 @@ namespace Rill
         /// <summary>Adds particles like <see cref="Add"/>, in d and d/s; with one velocity for each position, or one for all.</summary>
         /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
         /// <param name="high">Highest coordinates of the positions, d, within the domain.</param>
-        /// <param name="tag">Of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
+        /// <param name="tag">Tag of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high, uint tag = 0)
         {
             particleUpload.Append(particles, Layout.Capacity, positions, velocities, ParticleTags, tag);

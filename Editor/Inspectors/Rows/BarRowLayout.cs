@@ -14,8 +14,8 @@ namespace Rill.Editor
             Height = height;
         }
 
-        /// <param name="width">Of the row, pixels.</param>
-        /// <param name="indent">Of its left end.</param>
+        /// <param name="width">Width of the row, pixels.</param>
+        /// <param name="indent">Indent of its left end.</param>
         public static BarRowLayout Of(float width, float indent, float lineHeight, string label, string figure, ITextMeasure texts)
         {
             float figureWidth = texts.Width(figure);
@@ -29,7 +29,7 @@ namespace Rill.Editor
 
         public Rect FigureIn(Rect row) => new Rect(row.xMax - figureWidth, row.y, figureWidth, Height);
 
-        /// <param name="fraction">Of the longest bar, 0 to 1.</param>
+        /// <param name="fraction">Fraction of the longest bar, 0 to 1.</param>
         public Rect BarIn(Rect row, float fraction)
             => new Rect(row.x + indent, row.y + 1f, (row.width - indent) * Mathf.Clamp01(fraction), Height - 2f);
     }

@@ -26,11 +26,11 @@ namespace Rill.Editor
             this.valueHeight = valueHeight;
         }
 
-        /// <param name="width">Of the row, pixels.</param>
-        /// <param name="indent">Of its left end.</param>
-        /// <param name="labelWidth">Of the label column, the indent included.</param>
-        /// <param name="lineHeight">Of one line.</param>
-        /// <param name="valueHeight">Of the value with its label beside it; more than a line where the label has the first line for itself.</param>
+        /// <param name="width">Width of the row, pixels.</param>
+        /// <param name="indent">Indent of its left end.</param>
+        /// <param name="labelWidth">Width of the label column, the indent included.</param>
+        /// <param name="lineHeight">Height of one line.</param>
+        /// <param name="valueHeight">Height of the value with its label beside it; above a line if the label has one for itself.</param>
         /// <param name="unit">Null or "" for none.</param>
         public static FieldRowLayout Of(float width, float indent, float labelWidth, float lineHeight, float valueHeight, string label,
             string unit, ITextMeasure texts)

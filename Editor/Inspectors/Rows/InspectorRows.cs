@@ -50,7 +50,7 @@ namespace Rill.Editor
         }
 
         /// <summary>A label and a figure over a bar.</summary>
-        /// <param name="fraction">Of the longest bar, 0 to 1.</param>
+        /// <param name="fraction">Fraction of the longest bar, 0 to 1.</param>
         public static void BarOf(string label, float fraction, string figure)
         {
             GUIStyle style = EditorStyles.wordWrappedLabel;

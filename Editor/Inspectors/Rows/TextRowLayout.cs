@@ -22,9 +22,9 @@ namespace Rill.Editor
             this.textHeight = textHeight;
         }
 
-        /// <param name="width">Of the row, pixels.</param>
-        /// <param name="indent">Of its left end.</param>
-        /// <param name="labelWidth">Of the label column, the indent included.</param>
+        /// <param name="width">Width of the row, pixels.</param>
+        /// <param name="indent">Indent of its left end.</param>
+        /// <param name="labelWidth">Width of the label column, the indent included.</param>
         public static TextRowLayout Of(float width, float indent, float labelWidth, string label, string text, ITextMeasure texts)
         {
             float column = Mathf.Max(labelWidth, indent + texts.Width(label) + FieldRowLayout.Gap);

@@ -45,7 +45,7 @@ namespace Rill
         public bool IsSubmittedFor(int width, int height) => submittedSize == new Vector2Int(width, height);
 
         /// <summary>The draw is submitted now.</summary>
-        /// <param name="width">Of the picture, pixels.</param>
+        /// <param name="width">Width of the picture, pixels.</param>
         public void MarkSubmitted(int width, int height)
         {
             submittedFrame = Time.frameCount;

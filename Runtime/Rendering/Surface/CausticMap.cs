@@ -51,7 +51,7 @@ namespace Rill
         /// <summary>Finds the light of this frame, at once.</summary>
         /// <param name="toLight">World.</param>
         /// <param name="gravity">World; zero where there is none.</param>
-        /// <param name="index">Of refraction.</param>
+        /// <param name="index">Index of refraction.</param>
         public void Update(in MeshFrame mesh, Vector3 toLight, Vector3 gravity, float index, SurfaceQuality quality)
         {
             (int texels, int layers) = DetailOf(quality);

@@ -25,7 +25,7 @@ namespace Rill
         readonly CameraViews<WaterView> views = new CameraViews<WaterView>(camera => new WaterView(camera));
         bool refracts, reflectsOwn, withFoam;
 
-        /// <param name="colors">Of Water.shader; it is not destroyed with this.</param>
+        /// <param name="colors">Material of Water.shader with the colors; it is not destroyed with this.</param>
         public MeshDraw(Material colors) => this.colors = colors;
 
         /// <summary>Whether what is behind is seen bent, whether a cube map of the user's own is mirrored, and whether there is foam.</summary>
@@ -106,7 +106,7 @@ namespace Rill
 
         /// <summary>Records what the camera's draws read of it, and its rays; nothing where its picture was not prepared.</summary>
         /// <param name="camera">With the matrices that it draws with.</param>
-        /// <param name="constants">Of the fluid's look; the camera's are filled in.</param>
+        /// <param name="constants">Constants of the fluid's look; the camera's are filled in.</param>
         public void Record(CommandBuffer cmd, in FluidViews camera, in MeshFrame mesh, SurfaceConstants constants)
         {
             WaterView view = views.Find(camera.camera);

@@ -44,8 +44,8 @@ namespace Rill
         /// <param name="scale">Width of the grid over that of the picture.</param>
         public static int Scaled(int pixels, float scale) => Mathf.Max((int)(pixels * scale), 1);
 
-        /// <param name="width">Of the grid, texels.</param>
-        /// <param name="height">Of the grid, texels.</param>
+        /// <param name="width">Width of the grid, texels.</param>
+        /// <param name="height">Height of the grid, texels.</param>
         /// <param name="bounds">Lowest x and y, highest x and y on the picture, -1 to 1.</param>
         public static PictureWindow Around(int width, int height, Vector4 bounds)
         {

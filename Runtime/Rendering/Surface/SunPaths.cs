@@ -31,7 +31,7 @@ namespace Rill
 
         /// <summary>Finds those of this frame, at once.</summary>
         /// <param name="toLight">World.</param>
-        /// <param name="block">Of the draw into shadow maps.</param>
+        /// <param name="block">Property block of the draw into shadow maps.</param>
         public void Update(in MeshFrame mesh, Vector3 toLight, MaterialPropertyBlock block)
         {
             Vector4 light = mesh.domainToWorld.inverse.MultiplyVector(toLight).normalized;

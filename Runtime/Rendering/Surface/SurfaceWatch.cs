@@ -15,8 +15,8 @@ namespace Rill
         public void See() => seenFrame = Time.frameCount;
 
         /// <summary>Allocates no managed memory while the number of cameras does not grow.</summary>
-        /// <param name="layer">Of the fluid.</param>
-        /// <param name="box">Of the fluid.</param>
+        /// <param name="layer">Layer of the fluid.</param>
+        /// <param name="box">Box of the fluid.</param>
         /// <param name="shadow">World, m: how far its shadow reaches, along the light; zero where it casts none.</param>
         public bool IsSeen(int layer, in FluidBox box, Vector3 shadow)
         {

@@ -38,7 +38,7 @@ namespace Rill
         public GraphicsBuffer TileMarks => tileMarks;
 
         /// <summary>Holds what the rays of a view need; allocates only where it is larger than all before.</summary>
-        /// <param name="width">Of the whole picture, in texels of the view's rays.</param>
+        /// <param name="width">Width of the whole picture, in texels of the view's rays.</param>
         /// <param name="height">The same.</param>
         /// <param name="sprayWords">That are added up for a texel of its spray.</param>
         public void Prepare(WaterView view, int width, int height, int sprayWords)

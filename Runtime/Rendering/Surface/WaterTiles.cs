@@ -31,7 +31,7 @@ namespace Rill
         public static int MarksOf(int width, int height) => Lists * ((width + Tile - 1) / Tile) * ((height + Tile - 1) / Tile);
 
         /// <summary>Makes the buffers where they are missing or of another size.</summary>
-        /// <param name="width">Of the textures of rays, texels.</param>
+        /// <param name="width">Width of the textures of rays, texels.</param>
         /// <param name="height">The same.</param>
         public void Fit(int width, int height)
         {
@@ -45,7 +45,7 @@ namespace Rill
         }
 
         /// <summary>Empties both lists.</summary>
-        /// <param name="instances">Of each draw.</param>
+        /// <param name="instances">Number of instances of each draw.</param>
         public void RecordStart(CommandBuffer cmd, int instances)
         {
             start[WaterCommand * Words + 1] = start[SprayCommand * Words + 1] = (uint)instances;

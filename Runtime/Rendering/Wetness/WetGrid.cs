@@ -68,7 +68,7 @@ namespace Rill
 
         /// <summary>Marks where the water is, at once; does nothing where it was marked at that time already. As time goes back, all dries
         /// first.</summary>
-        /// <param name="time">Of the solver's newest state, s.</param>
+        /// <param name="time">Time of the solver's newest state, s.</param>
         public void Mark(PbfSolver solver, double time)
         {
             uint stamp = StampOf(time);
@@ -115,7 +115,7 @@ namespace Rill
         }
 
         /// <summary>Sets what Wetness.hlsl reads of it.</summary>
-        /// <param name="time">Of the frame, s.</param>
+        /// <param name="time">Time of the frame, s.</param>
         public void SetOn(MaterialPropertyBlock block, double time)
         {
             block.SetBuffer(Ids.Stamps, stamps);

@@ -10,7 +10,7 @@ namespace Rill
         int newest;
 
         /// <summary>Ends a frame.</summary>
-        /// <param name="stepCost">Of one step by the cost model, ms.</param>
+        /// <param name="stepCost">Cost of one step by the cost model, ms.</param>
         public void Add(int stepCount, float stepCost)
         {
             newest = (newest + 1) % Frames;

@@ -52,7 +52,7 @@ namespace Rill
         };
 
         /// <summary>Returns what a reading says is wet, or where the last one was that did.</summary>
-        /// <param name="position">Of the collider, where there was none, m.</param>
+        /// <param name="position">Position of the collider, where there was none, m.</param>
         public WettedArea Follow(in WettedArea wetted, Vector3 position)
         {
             if (!(wetted.Area > 0f))
@@ -62,9 +62,9 @@ namespace Rill
             return wetted;
         }
 
-        /// <param name="impulse">Of the reading, N s.</param>
-        /// <param name="duration">Of its steps, s.</param>
-        /// <param name="threshold">Of a hit, N s, above 0.</param>
+        /// <param name="impulse">Impulse of the reading, N s.</param>
+        /// <param name="duration">Duration of its steps, s.</param>
+        /// <param name="threshold">Threshold of a hit, N s, above 0.</param>
         public ContactChange Follow(float impulse, float duration, float threshold)
         {
             var change = ContactChange.None;

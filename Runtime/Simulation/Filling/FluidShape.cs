@@ -22,7 +22,7 @@ namespace Rill
         /// <summary>A box with sides along the axes of a rotation.</summary>
         /// <param name="center">World space, m.</param>
         /// <param name="size">m, 0 or more.</param>
-        /// <param name="rotation">Of the box in world space.</param>
+        /// <param name="rotation">Rotation of the box in world space.</param>
         /// <exception cref="ArgumentException">A side is negative, or an argument not finite.</exception>
         public static FluidShape Box(Vector3 center, Vector3 size, Quaternion rotation)
         {

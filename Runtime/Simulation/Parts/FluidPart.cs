@@ -90,7 +90,7 @@ namespace Rill
         /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was
         /// after the last; false as for <see cref="TryGetPose"/>.</summary>
         /// <param name="from">Fraction of the frame at which the step starts.</param>
-        /// <param name="to">And ends.</param>
+        /// <param name="to">Fraction of the frame at which it ends.</param>
         private protected bool TryGetMotion(in DomainFrame frame, float from, float to, out RigidPose start, out RigidPose end)
         {
             start = end = default;

@@ -7,7 +7,7 @@ namespace Rill
         SignedDistanceField MeshField { get; }
 
         /// <summary>Gives what is asked of the state of this frame.</summary>
-        /// <param name="frame">Of the fluid's box.</param>
+        /// <param name="frame">Frame of the fluid's box.</param>
         /// <param name="spacing">m.</param>
         /// <returns>Whether there is anything to ask.</returns>
         bool TryGetRegion(in DomainFrame frame, float spacing, out DetectorRegion region, out DetectorPose pose);

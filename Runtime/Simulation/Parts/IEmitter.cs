@@ -7,7 +7,7 @@ namespace Rill
         int Blocked { get; }
 
         /// <summary>Gives what it does in the next step.</summary>
-        /// <param name="frame">Of the fluid's box.</param>
+        /// <param name="frame">Frame of the fluid's box.</param>
         /// <param name="spacing">m.</param>
         /// <param name="step">Duration, s.</param>
         /// <param name="from">Fraction of the frame at which the step starts.</param>

@@ -10,7 +10,7 @@ namespace Rill
         float MaxAcceleration { get; }
 
         /// <summary>Gives what it does in the next step.</summary>
-        /// <param name="frame">Of the fluid's box.</param>
+        /// <param name="frame">Frame of the fluid's box.</param>
         /// <param name="spacing">m.</param>
         /// <returns>Whether it does anything.</returns>
         bool TryGetStep(in DomainFrame frame, float spacing, out FieldRegion region);

@@ -51,12 +51,12 @@ namespace Rill
         /// <param name="origin">The ball's center at the start, world space, m.</param>
         /// <param name="radius">m, 0 to <see cref="MaxRadius"/> particle spacings.</param>
         /// <param name="direction">World space, of any length above 0.</param>
-        /// <param name="maxDistance">Of the center, m, above 0.</param>
+        /// <param name="maxDistance">Maximum distance that the center moves, m, above 0.</param>
         public static FluidRay Sphere(Vector3 origin, float radius, Vector3 direction, float maxDistance = float.PositiveInfinity)
             => new FluidRay(origin, direction, maxDistance) { radius = radius };
 
         /// <summary>Problem that keeps it from being cast; null for none.</summary>
-        /// <param name="spacing">Of the fluid's particles, m.</param>
+        /// <param name="spacing">Spacing of the fluid's particles, m.</param>
         internal string Problem(float spacing)
         {
             if (!Limit.IsPose(origin, Quaternion.identity))

@@ -9,11 +9,11 @@ namespace Rill
     {
         const float MinSteepness = 0.2f;        // of the normal along gravity: a steeper surface rises no faster
 
-        /// <param name="words">Of all questions.</param>
+        /// <param name="words">Result words of all queries.</param>
         /// <param name="at">The first word of this one.</param>
         /// <param name="position">Where it was asked, m.</param>
         /// <param name="isOutside">Whether that was outside the box: then nothing is valid.</param>
-        /// <param name="radius">Of the ball whose submerged fraction is given, m.</param>
+        /// <param name="radius">Radius of the ball whose submerged fraction is given, m.</param>
         public static FluidProbeSample Probe(in QueryFrame frame, NativeArray<uint> words, int at, Vector3 position, bool isOutside, float radius)
         {
             var sample = new FluidProbeSample { step = frame.step, time = frame.time, position = position };

@@ -104,7 +104,7 @@ namespace Rill
         }
 
         /// <summary>Takes those that are where they were: they go on from there.</summary>
-        /// <param name="tolerance">Of positions and sizes, d.</param>
+        /// <param name="tolerance">Tolerance of positions and sizes, d.</param>
         /// <param name="own">Those of this fluid alone; null for none.</param>
         /// <returns>Whether all were.</returns>
         public bool Load(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame, float tolerance, List<IFluidCollider> own,

@@ -29,7 +29,7 @@ namespace Rill
         /// <param name="velocities">World space, m/s.</param>
         /// <param name="densities">kg/m³.</param>
         /// <param name="phases">0 for none.</param>
-        /// <param name="ids">Of the particles.</param>
+        /// <param name="ids">Ids of the particles.</param>
         /// <param name="time">Fluid time, s.</param>
         /// <exception cref="ArgumentNullException">An array is missing.</exception>
         /// <exception cref="ArgumentException">They differ in length.</exception>

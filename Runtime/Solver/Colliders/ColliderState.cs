@@ -68,12 +68,12 @@ namespace Rill
 
         /// <param name="motion">Over a frame.</param>
         /// <param name="from">Fraction of the frame at which the substep starts.</param>
-        /// <param name="to">And ends.</param>
+        /// <param name="to">Fraction of the frame at which it ends.</param>
         /// <param name="timeStep">Length of the substep, s.</param>
         /// <param name="accelerationFraction">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>:
         /// friction does.</param>
         /// <param name="viscous">Whether its friction is by the fluid's viscosity, see ViscosityWalls.hlsl.</param>
-        /// <param name="brick">Where the atlas holds the field of a mesh.</param>
+        /// <param name="brick">Position of the field of a mesh in the atlas.</param>
         public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationFraction,
             bool viscous, in FieldBrick brick)
         {

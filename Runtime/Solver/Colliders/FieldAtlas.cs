@@ -53,9 +53,9 @@ namespace Rill
             public bool isSecond, moves;
         }
 
-        /// <param name="shape">Of the colliders whose fields it holds. An atlas is as wide and as high as the largest of them: flat fields
+        /// <param name="shape">Shape of the colliders whose fields it holds. An atlas is as wide and as high as the largest of them: flat fields
         /// and deep ones in one would waste most of it.</param>
-        /// <param name="name">Of the texture.</param>
+        /// <param name="name">Name of the texture.</param>
         /// <param name="contents">What the fields are, for messages.</param>
         public FieldAtlas(ComputeShader shader, ColliderShape shape, string name, string contents)
         {
@@ -135,8 +135,8 @@ namespace Rill
             }
         }
 
-        /// <param name="collider">Of the set that the atlas holds.</param>
-        /// <returns>Of its field; default where it has none here.</returns>
+        /// <param name="collider">Collider of the set that the atlas holds.</param>
+        /// <returns>Position of its field; default if it has none here.</returns>
         public FieldBrick Brick(in ColliderMotion collider)
         {
             if (IsDeforming(collider))

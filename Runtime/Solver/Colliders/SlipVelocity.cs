@@ -17,7 +17,7 @@ namespace Rill
 
         /// <summary>Follows a body that took a velocity and kept it for a time.</summary>
         /// <param name="time">s, above 0.</param>
-        /// <param name="memory">Of the water, s, above 0.</param>
+        /// <param name="memory">Memory of the water, s, above 0.</param>
         /// <returns>Mean slip over that time.</returns>
         public float3 Follow(float3 next, float time, float memory)
         {

@@ -13,8 +13,8 @@ namespace Rill
 
         /// <summary>Appends samples of a shape's surface: their areas add up to that of the shape, and as vectors to none.</summary>
         /// <param name="shape">World space, m.</param>
-        /// <param name="field">Of a mesh; null for other shapes.</param>
-        /// <param name="spacing">Of the particles, m.</param>
+        /// <param name="field">Field of a mesh; null for other shapes.</param>
+        /// <param name="spacing">Spacing of the particles, m.</param>
         public static void Append(List<SurfaceSample> to, in ColliderMotion shape, SignedDistanceField field, float spacing)
         {
             int first = to.Count;

@@ -29,7 +29,7 @@ namespace Rill
         /// <summary>Adds some steps. Those with the body out of the water tell nothing.</summary>
         /// <param name="change">Force of the water over the buoyancy, per kg of water that the whole body displaces, m/s².</param>
         /// <param name="slip">In which it was measured, over the time in which the water comes to move along, m/s².</param>
-        /// <param name="fraction">Of the body under water, 0 to 1.</param>
+        /// <param name="fraction">Fraction of the body under water, 0 to 1.</param>
         /// <param name="time">s.</param>
         public void Add(Vector3 change, Vector3 slip, float fraction, float gravity, float guess, float time)
         {

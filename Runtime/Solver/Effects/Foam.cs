@@ -147,7 +147,7 @@ namespace Rill
         }
 
         /// <summary>Records the step of all foam, after the fluid's own. <see cref="Particles"/> is another buffer then.</summary>
-        /// <param name="depth">Of the water, d.</param>
+        /// <param name="depth">Depth of the water, d.</param>
         public void Record(in StepContext step, float depth)
         {
             CommandBuffer cmd = step.Commands;

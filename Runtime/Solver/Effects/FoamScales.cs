@@ -29,10 +29,10 @@ namespace Rill
 
         /// <param name="settings">Validated.</param>
         /// <param name="gravity">Its strength, m/s².</param>
-        /// <param name="depth">Of the water, d.</param>
+        /// <param name="depth">Depth of the water, d.</param>
         /// <param name="spacing">d, m.</param>
         /// <param name="step">s.</param>
-        /// <param name="substeps">Of the step.</param>
+        /// <param name="substeps">Number of substeps of the step.</param>
         public FoamScales(in FoamSettings settings, double gravity, double depth, double spacing, double step, int substeps)
         {
             Depth = settings.referenceDepth > 0f ? settings.referenceDepth / spacing : depth;

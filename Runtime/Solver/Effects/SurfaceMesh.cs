@@ -66,8 +66,8 @@ namespace Rill
         GraphicsBuffer marks, marksBefore, meshTop, brickSlots, cellMasks, brickCounts, countsBefore, meshVertices, meshIndices, arguments,
             counters;
 
-        /// <param name="layout">Of the solver.</param>
-        /// <param name="workspace">Of the same; it outlives the mesh.</param>
+        /// <param name="layout">Layout of the solver.</param>
+        /// <param name="workspace">Workspace of the same solver; it outlives the mesh.</param>
         /// <param name="cell">Distance of the field's nodes, d, 0.25 to 2.</param>
         /// <exception cref="ArgumentOutOfRangeException">The box has more bricks than a buffer of this device holds.</exception>
         public SurfaceMesh(SolverLayout layout, SurfaceWorkspace workspace, float cell)

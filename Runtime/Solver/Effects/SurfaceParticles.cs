@@ -44,8 +44,8 @@ namespace Rill
         readonly SurfaceWorkspace workspace;
         GraphicsBuffer surface, counters, arguments, planesBefore;
 
-        /// <param name="layout">Of the solver.</param>
-        /// <param name="workspace">Of the same; it outlives this.</param>
+        /// <param name="layout">Layout of the solver.</param>
+        /// <param name="workspace">Workspace of the same solver; it outlives this.</param>
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this capacity is more than the device can bind.</exception>
         public SurfaceParticles(SolverLayout layout, SurfaceWorkspace workspace)
         {

@@ -39,7 +39,7 @@ namespace Rill
         public string Variant => TwoLists ? TwoListsKeyword : null;
 
         /// <summary>Lists of particles as they lie on the GPU, one after the other.</summary>
-        /// <param name="words">Of all particles' blocks.</param>
+        /// <param name="words">Number of words of all particles' blocks.</param>
         /// <param name="counts">[particles].</param>
         public static uint[] Pack(SolverLayout layout, ReadOnlySpan<uint> words, ReadOnlySpan<uint> counts)
         {

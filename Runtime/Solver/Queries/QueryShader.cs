@@ -68,7 +68,7 @@ namespace Rill
         }
 
         /// <summary>Records where rays and balls cross the surface, and density, velocity and phase at that point.</summary>
-        /// <param name="firstWord">Of the results, from which on there are <see cref="RayQuery.RayWords"/> for each ray.</param>
+        /// <param name="firstWord">First word of the results, from which on there are <see cref="RayQuery.RayWords"/> for each ray.</param>
         public void AnswerRays(in StepContext step, ParticleTags tags, in RayBuffers buffers, GraphicsBuffer results, int firstWord)
         {
             BeginRays(step, answerRays, tags, buffers);
@@ -81,7 +81,7 @@ namespace Rill
         /// textures.</summary>
         /// <param name="detectors"><see cref="DetectorRegion"/>, those that are meshes last.</param>
         /// <param name="results">uint, from a word on <see cref="Queries.DetectorWords"/> for each shape, 0 at entry.</param>
-        /// <param name="fields">Of the meshes, at their indices among all.</param>
+        /// <param name="fields">Fields of the meshes, at their indices among all.</param>
         public void RecordDetectors(in StepContext step, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int firstWord,
             int simpleCount, Texture3D[] fields, int meshCount)
         {

@@ -93,7 +93,7 @@ namespace Rill
         /// <summary>
         /// Largest relaxation at which no scene of the stability study gained energy; see Documentation~/solver.md.
         /// </summary>
-        /// <param name="iterations">Of a substep.</param>
+        /// <param name="iterations">Number of iterations of a substep.</param>
         /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water: then one iteration stands more.</param>
         public static float MaxRelaxation(int iterations, bool deepWater = false)
         {

@@ -45,7 +45,7 @@ namespace Rill
             }
         }
 
-        /// <param name="maxParticles">As many as there can be.</param>
+        /// <param name="maxParticles">Maximum number of particles that may be alive.</param>
         /// <exception cref="InvalidOperationException">More than can be read back at once.</exception>
         public void Add(in StateBuffer state, long maxParticles)
         {
@@ -54,7 +54,7 @@ namespace Rill
         }
 
         /// <summary>Adds neighbor lists as they lie on the GPU, the second buffer after the first.</summary>
-        /// <param name="entries">Of a buffer, from its start.</param>
+        /// <param name="entries">Number of entries of a buffer, from its start.</param>
         public void AddLists(GraphicsBuffer buffer, long entries)
             => Add(new StateBuffer(SnapshotSection.Neighbors, buffer, StateExtent.Moved), entries * sizeof(uint), true);
 

@@ -120,7 +120,7 @@ namespace Rill
         }
 
         /// <summary>Records what goes, from the particles at the start of a step.</summary>
-        /// <param name="lastSubsteps">Of the last step.</param>
+        /// <param name="lastSubsteps">Number of substeps of the last step.</param>
         /// <param name="emitters">Null where nothing is recycled.</param>
         /// <param name="tags">Null where no particle has a lifetime.</param>
         public void Record(in StepContext step, int lastSubsteps, EmitterStates emitters, ParticleTags tags)

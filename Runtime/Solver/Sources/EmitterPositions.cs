@@ -44,10 +44,10 @@ namespace Rill
         /// <summary>Whether a low rate uses all of the cross-section's positions in turn, not only the innermost.</summary>
         public bool UsesAllPositions { get; private set; }
 
-        /// <param name="size">Of a box, m.</param>
-        /// <param name="radius">Of a sphere or disc, m.</param>
-        /// <param name="mesh">Of a surface.</param>
-        /// <param name="scale">Of the mesh.</param>
+        /// <param name="size">Size of a box, m.</param>
+        /// <param name="radius">Radius of a sphere or disc, m.</param>
+        /// <param name="mesh">Mesh of a surface.</param>
+        /// <param name="scale">Scale of the mesh.</param>
         /// <param name="spacing">m.</param>
         /// <param name="problem">What is wrong with the shape, and null where nothing is.</param>
         /// <returns>Null where there is a problem.</returns>

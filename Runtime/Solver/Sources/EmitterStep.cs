@@ -69,7 +69,7 @@ namespace Rill
         public bool EmitsInSubsteps => !positions.FillsVolume;
 
         /// <summary>Returns its part of one of the equal substeps of this step. All of them together let in as much as the step.</summary>
-        /// <param name="index">Of the substep.</param>
+        /// <param name="index">Index of the substep.</param>
         /// <param name="count">Substeps.</param>
         /// <param name="step">Length of the whole step, s.</param>
         public EmitterStep Part(int index, int count, float step)

@@ -41,8 +41,8 @@ namespace Rill
         public bool HasTags => sets[0].HasTags;
 
         /// <summary>Moves the particles along with a box that is put elsewhere.</summary>
-        /// <param name="from">Where the corner of that box was, world space, m.</param>
-        /// <param name="to">Where it is now.</param>
+        /// <param name="from">Former pose of the corner of that box, world space, m.</param>
+        /// <param name="to">New pose of the corner.</param>
         public void Teleport(in RigidPose from, in RigidPose to)
         {
             quaternion rotation = math.mul(to.rotation, math.inverse(from.rotation));

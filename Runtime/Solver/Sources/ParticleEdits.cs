@@ -59,7 +59,7 @@ namespace Rill
         /// at once. Their upload buffers are given back.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocity">d/s, of all.</param>
-        /// <param name="tag">Of all, see ParticleTags.hlsl.</param>
+        /// <param name="tag">Tag of all, see ParticleTags.hlsl.</param>
         /// <param name="tags">Null for none.</param>
         public void AddIntoFreeSpace(in StepContext step, NativeArray<float4> positions, float3 velocity, uint tag, ParticleTags tags)
         {

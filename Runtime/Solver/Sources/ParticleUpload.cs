@@ -74,7 +74,7 @@ namespace Rill
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocities">xyz, d/s; as many as positions, or one for all.</param>
         /// <param name="tags">Null for none.</param>
-        /// <param name="tag">Of all of them, see ParticleTags.hlsl: 0 for no phase and no end.</param>
+        /// <param name="tag">Tag of all of them, see ParticleTags.hlsl: 0 for no phase and no end.</param>
         public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities,
             ParticleTags tags = null, uint tag = 0)
         {
