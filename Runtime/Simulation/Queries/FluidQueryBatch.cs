@@ -288,7 +288,7 @@ namespace Rill
         {
             if (index < 0 || index >= count)
                 throw Limit.OutOfRange(nameof(index), index,
-                    Invariant($"There is no index {index} among {count:N0} {what}: give 0 to below {limit}."));
+                    Invariant($"Index {index} is not one of {count:N0} {what}: give 0 to below {limit}."));
         }
 
         static void CheckRoom(int length, int count, int capacity, string limit, string name)

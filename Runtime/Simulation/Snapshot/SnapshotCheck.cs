@@ -25,7 +25,7 @@ namespace Rill
         static void CheckSolver(in SolverRecord solver)
         {
             Require(solver.spacing > 0f && IsFinite(solver.spacing) && math.all(solver.domainSize > 0f) && IsFinite(solver.domainSize),
-                "their particle spacing or box is no size");
+                "their particle spacing or box is not a valid size");
             Require(solver.particles <= SolverLayout.MaxCapacity && solver.moved <= solver.particles
                 && solver.maxParticles >= solver.particles,
                 Invariant($"{solver.particles:N0} particles, {solver.moved:N0} of which moved, cannot be"));

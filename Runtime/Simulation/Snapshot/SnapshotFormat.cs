@@ -15,7 +15,7 @@ namespace Rill
     static class SnapshotFormat
     {
         const int HeaderBytes = 24, EntryBytes = 24, ChecksumBytes = 4, VersionOneCounters = 16, VersionThreeEmitterWords = 8;
-        const string What = "These bytes are no snapshot that can be read: ";
+        const string What = "These bytes are not a snapshot that can be read: ";
 
         static readonly byte[] Magic = Encoding.ASCII.GetBytes("RillSnap");
 

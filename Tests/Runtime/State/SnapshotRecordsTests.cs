@@ -41,7 +41,7 @@ namespace Rill.Tests
                     all[0] = (T)changed;
                     contents.SetValues<T>(section, all);
                     string refusal = SnapshotBytesTests.Refusal(SnapshotFormat.Write(contents));
-                    Assert.That(refusal, Does.StartWith("These bytes are no snapshot that can be read: ").And.Contain("use others"),
+                    Assert.That(refusal, Does.StartWith("These bytes are not a snapshot that can be read: ").And.Contain("use others"),
                         $"{typeof(T).Name}{field}");
                     count++;
                 }

@@ -222,8 +222,8 @@ namespace Rill.Tests
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoints(new Vector3[3], 0, 3),
                     "3 points are more than this batch was made for, 2: make it larger, or several");
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoints(new Vector3[3], 2, 2), "2 points from 2 on are not in an array of 3");
-                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoint(0, Vector3.zero), "There is no index 0 among 0 points");
-                AssertThrows<ArgumentOutOfRangeException>(() => batch.TryGetSample(2, out _), "There is no index 2 among 2 points");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoint(0, Vector3.zero), "Index 0 is not one of 0 points");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.TryGetSample(2, out _), "Index 2 is not one of 2 points");
                 AssertThrows<ArgumentException>(() => batch.SetPoints(default(NativeArray<float3>)), "not created");
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.Radius = 0f, "above 0 m");
                 batch.SetPoints(new Vector3[2], 0, 2);
