@@ -110,7 +110,8 @@ namespace Rill
             settings = stillSettings;
             input = new StepInput
             {
-                timeStep = fluid.FixedStep, gravity = float3.zero, settings = settings, material = fluid.Material.WithoutForces(), needsDensity = NeedsDensity
+                timeStep = fluid.FixedStep, gravity = float3.zero, settings = settings, material = fluid.Material.WithoutForces(),
+                needsDensity = NeedsDensity
             };
             NeedsDensity = false;
             NeedsFoam = null;

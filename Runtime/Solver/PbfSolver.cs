@@ -174,57 +174,6 @@ namespace Rill
         /// <summary>Lets the next step leave out what lies in colliders: what is filled before the first step knows of none.</summary>
         public void LeaveOutCovered() => isStart = true;
 
-        /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
-        public void Step(CommandBuffer cmd, in StepInput input)
-        {
-            stepIndex++;
-            SurfaceIsCurrent = false;
-            InvalidateParticles(false);
-            UploadConstants(cmd, input);
-            PrepareSources(input);
-            PrepareConnections(input);
-            UpdateStages(cmd, input);
-            StepContext step = Context(cmd, input);
-            RecordKills(step);
-            RecordDrains(step);
-            RecordConnections(step);
-            for (int substep = 0; substep < step.Substeps; substep++)
-            {
-                Resting?.Record(step);
-                Fields?.Record(step);
-                Colliders?.RecordSubstep(step, substep);
-                RecordStart(step);
-                Coarse?.RecordColliders(step);
-                Coarse?.RecordProjection(step);
-                bool solvesViscosity = Viscosity != null && hasLists;      // which adds the projection to the velocities
-                if (solvesViscosity)
-                    Viscosity.Record(step);
-                neighborSearch.RecordSort(step, takesProjection: Coarse != null && !solvesViscosity, Viscoelasticity?.PreviousIndices);
-                ParticleTags?.RecordSort(step);
-                densityConstraint.Record(step);
-                velocityUpdate.Record(step);
-                Viscoelasticity?.Record(step);
-                Vorticity?.Record(step);
-                hasLists = true;
-                particles.Advance();
-                if (substep < step.Substeps - 1)
-                    RecordEmission(step, substep);
-            }
-            lastSubsteps = step.Substeps;
-            isRestored = false;
-            substepsSinceSurface += lastSubsteps;
-            Foam?.Record(step, WaterDepth(input.gravity));
-            RecordEmission(step, step.Substeps - 1);
-            hasNew = Emitters.IsNeeded(input.sources);
-        }
-
-        void RecordStart(in StepContext step)
-        {
-            if (isStart)
-                Colliders?.RecordLeaveOut(step);
-            isStart = false;
-        }
-
         /// <summary>Records the measuring of the current state; <see cref="RequestStatistics"/> then fetches it.</summary>
         public void RecordStatistics(CommandBuffer cmd, in StepInput input)
         {
@@ -260,42 +209,6 @@ namespace Rill
             return true;
         }
 
-        /// <summary>Returns what each stage costs with this input, in the order of the step.</summary>
-        /// <param name="statisticsInterval">Steps between measurements; 0 for none.</param>
-        public List<StageDescription> Describe(in StepInput input, int statisticsInterval)
-        {
-            var state = new StageDescription("Particles", true, Invariant($"capacity {Layout.Capacity:N0}"));
-            particles.Describe(state);
-            state.Buffer("Rill.Constants", constants);
-            StepContext step = Context(null, input);
-            return new List<StageDescription>
-            {
-                state,
-                ParticleAccess.Describe(Access, step, noTags),
-                Drains.Describe(Drains, step, TagsWithLifetimes),
-                ParticleTransfer.Describe(Transfer, input.connections?.count ?? 0, ParticleTags != null, outside),
-                RestingRegions.Describe(Resting, input),
-                ForceFields.Describe(Fields, input),
-                CoarseCorrection.Describe(Coarse, input, WaterDepth(input.gravity)),
-                Colliders.Describe(Colliders, input),
-                ImplicitViscosity.Describe(Viscosity, step),
-                neighborSearch.Describe(step, Coarse != null && Viscosity == null),
-                ParticleTags.Describe(ParticleTags, step),
-                densityConstraint.Describe(step),
-                velocityUpdate.Describe(step),
-                VelocityExtrapolation.Describe(Extrapolation, step),
-                Viscoelasticity.Describe(Viscoelasticity, step),
-                VorticityConfinement.Describe(Vorticity, step),
-                Foam.Describe(Foam, step),
-                Emitters.Describe(Emitters, step, ParticleTags),
-                SurfaceParticles.Describe(Surface, step, Mesh != null),
-                SurfaceMesh.Describe(Mesh),
-                Queries.Describe(Queries, queried, ParticleTags),
-                FramePacking.Describe(Packing),
-                StatisticsPass.Describe(Statistics, step, statisticsInterval),
-            };
-        }
-
         public void Dispose()
         {
             particles?.Dispose();
@@ -328,14 +241,6 @@ namespace Rill
             float strength = math.length(gravity);
             return strength > 0f ? math.dot(math.abs(gravity) / strength, extent) : 0f;
         }
-
-        /// <param name="hasSteps">False leaves out what the last step would have left.</param>
-        StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true)
-            => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
-            hasSteps ? Coarse : null, hasSteps ? Resting : null, Colliders, Extrapolation, Vorticity?.Unconfined);
-
-        // Returns the context for passes that read or edit the particles as the last step left them, without an input.
-        StepContext BetweenSteps(CommandBuffer cmd) => Context(cmd, default);
 
         /// <summary>Side of a coarse cell, d, that a step with this input wants.</summary>
         public float CoarseCellSize(in StepInput input)

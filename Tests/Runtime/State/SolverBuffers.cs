@@ -44,8 +44,9 @@ namespace Rill.Tests
 
         static IEnumerable<FieldInfo> Fields(Type type)
         {
+            const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
             for (; type != null && type != typeof(object); type = type.BaseType)
-                foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                foreach (FieldInfo field in type.GetFields(Own))
                     yield return field;
         }
 

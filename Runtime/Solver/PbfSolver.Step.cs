@@ -1,0 +1,196 @@
+using System.Collections.Generic;
+using UnityEngine.Rendering;
+using static System.FormattableString;
+
+namespace Rill
+{
+    // A step at a glance: its order, its stages, and what they cost. A stage that a fluid can do without is made when first needed, and null
+    // until then.
+    partial class PbfSolver
+    {
+        /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
+        public void Step(CommandBuffer cmd, in StepInput input)
+        {
+            stepIndex++;
+            SurfaceIsCurrent = false;
+            InvalidateParticles(false);
+            UploadConstants(cmd, input);
+            PrepareSources(input);
+            PrepareConnections(input);
+            UpdateStages(cmd, input);
+            StepContext step = Context(cmd, input);
+            RecordKills(step);
+            RecordDrains(step);
+            RecordConnections(step);
+            for (int substep = 0; substep < step.Substeps; substep++)
+            {
+                Resting?.Record(step);
+                Fields?.Record(step);
+                Colliders?.RecordSubstep(step, substep);
+                RecordStart(step);
+                Coarse?.RecordColliders(step);
+                Coarse?.RecordProjection(step);
+                bool solvesViscosity = Viscosity != null && hasLists;      // which adds the projection to the velocities
+                if (solvesViscosity)
+                    Viscosity.Record(step);
+                neighborSearch.RecordSort(step, takesProjection: Coarse != null && !solvesViscosity, Viscoelasticity?.PreviousIndices);
+                ParticleTags?.RecordSort(step);
+                densityConstraint.Record(step);
+                velocityUpdate.Record(step);
+                Viscoelasticity?.Record(step);
+                Vorticity?.Record(step);
+                hasLists = true;
+                particles.Advance();
+                if (substep < step.Substeps - 1)
+                    RecordEmission(step, substep);
+            }
+            lastSubsteps = step.Substeps;
+            isRestored = false;
+            substepsSinceSurface += lastSubsteps;
+            Foam?.Record(step, WaterDepth(input.gravity));
+            RecordEmission(step, step.Substeps - 1);
+            hasNew = Emitters.IsNeeded(input.sources);
+        }
+
+        void RecordStart(in StepContext step)
+        {
+            if (isStart)
+                Colliders?.RecordLeaveOut(step);
+            isStart = false;
+        }
+
+        readonly Stage[] stages = new Stage[Features.All.Length];       // by Feature.Index
+
+        /// <summary>Solid colliders; null without any.</summary>
+        public Colliders Colliders => (Colliders)stages[Features.Colliders.Index];
+
+        /// <summary>Pressure of deep water, on a coarse grid; null while no step has needed it.</summary>
+        public CoarseCorrection Coarse => (CoarseCorrection)stages[Features.DeepWater.Index];
+
+        /// <summary>Stretch of an elastic fluid; null while it is not elastic.</summary>
+        public Viscoelasticity Viscoelasticity => (Viscoelasticity)stages[Features.Elasticity.Index];
+
+        /// <summary>Sleep of water at rest; null while the settings do without.</summary>
+        public RestingRegions Resting => (RestingRegions)stages[Features.Sleep.Index];
+
+        /// <summary>Foam, spray and bubbles; null while nothing asks for them.</summary>
+        public Foam Foam => (Foam)stages[Features.Foam.Index];
+
+        /// <summary>Elements of the surface; null while nothing draws it.</summary>
+        public SurfaceParticles Surface => (SurfaceParticles)stages[Features.SurfaceParticles.Index];
+
+        /// <summary>The water's surface as a mesh; null while nothing draws it, or not as a mesh.</summary>
+        public SurfaceMesh Mesh => (SurfaceMesh)stages[Features.SurfaceMesh.Index];
+
+        /// <summary>Answers to probes and detectors; null while there are none.</summary>
+        public Queries Queries => (Queries)stages[Features.Queries.Index];
+
+        ImplicitViscosity Viscosity => (ImplicitViscosity)stages[Features.Viscosity.Index];
+        VelocityExtrapolation Extrapolation => (VelocityExtrapolation)stages[Features.Extrapolation.Index];
+        VorticityConfinement Vorticity => (VorticityConfinement)stages[Features.Vorticity.Index];
+        ForceFields Fields => (ForceFields)stages[Features.ForceFields.Index];
+        Emitters Emitters => (Emitters)stages[Features.Emitters.Index];
+        Drains Drains => (Drains)stages[Features.Drains.Index];
+        ParticleTags ParticleTags => (ParticleTags)stages[Features.Tags.Index];
+        StatisticsPass Statistics => (StatisticsPass)stages[Features.Statistics.Index];
+        ParticleAccess Access => (ParticleAccess)stages[Features.ParticleAccess.Index];
+        ParticleEdits Edits => (ParticleEdits)stages[Features.ParticleEdits.Index];
+        ParticleTransfer Transfer => (ParticleTransfer)stages[Features.Transfer.Index];
+        FramePacking Packing => (FramePacking)stages[Features.Recording.Index];
+
+        /// <summary>Returns what each stage costs with this input, in the order of the step.</summary>
+        /// <param name="statisticsInterval">Steps between measurements; 0 for none.</param>
+        public List<StageDescription> Describe(in StepInput input, int statisticsInterval)
+        {
+            var state = new StageDescription("Particles", true, Invariant($"capacity {Layout.Capacity:N0}"));
+            particles.Describe(state);
+            state.Buffer("Rill.Constants", constants);
+            StepContext step = Context(null, input);
+            return new List<StageDescription>
+            {
+                state,
+                ParticleAccess.Describe(Access, step, noTags),
+                Drains.Describe(Drains, step, TagsWithLifetimes),
+                ParticleTransfer.Describe(Transfer, input.connections?.count ?? 0, ParticleTags != null, outside),
+                RestingRegions.Describe(Resting, input),
+                ForceFields.Describe(Fields, input),
+                CoarseCorrection.Describe(Coarse, input, WaterDepth(input.gravity)),
+                Colliders.Describe(Colliders, input),
+                ImplicitViscosity.Describe(Viscosity, step),
+                neighborSearch.Describe(step, Coarse != null && Viscosity == null),
+                ParticleTags.Describe(ParticleTags, step),
+                densityConstraint.Describe(step),
+                velocityUpdate.Describe(step),
+                VelocityExtrapolation.Describe(Extrapolation, step),
+                Viscoelasticity.Describe(Viscoelasticity, step),
+                VorticityConfinement.Describe(Vorticity, step),
+                Foam.Describe(Foam, step),
+                Emitters.Describe(Emitters, step, ParticleTags),
+                SurfaceParticles.Describe(Surface, step, Mesh != null),
+                SurfaceMesh.Describe(Mesh),
+                Queries.Describe(Queries, queried, ParticleTags),
+                FramePacking.Describe(Packing),
+                StatisticsPass.Describe(Statistics, step, statisticsInterval),
+            };
+        }
+
+        /// <param name="hasSteps">False leaves out what the last step would have left.</param>
+        StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true)
+            => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
+            hasSteps ? Coarse : null, hasSteps ? Resting : null, Colliders, Extrapolation, Vorticity?.Unconfined);
+
+        // Returns the context for passes that read or edit the particles as the last step left them, without an input.
+        StepContext BetweenSteps(CommandBuffer cmd) => Context(cmd, default);
+
+        // Makes the stages that a step asks for and releases those that none does. What comes, goes or changes beside water at rest wakes it.
+        void UpdateStages(CommandBuffer cmd, in StepInput input)
+        {
+            bool hadColliders = Colliders != null, hadFields = Fields != null;
+            foreach (Feature feature in Features.All)
+                if (feature.FollowsSteps)
+                    Update(feature, input);
+            bool wakes = hadColliders && Colliders == null || hadFields && Fields == null;
+            wakes |= Colliders != null && Colliders.ConsumeChanges(input.colliders);
+            wakes |= Fields != null && Fields.Upload(cmd, input.sources);
+            if (wakes)
+                Resting?.Wake();
+        }
+
+        void Update(Feature feature, in StepInput input)
+        {
+            if (!feature.IsAsked(this, input))
+            {
+                Release(feature);
+                return;
+            }
+            if (stages[feature.Index] != null && !stages[feature.Index].Fits(this, input))
+                Release(feature);
+            stages[feature.Index] ??= feature.Make(this, input);
+        }
+
+        T Keep<T>(Feature feature, T stage) where T : Stage
+        {
+            stages[feature.Index] = stage;
+            return stage;
+        }
+
+        void Release(Feature feature)
+        {
+            stages[feature.Index]?.Dispose();
+            stages[feature.Index] = null;
+        }
+
+        void ReleaseWhatEnds(ParticleChange change)
+        {
+            foreach (Feature feature in Features.All)
+                if (stages[feature.Index] != null && !stages[feature.Index].Survives(change))
+                    Release(feature);
+        }
+
+        void ReleaseStages()
+        {
+            foreach (Feature feature in Features.All)
+                Release(feature);
+        }
+    }
+}
