@@ -19,8 +19,8 @@ cbuffer RillCoarse
     float _MaxPush;    // longest displacement of the density correction, d
     uint _LevelCount;    // levels of the V-cycle below the grid itself
     uint _FirstTailLevel;    // the first of those that one thread group does together
-    float _MinSurfaceDistance;    // nearest that the free surface lies from the water's middle, cells
-    float _MaxSurfaceDistance;    // and furthest
+    float _MinSurfaceDistance;    // minimum distance of the free surface from the water's center, cells
+    float _MaxSurfaceDistance;    // maximum of it, cells
     uint4 _Levels[8];    // cells along x, y, z and index of the first; [0] is the grid itself
 };
 

@@ -24,7 +24,7 @@ static const uint kSphere = 0;    // A ball.
 static const uint kBox = 1;    // A box with any three sides.
 static const uint kCapsule = 2;    // A cylinder along y with half a ball at both ends.
 static const uint kPlane = 3;    // All below an endless plane; y points out of it.
-static const uint kMesh = 4;    // What a signed distance field describes.
+static const uint kMesh = 4;    // A mesh, described by a signed distance field.
 static const uint kHeightField = 5;    // All below the heights of a HeightField: the ground.
 
 static const uint kInsideOut = 1;    // the fluid is in it

@@ -19,7 +19,7 @@ struct DrainRegion
     uint number;    // of its states, below kMaxDrains
 };
 
-// What is known of each drain on the GPU alone, words of _DrainStates.
+// State of each drain that only the GPU knows, words of _DrainStates.
 static const uint kDrainCarried = 0;    // particles of the limit that are left from the steps before
 static const uint kDrainRandomRanks = 1;    // random ranks below this go in this step
 static const uint kDrainDrained = 2;    // since the reset

@@ -8,7 +8,7 @@ static const uint kEmitterWords = 16;    // words of an emitter in _EmitterState
 static const uint kShutCollider = 0;    // colliders cover its outlet
 static const uint kShutOutside = 1;    // it lies outside the box
 static const uint kShutFull = 2;    // the box holds as much as fits
-static const uint kShutWater = 3;    // water lies there and does not give way
+static const uint kShutWater = 3;    // water lies there and does not yield
 
 // Which word of an emitter is what.
 static const uint kEmitterWaiting = 0;    // particles due that had no room yet
@@ -24,8 +24,8 @@ static const uint kEmitterCrowded = 9;    // places tried in this emission that 
 static const uint kEmitterPressing = 10;    // emissions for which it goes on to press water away
 static const uint kEmitterPressureSum = 11;    // error of the density of what lies before the outlet, summed in this emission; 0 between
 static const uint kEmitterPressureCount = 12;    // particles of that sum; 0 between
-static const uint kEmitterPressure = 13;    // their mean error while the water gives way, in steps of 1 / PressureSteps; 0 while it presses nothing away
-static const uint kEmitterStalled = 14;    // emissions in a row in which the water before it did not give way
+static const uint kEmitterPressure = 13;    // their mean error while the water yields, in steps of 1 / PressureSteps; 0 while it presses nothing away
+static const uint kEmitterStalled = 14;    // emissions in a row in which the water before it did not yield
 static const uint kEmitterShutBy = 15;    // why none had room, see ShutCause
 
 #endif

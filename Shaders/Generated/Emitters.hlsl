@@ -2,7 +2,7 @@
 #ifndef RILL_GENERATED_EMITTERS_INCLUDED
 #define RILL_GENERATED_EMITTERS_INCLUDED
 
-// What the kernels read of one emitter in a step; lengths in d, in the domain's frame.
+// Constants of one emitter in a step that the kernels read; lengths in d, in the domain's frame.
 cbuffer RillEmitter
 {
     float4 _OriginAndSpeed;

@@ -25,7 +25,7 @@ static const uint kLinear = 1;    // 1 - t, with t = 0 at the center and 1 at th
 static const uint kInverseSquare = 2;    // (0.1 / t)^2, and 1 below t = 0.1.
 static const uint kSmooth = 3;    // (1 - t^2)^2.
 
-// What a force field does.
+// Effect of a force field.
 static const uint kDirection = 0;    // Accelerates along the object's forward axis.
 static const uint kPoint = 1;    // Accelerates towards the object; away from it with a negative strength.
 static const uint kVortex = 2;    // Accelerates around the object's forward axis.

@@ -16,7 +16,7 @@ struct DetectorRegion
     float unused;
 };
 
-// What a detector has the shape of.
+// Shape of a detector.
 static const uint kBox = 0;    // A box with sides along the axes of the object.
 static const uint kSphere = 1;    // A sphere.
 static const uint kCapsule = 2;    // A capsule along the object's y axis.
@@ -27,7 +27,7 @@ static const uint kCrossingEnter = 1;    // Into the water. Water in which the r
 static const uint kCrossingLeave = 2;    // Out of the water.
 static const uint kCrossingAny = 3;    // Either.
 
-// What a probe's result has.
+// Flags of a probe's result.
 static const uint kNearWater = 1;    // particles within the kernel's support
 static const uint kHasSurface = 2;    // on the line along gravity
 
@@ -51,7 +51,7 @@ static const uint kParticlesPerThread = 4;    // particles that a thread of the 
 static const uint kProbeGroup = 256;    // threads of a probe's groups
 static const uint kSamples = 64;    // densities of a line that a group finds at once
 
-// What a ray's result has.
+// Flags of a ray's result.
 static const uint kRayHit = 1;
 static const uint kRayStartsInWater = 2;
 static const uint kRayAtSurface = 4;    // the hit is not at a wall, which has a normal of its own

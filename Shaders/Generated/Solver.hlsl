@@ -8,7 +8,7 @@ static const float kSupport = 2.0;    // support radius h, d
 
 static const uint kGroup = 128;    // threads of a particle kernel
 
-// What every kernel of the solver reads of a substep; lengths in d.
+// Constants of a substep that every kernel of the solver reads; lengths in d.
 cbuffer RillSolver
 {
     float4 _DomainSizeAndTimeStep;
@@ -35,7 +35,7 @@ cbuffer RillSolver
     float _Extrapolation;    // fraction of the last change of velocity that is added once more, see VelocityExtrapolation; 0 for none
     float _AccelerationFraction;    // 1 less it: of an acceleration that lasts, what acts at once
     float _MaxExtrapolation;    // change of velocity in a substep up to which it is, d/s
-    uint _OpenFaces;    // bit 2 a + b: along axis a the lower (b 0) or upper end of the box is no wall to the coarse grid; from kTiedFaces on the same where a neighbor's coarse solution is known
+    uint _OpenFaces;    // bit 2 a + b: along axis a the lower (b 0) or upper end of the box is open to the coarse grid; from kTiedFaces on the same where a neighbor's coarse solution is known
 };
 
 #define _DomainSize (_DomainSizeAndTimeStep.xyz)    // d

@@ -4,7 +4,7 @@
 
 static const uint kQuantityCount = 22;    // words that Quantity numbers
 
-// What is measured: sums, then maxima.
+// Measured quantities: sums, then maxima.
 static const uint kCount = 0;
 static const uint kDensityError = 1;    // max(0, C)
 static const uint kInterior = 2;    // particles away from the free surface
