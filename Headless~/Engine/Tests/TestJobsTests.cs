@@ -140,6 +140,16 @@ namespace Waiting
             Assert.That(alone[1], Is.Not.EqualTo(shared[1]), "a process of its own");
         }
 
+        [Test]
+        public void A_filter_that_matches_no_test_is_named_even_beside_one_that_does()
+        {
+            using Process process = Start("--jobs", "1", "--filter", "Planted.", "--filter", "Plnted.");
+            string problem = process.StandardError.ReadToEnd();
+            process.WaitForExit();
+            Assert.That(process.ExitCode, Is.Not.Zero);
+            Assert.That(problem, Does.Contain("--filter Plnted.: no test has a full name that contains it"));
+        }
+
         [TestCase("1"), TestCase("2")]
         public void Tests_of_a_category_are_left_out_with_their_fixtures(string jobs)
         {

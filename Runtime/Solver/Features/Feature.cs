@@ -3,7 +3,8 @@ using System;
 namespace Rill
 {
     /// <summary>Part of a fluid that it can do without: its name, its shaders, what asks for it and how it is turned off.</summary>
-    /// <remarks>Its row in <see cref="Features"/> is the only place that names it, beside its own class, setting and shader.</remarks>
+    /// <remarks>Beside its own class, setting and shader it is named by its row in <see cref="Features"/> and, where it is a stage of the step, in
+    /// PbfSolver.Step.cs.</remarks>
     sealed class Feature
     {
         /// <summary>Whether a step asks for it.</summary>
@@ -31,6 +32,9 @@ namespace Rill
         /// <summary>Names that a kernel defines, and keywords, by which a kernel of another shader belongs to it.</summary>
         public readonly string[] Defines;
 
+        /// <summary>Whether settings stored with a fluid ask for it: a build with the fluid then contains its shaders.</summary>
+        public readonly bool OfSettings;
+
         readonly Asking asked;
         readonly TurningOff turnOff;
         readonly Making make;
@@ -41,8 +45,10 @@ namespace Rill
         /// <param name="asked">Null where no step asks for it: a component or a call does.</param>
         /// <param name="turnOff">Null where who asks looks whether it is there.</param>
         /// <param name="make">Null where its stage, if it has one, is not made and released with each step's input.</param>
+        /// <param name="ofSettings">Whether <paramref name="asked"/> reads nothing but settings and material.</param>
         public Feature(string name, string remedy = null, string[] stages = null, string[] kernels = null, string[] defines = null,
-            Asking asked = null, TurningOff turnOff = null, Making make = null)
+            Asking asked = null, TurningOff turnOff = null, Making make = null,
+            bool ofSettings = false)
         {
             Name = name;
             Remedy = remedy;
@@ -52,6 +58,7 @@ namespace Rill
             this.asked = asked;
             this.turnOff = turnOff;
             this.make = make;
+            OfSettings = ofSettings;
         }
 
         /// <summary>Index in <see cref="Features.All"/>.</summary>

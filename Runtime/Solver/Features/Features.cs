@@ -65,19 +65,22 @@ namespace Rill
             stages: new[] { "ImplicitViscosity" },
             asked: (PbfSolver solver, in StepInput step) => ImplicitViscosity.IsNeeded(step),
             turnOff: (ref StepInput step) => step.material.dynamicViscosity = 0f,
-            make: (PbfSolver solver, in StepInput step) => new ImplicitViscosity(solver.Layout.Capacity));
+            make: (PbfSolver solver, in StepInput step) => new ImplicitViscosity(solver.Layout.Capacity),
+            ofSettings: true);
 
         public static readonly Feature Elasticity = new Feature("elasticity", "set the shear modulus to 0",
             stages: new[] { "Viscoelasticity" },
             asked: (PbfSolver solver, in StepInput step) => Viscoelasticity.IsNeeded(step),
             turnOff: (ref StepInput step) => step.material.shearModulus = 0f,
-            make: (PbfSolver solver, in StepInput step) => new Viscoelasticity(solver.Layout.Capacity));
+            make: (PbfSolver solver, in StepInput step) => new Viscoelasticity(solver.Layout.Capacity),
+            ofSettings: true);
 
         public static readonly Feature Vorticity = new Feature("vorticity confinement", "set vorticity to 0",
             stages: new[] { "VorticityConfinement" },
             asked: (PbfSolver solver, in StepInput step) => VorticityConfinement.IsNeeded(step),
             turnOff: (ref StepInput step) => step.material.vorticity = 0f,
-            make: (PbfSolver solver, in StepInput step) => new VorticityConfinement(solver.Layout.Capacity));
+            make: (PbfSolver solver, in StepInput step) => new VorticityConfinement(solver.Layout.Capacity),
+            ofSettings: true);
 
         public static readonly Feature Reactions = new Feature("forces on colliders", "let no collider measure its force",
             defines: new[] { "REACT", "TAKE", "WETTED" },
@@ -89,7 +92,8 @@ namespace Rill
             defines: new[] { "RILL_SLEEP" },
             asked: (PbfSolver solver, in StepInput step) => RestingRegions.IsNeeded(step),
             turnOff: (ref StepInput step) => step.settings.sleepSpeed = 0f,
-            make: (PbfSolver solver, in StepInput step) => new RestingRegions(solver.Layout));
+            make: (PbfSolver solver, in StepInput step) => new RestingRegions(solver.Layout),
+            ofSettings: true);
 
         public static readonly Feature Extrapolation = new Feature("less numerical damping", "set the numerical damping to 1",
             defines: new[] { "EXTRAPOLATE" },
@@ -153,7 +157,7 @@ namespace Rill
             ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness, ParticleRenderer, DomainRenderer, Baking);
 
         /// <summary>Those that the settings of a fluid alone ask for.</summary>
-        public static readonly Feature[] OfSettings = { Viscosity, Elasticity, Vorticity, Sleep };
+        public static readonly Feature[] OfSettings = Array.FindAll(All, feature => feature.OfSettings);
 
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         public static FeatureSet OfFluids => SetOf(All).Without(Baking);

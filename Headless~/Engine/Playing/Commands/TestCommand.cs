@@ -98,6 +98,8 @@ namespace Host.Commands
             List<Assembly> assemblies = TestAssemblies.Load(host: !choice.PackageOnly, package: !choice.HostOnly, choice.Assembly);
             if (choice.LeftOut.Length > 0 && choice.Worker == null)
                 CheckCategories(choice, assemblies);
+            if (choice.Worker == null)
+                CheckFilters(choice, assemblies);
 
             if (choice.Worker == null)
                 using (var device = new VulkanDevice())
@@ -144,6 +146,24 @@ namespace Host.Commands
             if (unknown != null)
                 throw new HostException($"--leave-out {unknown}: no test has that category; there are {string.Join(", ", there)}.");
         }
+
+        // A text that matches nothing is a mistake even beside others that do. One that matches tests of the other side is easily one.
+        static void CheckFilters(Choice choice, List<Assembly> assemblies)
+        {
+            foreach (string text in choice.Texts)
+            {
+                var filter = new TextFilter(new[] { text }, choice.LeftOut);
+                int others = choice.PackageOnly || choice.HostOnly ? Count(TestAssemblies.LoadBuilt(choice.PackageOnly, choice.HostOnly), filter) : 0;
+                string option = choice.PackageOnly ? "--package-only" : "--host-only";
+                if (Count(assemblies, filter) == 0)
+                    throw new HostException($"--filter {text}: no test has a full name that contains it" +
+                        (others > 0 ? $"; {others} that {option} leaves out do." : ". --list names all."));
+                if (others > 0)
+                    Console.Error.WriteLine($"warning: --filter {text}: {option} leaves out {others} tests that match");
+            }
+        }
+
+        static int Count(List<Assembly> assemblies, TestFilter filter) => assemblies.Sum(assembly => TestRun.List(assembly, filter).Count());
 
         static int ExecuteProject(Choice choice, bool list, int? jobs)
         {

@@ -15,12 +15,20 @@ namespace Host.Testing
         /// <param name="only">The file of another assembly, instead of all of these; null for none.</param>
         public static List<Assembly> Load(bool host, bool package, string only = null)
         {
-            var names = (host ? EngineTests.Concat(BuiltInPackage.Current.ProgramTests) : Array.Empty<string>())
-                .Concat(package ? BuiltInPackage.Current.Tests : Array.Empty<string>());
-            string[] files = only != null ? new[] { Path.GetFullPath(only) } : names.Select(Find).Where(file => file != null).ToArray();
+            string[] files = only != null ? new[] { Path.GetFullPath(only) } : Files(host, package);
             if (files.Length == 0)
                 throw new HostException($"no test assembly found near {AppContext.BaseDirectory}; build them, or run through Headless~/rill.");
+            return Load(files);
+        }
 
+        /// <summary>Returns those that are there, which may be none.</summary>
+        public static List<Assembly> LoadBuilt(bool host, bool package) => Load(Files(host, package));
+
+        static string[] Files(bool host, bool package) => (host ? EngineTests.Concat(BuiltInPackage.Current.ProgramTests) : Array.Empty<string>())
+            .Concat(package ? BuiltInPackage.Current.Tests : Array.Empty<string>()).Select(Find).Where(file => file != null).ToArray();
+
+        static List<Assembly> Load(string[] files)
+        {
             // Dependencies of a test assembly beyond the host's own assemblies lie beside it.
             AssemblyLoadContext.Default.Resolving += (context, name) => files
                 .Select(file => Path.Combine(Path.GetDirectoryName(file), name.Name + ".dll"))

@@ -19,7 +19,7 @@ namespace Host.Commands
         static int Execute()
         {
             string root = Session.Root();
-            int faults = 0;
+            int faults = 0, upToDate = 0;
             foreach (GeneratedFiles generated in GeneratedFiles.All)
             {
                 var package = new PackageTree(root);
@@ -31,13 +31,19 @@ namespace Host.Commands
                 if (texts == null)
                     continue;
                 foreach ((string path, string text) in texts)
-                    Console.Out.WriteLine($"{path}: {(Write(Path.Combine(root, path), text) ? "written" : "up to date")}");
+                {
+                    if (Write(Path.Combine(root, path), text))
+                        Console.Out.WriteLine($"{path}: written");
+                    else
+                        upToDate++;
+                }
                 foreach (string path in generated.Leftover(package, texts))
                 {
                     File.Delete(Path.Combine(root, path));
                     Console.Out.WriteLine($"{path}: deleted, nothing generates it any more");
                 }
             }
+            Console.Out.WriteLine($"{upToDate} files were up to date");
             return faults == 0 ? 0 : 1;
         }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using NUnit.Framework;
 
 namespace Rill.Tests
@@ -61,6 +62,27 @@ namespace Rill.Tests
                 Assert.That(feature.IsAsked(null, step), Is.False, feature.Name);
                 Assert.That(feature.Remedy, Is.Not.Null.And.Not.Empty, feature.Name);
             }
+        }
+
+        // Else a build would miss its shaders: the Editor has all, and a player would go on without it.
+        [Test]
+        public void A_stage_that_settings_alone_ask_for_belongs_to_those_of_settings([Values(0f, 1f)] float vorticity)
+        {
+            object material = FluidMaterial.Water;
+            foreach (FieldInfo field in typeof(FluidMaterial).GetFields(BindingFlags.Instance | BindingFlags.Public))
+                field.SetValue(material, 1f);
+            var step = new StepInput { settings = SolverSettings.Default, material = (FluidMaterial)material };
+            step.material.vorticity = vorticity;
+            step.settings.sleepSpeed = 1f;
+            int asked = 0;
+            foreach (Feature feature in Features.All)
+            {
+                if (feature == Features.DeepWater || feature.Stages.Length == 0 || !feature.IsAsked(null, step))
+                    continue;
+                asked++;
+                Assert.That(feature.OfSettings, $"{feature.Name}: write ofSettings: true in its row");
+            }
+            Assert.That(asked, Is.GreaterThanOrEqualTo(3));
         }
 
         [Test]
