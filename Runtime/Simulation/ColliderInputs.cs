@@ -116,7 +116,7 @@ namespace Rill
             else if (records.Length + before > 0)
             {
                 registry.Set.Version++;
-                fluid.Solver.Resting?.Wake();       // also where none is left, which no step would notice
+                fluid.Solver.Wake();       // also where none is left, which no step would notice
             }
         }
 

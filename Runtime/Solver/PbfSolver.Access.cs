@@ -185,7 +185,7 @@ namespace Rill
             maxParticles += count;
             minAdded = math.min(minAdded, low);
             maxAdded = math.max(maxAdded, high);
-            Resting?.Wake();
+            Wake();
             SurfaceIsCurrent = false;
             hasNew = true;
         }

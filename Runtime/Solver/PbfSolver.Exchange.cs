@@ -126,7 +126,7 @@ namespace Rill
                 Graphics.ExecuteCommandBuffer(cmd);
             }
             from.MarkRemoved();
-            Resting?.Wake();
+            Wake();
         }
 
         // Either's particles may become the other's: with phases and lifetimes where one of them has some, and as deep.

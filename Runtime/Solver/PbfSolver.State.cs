@@ -215,7 +215,7 @@ namespace Rill
             else
             {
                 if (contents.Has(SnapshotSection.Fields))
-                    Resting?.Wake();     // they have gone
+                    Wake();     // they have gone
                 Release(Features.ForceFields);        // what the scene has then counts as come
             }
         }

@@ -153,8 +153,11 @@ namespace Rill
             wakes |= Colliders != null && Colliders.ConsumeChanges(input.colliders);
             wakes |= Fields != null && Fields.Upload(cmd, input.sources);
             if (wakes)
-                Resting?.Wake();
+                Wake();
         }
+
+        /// <summary>Lets nothing sleep in the next step, where regions can.</summary>
+        public void Wake() => Resting?.Wake();
 
         void Update(Feature feature, in StepInput input)
         {

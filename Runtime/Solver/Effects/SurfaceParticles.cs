@@ -251,9 +251,9 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, shader, kernel);
-            if (step.Resting != null)
+            if (step.MaySleep)
             {
-                step.Resting.Bind(cmd, shader, kernel);
+                step.BindAsleep(shader, kernel);
                 cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStarts);
             }
             cmd.SetComputeBufferParam(shader, kernel, SurfaceWorkspace.Id, workspace.Memory);

@@ -235,7 +235,8 @@ namespace Rill.Tests
         static IEnumerable<TestCaseData> WrongRecords()
         {
             yield return Wrong<SolverRecord>("spacing of 0", SnapshotSection.Solver, r => { r.spacing = 0f; return r; }, "is not a valid size");
-            yield return Wrong<SolverRecord>("box without width", SnapshotSection.Solver, r => { r.domainSize.x = 0f; return r; }, "is not a valid size");
+            yield return Wrong<SolverRecord>("box without width", SnapshotSection.Solver, r => { r.domainSize.x = 0f; return r; },
+                "is not a valid size");
             yield return Wrong<SolverRecord>("more moved than there are", SnapshotSection.Solver,
                 r => { r.moved = r.particles + 1; return r; }, "which moved, cannot be");
             yield return Wrong<SolverRecord>("fewer at most than there are", SnapshotSection.Solver,

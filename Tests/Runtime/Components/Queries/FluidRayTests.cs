@@ -281,7 +281,8 @@ namespace Rill.Tests
                 Assert.That(batch.RayCount, Is.Zero);
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.SetRays(new FluidRay[3], 0, 3),
                     "3 rays are more than this batch was made for, 2");
-                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetRay(0, new FluidRay(Vector3.zero, Vector3.up)), "Index 0 is not one of 0 rays");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetRay(0, new FluidRay(Vector3.zero, Vector3.up)),
+                    "Index 0 is not one of 0 rays");
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.TryGetHit(2, out _), "Index 2 is not one of 2 rays");
                 AssertThrows<ArgumentOutOfRangeException>(() => new FluidQueryBatch(scene.Fluid, 0, 16385), "0 to 16,384 rays");
             }
