@@ -49,8 +49,8 @@ namespace Host.Check
             string compute = Find(package, stage + ".compute"), shader = Find(package, stage + ".shader");
             if (compute == null && shader == null)
             {
-                findings.Fault($"a row of Features names the stage {stage}, but Shaders has no {stage}.compute and no {stage}.shader. Write one, " +
-                    $"or {path} by hand, or correct the row.");
+                findings.Fault($"a row of Features names the stage {stage}, but Shaders has no {stage}.compute and no {stage}.shader. " +
+                    $"Write one, or {path} by hand, or correct the row.");
                 return false;
             }
             texts.Add(path, Head(GuidOf(package, StageScript), stage) +
@@ -64,21 +64,28 @@ namespace Host.Check
         static IEnumerable<string> StagesOf(Assembly rill)
         {
             var features = (Array)rill.GetType("Rill.Features", true).GetField("All").GetValue(null);
-            return features.Cast<object>().SelectMany(feature => (string[])feature.GetType().GetField("Stages").GetValue(feature)).Distinct();
+            return features.Cast<object>().SelectMany(feature => (string[])feature.GetType().GetField("Stages").GetValue(feature))
+                .Distinct();
         }
 
-        static string Find(PackageTree package, string name) =>
-            package.Files.FirstOrDefault(file => file.StartsWith("Shaders/", StringComparison.Ordinal) && file.EndsWith("/" + name, StringComparison.Ordinal));
+        static string Find(PackageTree package, string name) => package.Files.FirstOrDefault(file =>
+            file.StartsWith("Shaders/", StringComparison.Ordinal) && file.EndsWith("/" + name, StringComparison.Ordinal));
 
         static string Reference(PackageTree package, string file, int fileId) =>
             file == null ? "{fileID: 0}" : $"{{fileID: {fileId}, guid: {GuidOf(package, file)}, type: 3}}";
 
-        static string GuidOf(PackageTree package, string path) => package.Has(path + ".meta")
-            ? package.Read(path + ".meta").Split('\n').First(line => line.StartsWith("guid: ", StringComparison.Ordinal)).Substring("guid: ".Length).Trim()
-            : NewGuid(path);
+        static string GuidOf(PackageTree package, string path)
+        {
+            const string Key = "guid: ";
+            if (!package.Has(path + ".meta"))
+                return NewGuid(path);
+            string[] lines = package.Read(path + ".meta").Split('\n');
+            return lines.First(line => line.StartsWith(Key, StringComparison.Ordinal)).Substring(Key.Length).Trim();
+        }
 
-        // As Headless~/Engine/tools/make-meta gives them, which writes those of new shaders.
-        static string NewGuid(string path) => Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant();
+        // Returns the GUID that Headless~/Engine/tools/make-meta gives, which writes the .meta files of new shaders.
+        static string NewGuid(string path)
+            => Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant();
 
         static string Head(string script, string name) =>
             "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &11400000\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n" +
