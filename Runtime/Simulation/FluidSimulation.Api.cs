@@ -324,8 +324,7 @@ namespace Rill
         /// <summary>
         /// Removes all particles, also those kept outside the box, and their foam at once. The fluid's time, its statistics and its emitters
         /// go on; what is removed counts as drained. <see cref="Restart"/> also sets time and statistics to 0 and fills the volumes.
-        /// Does nothing in a player without a
-        /// graphics device.
+        /// Does nothing in a player without a graphics device.
         /// </summary>
         /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
         /// in a pass of <see cref="BeforeStep"/>.</exception>
@@ -408,7 +407,7 @@ namespace Rill
         public void MeasureQueriesNow()
         {
             Steps.Passes.ThrowInPass("measuring");
-            Results.Queries.MeasureNow(Commands);
+            Results.Queries.MeasureNow();
         }
     }
 }

@@ -58,12 +58,12 @@ namespace Rill
         }
 
         /// <summary>Queries the water as it is now, waits for the GPU, and hands over the results.</summary>
-        public void MeasureNow(CommandBuffer commands)
+        public void MeasureNow()
         {
-            Flush();        // so that there is a free slot
+            Flush();        // so that there is a free slot; a listener may make the fluid begin again
             if (fluid.Solver == null)
                 return;
-            Execute(commands);
+            Execute(fluid.Commands);
             Flush();
         }
 
@@ -206,7 +206,6 @@ namespace Rill
         // Returns the state that is queried, with its frame and the direction against gravity in it, of length 1; 0 without gravity.
         QueryFrame Begin(out DomainFrame frame, out float3 up)
         {
-            fluid.GetPose(out _, out Quaternion rotation);
             frame = fluid.Box.Frame;
             Vector3 gravity = fluid.Gravity;
             bool hasGravity = math.length(gravity) > 1e-6f;
@@ -215,7 +214,7 @@ namespace Rill
             {
                 step = fluid.StepCount,
                 time = fluid.FluidTime,
-                rotation = rotation,
+                rotation = frame.Box.rotation,
                 spacing = fluid.ParticleSpacing,
                 density = fluid.Material.density,
                 up = hasGravity ? -gravity.normalized : Vector3.zero,
