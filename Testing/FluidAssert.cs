@@ -114,8 +114,7 @@ namespace Rill.Testing
             detector.Flush();
             if (!detector.TryGetSample(out FluidDetectorSample sample))
                 throw new InvalidOperationException($"FluidDetector '{detector.name}' measures nothing. Put it below its fluid, enable both, " +
-                    "give it " +
-                    "a size above 0, and let the fluid take a step.");
+                    "give it a size above 0, and let the fluid take a step.");
             if (!(sample.volume >= min && sample.volume <= max))
                 Fail(detector.Simulation, Measure(detector.Simulation), VolumeProblem(detector, sample, min, max) + NameAtBoundary(detector));
         }

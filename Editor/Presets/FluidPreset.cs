@@ -48,8 +48,7 @@ namespace Rill.Editor
                 return "";
             int substeps = (int)Math.Ceiling(Math.Sqrt(DrawnOut * Material.shearModulus / Material.MaxShearModulus(spacing, UsualStep)));
             return Invariant($", shear modulus {Material.shearModulus:G4} Pa, forgotten in {Material.relaxationTime:G4} s; at this spacing ") +
-                "and 60 steps a " +
-                Invariant($"second {substeps} substeps keep it up to twice the length");
+                Invariant($"and 60 steps a second {substeps} substeps keep it up to twice the length");
         }
     }
 }

@@ -12,6 +12,10 @@ namespace Rill.Editor
     {
         const float SameFraction = 1e-3f;
 
+        // Figures of real fluids, which are the same though somebody rounds them.
+        static readonly string[] Measured = { nameof(FluidMaterial.density), nameof(FluidMaterial.velocitySmoothing),
+            nameof(FluidMaterial.dynamicViscosity) };
+
         // All are floats, so that a new one belongs to every preset by itself.
         static readonly FieldInfo[] Fields = typeof(FluidMaterial).GetFields(BindingFlags.Instance | BindingFlags.Public);
 
@@ -68,8 +72,11 @@ namespace Rill.Editor
         static bool Same(in FluidMaterial a, in FluidMaterial b)
         {
             foreach (FieldInfo field in Fields)
-                if (!Near(ValueOf(field, a), ValueOf(field, b)))
+            {
+                float valueOfA = ValueOf(field, a), valueOfB = ValueOf(field, b);
+                if (Array.IndexOf(Measured, field.Name) >= 0 ? !Near(valueOfA, valueOfB) : valueOfA != valueOfB)
                     return false;
+            }
             return true;
         }
 

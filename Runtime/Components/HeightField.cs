@@ -19,7 +19,7 @@ namespace Rill
         /// <param name="heights">[z, x], m, upwards.</param>
         /// <param name="width">From the first to the last height along x, m, above 0.</param>
         /// <param name="length">From the first to the last height along z, m, above 0.</param>
-        /// <param name="origin">Origin of the first height, from the object's position, m; also adds to all heights.</param>
+        /// <param name="origin">Position of the first height, from the object's position, m; its y adds to all heights.</param>
         /// <exception cref="ArgumentNullException">No heights.</exception>
         /// <exception cref="ArgumentException">Fewer than 2 or more than <see cref="MaxHeights"/> along a side, a side that is not a length,
         /// or a height that is not finite; the message says which.</exception>

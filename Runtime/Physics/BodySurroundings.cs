@@ -37,7 +37,7 @@ namespace Rill
         /// <param name="center">Center of mass, world space, m.</param>
         /// <param name="touches">Whether the fluid presses on it.</param>
         /// <param name="time">Since the last look, s.</param>
-        /// <param name="knownLevel">Level of the water that was measured before, until it is requested; NaN if unknown.</param>
+        /// <param name="knownLevel">Level of the water by what was measured, used until the requested one has come; NaN if unknown.</param>
         /// <returns>All 0 where what was measured needs nothing beside it.</returns>
         public StillWater Look(List<BodyPart> parts, float mass, Vector3 center, bool touches, float time, float knownLevel)
         {

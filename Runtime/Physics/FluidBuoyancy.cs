@@ -217,7 +217,7 @@ namespace Rill
                     collider.IsCarried = isCarried;
         }
 
-        // Assigns colliders to a body as Unity's physics does.
+        // Whether a collider belongs to a body, as in Unity's physics.
         static bool IsOf(Rigidbody body, FluidCollider collider) => collider.GetComponentInParent<Rigidbody>() == body;
 
         void FindParts()

@@ -10,7 +10,6 @@ namespace Rill
     /// them.</summary>
     sealed class ColliderInputs
     {
-        const int Everything = ~0;
         const int TooMany = 0;      // problem of the log
 
         readonly FluidSimulation fluid;
@@ -25,14 +24,11 @@ namespace Rill
         /// <summary>Colliders of the last steps where they ended, in the domain's frame, d.</summary>
         public ColliderSet Set => registry.Set;
 
-        /// <summary>Number of colliders of the last steps.</summary>
-        public int Count => registry.Set.Count;
-
         /// <summary>Why colliders are left out; null where none is.</summary>
         public string Problem => registry.LeftOutCount > 0 ? TooManyProblem : null;
 
         /// <summary>Whether every Fluid Collider acts on this fluid.</summary>
-        public bool TakesAllLayers => fluid.FluidColliderLayers == Everything;
+        public bool TakesAllLayers => fluid.FluidColliderLayers == FluidSimulation.AllLayers;
 
         /// <summary>Whether a Fluid Collider acts on this fluid where it reaches into the box.</summary>
         public bool Takes(ISceneCollider collider) => TakesAllLayers || (fluid.FluidColliderLayers & 1 << collider.Layer) != 0;

@@ -13,7 +13,7 @@ namespace Rill
     /// The box follows the object's position and rotation, not its scale. Moving the object carries the fluid along; its
     /// acceleration acts on the fluid unless <c>inertial</c> is off. (A turning box tilts gravity; the other forces of a
     /// rotating frame are left out.) A transform that stops being finite is not followed until it is finite again. Any other
-    /// problem is logged once, by name, and disables the component.
+    /// problem is logged once, by name, and stops the fluid; the component stays enabled.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Simulation"), Icon(PackagePaths.Icon), ManualPage("concepts.md")]
     [DisallowMultipleComponent]
@@ -26,7 +26,7 @@ namespace Rill
 
         internal const float MaxStepRate = 1000f;
         const float DefaultStepRate = 60f, MinCulledRate = 0.01f, DefaultCulledRate = 0.25f;
-        const int AllLayers = ~0;
+        internal const int AllLayers = ~0;
         static readonly Vector3 DefaultGravity = new Vector3(0f, -9.81f, 0f);
 
         [Tooltip("Inner size of the box, m. Each side at least two particle spacings.")]

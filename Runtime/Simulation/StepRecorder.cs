@@ -58,7 +58,7 @@ namespace Rill
 
         /// <summary>Chooses the settings of a frame's steps.</summary>
         /// <param name="frameTime">Fluid time of the frame, s.</param>
-        public void BeginFrame(float frameTime) => settings = Budget.BeginFrame(frameTime, input, GravityStep);
+        public void BeginFrame(float frameTime) => settings = Budget.BeginFrame(frameTime);
 
         /// <summary>Substep that <see cref="Prepare"/> is going to choose, s.</summary>
         public float SubstepTime => fluid.FixedStep / settings.StableSubsteps(GravityStep);
@@ -69,13 +69,14 @@ namespace Rill
         public void Prepare(float duration)
         {
             SceneInputs inputs = fluid.Inputs;
-            fluid.GetPose(out Vector3 position, out Quaternion rotation);
-            float3 acceleration = fluid.Box.Accelerate(position, duration);
+            DomainFrame frame = fluid.Box.Frame;
+            RigidPose box = frame.Box;
+            float3 acceleration = fluid.Box.Accelerate(box.position, duration);
             Vector3 felt = fluid.Inertial ? fluid.Gravity - (Vector3)acceleration : fluid.Gravity;
             input = new StepInput
             {
                 timeStep = fluid.FixedStep,
-                gravity = Quaternion.Inverse(rotation) * felt + inputs.Parts.UniformField(fluid.Box.Frame),
+                gravity = Quaternion.Inverse(box.rotation) * felt + inputs.Parts.UniformField(frame),
                 settings = settings,
                 material = fluid.Material,
                 needsDensity = NeedsDensity,
@@ -101,13 +102,12 @@ namespace Rill
         /// <summary>Makes the input of a step in which nothing acts, so that each particle goes on as it is.</summary>
         public void PrepareStill()
         {
-            SolverSettings stillSettings = fluid.Settings;
-            stillSettings.substeps = 1;
-            stillSettings.iterations = 0;
-            stillSettings.deepWater = DeepWater.Off;
-            stillSettings.sleepSpeed = 0f;
-            stillSettings.numericalDamping = 1f;
-            settings = stillSettings;
+            settings = fluid.Settings;
+            settings.substeps = 1;
+            settings.iterations = 0;
+            settings.deepWater = DeepWater.Off;
+            settings.sleepSpeed = 0f;
+            settings.numericalDamping = 1f;
             input = new StepInput
             {
                 timeStep = fluid.FixedStep, gravity = float3.zero, settings = settings, material = fluid.Material.WithoutForces(),
@@ -153,9 +153,9 @@ namespace Rill
         /// <summary>Raises <see cref="AfterSteps"/>.</summary>
         public void RaiseAfterSteps(bool areExecuted) => AfterSteps?.Invoke(areExecuted);
 
-        // How far gravity and the strongest field carry a particle in a step, d. The acceleration of the box is left out: a jerk of it lasts
-        // one step, and its cost would come as a hitch.
-        float GravityStep => (fluid.Gravity.magnitude + fluid.Inputs.Parts.MaxFieldAcceleration) * fluid.FixedStep * fluid.FixedStep
+        /// <summary>How far gravity and the strongest field carry a particle in a step, d. The acceleration of the box is left out: a jerk of it
+        /// lasts one step, and its cost would come as a hitch.</summary>
+        public float GravityStep => (fluid.Gravity.magnitude + fluid.Inputs.Parts.MaxFieldAcceleration) * fluid.FixedStep * fluid.FixedStep
             / fluid.ParticleSpacing;
 
         // Checks the input as it is recorded: with the substeps that are taken.

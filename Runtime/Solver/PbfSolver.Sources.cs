@@ -86,7 +86,7 @@ namespace Rill
         void NeedEmitters()
         {
             if (Emitters == null)
-                Keep(Features.Emitters, new Emitters(limits, ReadbackErrors));
+                Keep(Features.Emitters, new Emitters(Limits, ReadbackErrors));
         }
 
         void NeedDrains()

@@ -194,7 +194,7 @@ namespace Rill
             }
             if (contents.Has(SnapshotSection.Coarse) && features.Has(Features.DeepWater))
                 Keep(Features.DeepWater,
-                    new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits)
+                    new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, Limits)
                     {
                         FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
                         IsFirst = false,

@@ -18,7 +18,6 @@ namespace Rill
     /// </remarks>
     sealed partial class PbfSolver : IDisposable
     {
-        readonly DeviceLimits limits;
         readonly ParticleBuffers particles;
         readonly ParticleUpload particleUpload;
         readonly NeighborSearch neighborSearch;
@@ -42,7 +41,7 @@ namespace Rill
         public PbfSolver(SolverLayout layout, in DeviceLimits limits)
         {
             Layout = layout;
-            this.limits = limits;
+            Limits = limits;
             try
             {
                 particles = new ParticleBuffers(layout.Capacity);
@@ -63,7 +62,7 @@ namespace Rill
         public SolverLayout Layout { get; }
 
         /// <summary>Limits of the device, by which kernels that have stand-ins are chosen.</summary>
-        public DeviceLimits Limits => limits;
+        public DeviceLimits Limits { get; }
 
         /// <summary>Results that the graphics device gave an error for.</summary>
         public ReadbackErrors ReadbackErrors { get; } = new ReadbackErrors();

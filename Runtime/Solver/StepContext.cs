@@ -30,8 +30,6 @@ namespace Rill
         /// <summary>Buffer in which the stages after the constraint leave the velocities: the particles' own, or another from which a later
         /// stage fills it.</summary>
         public readonly GraphicsBuffer NewVelocities;
-        /// <summary>Whether a stage after the velocity update visits the neighbors, and smooths the velocities there.</summary>
-        public readonly bool SmoothsLater;
 
         /// <param name="newVelocities">Null for the particles' own buffer.</param>
         public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search,
@@ -52,8 +50,10 @@ namespace Rill
             Colliders = colliders;
             Extrapolation = extrapolation;
             NewVelocities = newVelocities ?? particles.Velocities;
-            SmoothsLater = newVelocities != null;
         }
+
+        /// <summary>Whether a stage after the velocity update visits the neighbors, and smooths the velocities there.</summary>
+        public bool SmoothsLater => NewVelocities != Particles.Velocities;
 
         public int Substeps => Input.settings.substeps;
 

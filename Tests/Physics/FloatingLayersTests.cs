@@ -70,7 +70,7 @@ namespace Rill.Tests
             flag.layer = Layer + 1;
             colliders.ColliderLayers = 1 << Layer | 1 << Layer + 1;
             yield return Frames(4);
-            Assert.That(colliders.GetComponent<FluidSimulation>().Inputs.Colliders.Count, Is.EqualTo(3));
+            Assert.That(colliders.GetComponent<FluidSimulation>().Inputs.Colliders.Set.Count, Is.EqualTo(3));
             foreach (IFluidCollider collider in colliders.Taken)
                 Assert.That(collider.MeasuresForce, Is.EqualTo(collider.Name != "Flag"), collider.Name);
             Assert.That(colliders.Bodies.Count, Is.EqualTo(1));
@@ -91,7 +91,7 @@ namespace Rill.Tests
             colliders.FloatingLayers = 1 << Layer + 1;
             Body("Other").transform.position = new Vector3(0.2f, -0.2f, 0f);
             yield return Frames(2);
-            Assert.That(colliders.GetComponent<FluidSimulation>().Inputs.Colliders.Count, Is.EqualTo(2));
+            Assert.That(colliders.GetComponent<FluidSimulation>().Inputs.Colliders.Set.Count, Is.EqualTo(2));
             foreach (IFluidCollider collider in colliders.Taken)
                 Assert.That(collider.MeasuresForce, Is.False, collider.Name);
             colliders.FloatingLayers = 1 << Layer;

@@ -56,7 +56,7 @@ namespace Rill.Tests
                 bar.transform.position = new Vector3(0.3f - 0.015f * frame, -0.1f, 0f);
                 yield return null;
             }
-            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(2));
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.EqualTo(2));
             float3 center = ball.transform.position, axis = bar.transform.position;
             float nearest = float.PositiveInfinity;
             foreach (float4 particle in State(fluid))
@@ -86,7 +86,7 @@ namespace Rill.Tests
                 mover.transform.position = Vector3.back * (out0 - 0.04f * Mathf.Sin(0.2f * frame));
                 yield return null;
             }
-            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(4));
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.EqualTo(4));
             float4[] state = State(fluid);
             float half = 0.5f * Inner / Spacing, center = 0.6f / Spacing;
             foreach (float4 particle in state)

@@ -167,7 +167,7 @@ namespace Rill.Tests
                 below.Size = new Vector3(0.6f, 0.15f, 0.6f);
             });
             yield return Frames(30);
-            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.EqualTo(1));
             Assert.That(below.TryGetSample(out FluidDetectorSample sample), Is.True);
             Assert.That(sample.volume, Is.Zero, "below the ground");
             Level(0f);

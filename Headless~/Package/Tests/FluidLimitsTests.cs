@@ -94,7 +94,7 @@ namespace Host.Tests
             for (int frame = 0; frame < 3; frame++)
                 PlayerLoop.Frame(FrameTime);
             Assert.That(simulation.IsRunning, Is.True);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.EqualTo(1));
         }
 
         [Test]

@@ -151,7 +151,7 @@ namespace Host.Tests
             EditorApplication.RaiseHierarchyChanged();
             EditModeScene.Step(1);
             Assert.That(emitter.Simulation, Is.SameAs(scene.Fluid));
-            Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
+            Assert.That(scene.Fluid.Inputs.Colliders.Set.Count, Is.Zero);
         }
 
         [Test]
@@ -386,10 +386,10 @@ namespace Host.Tests
             Physics.SyncTransforms();
             scene.Simulate();
             EditModeScene.Step(1);
-            Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
+            Assert.That(scene.Fluid.Inputs.Colliders.Set.Count, Is.Zero);
             box.transform.position = Vector3.zero;
             EditModeScene.Step(1);
-            Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(scene.Fluid.Inputs.Colliders.Set.Count, Is.EqualTo(1));
         }
 
         [Test]

@@ -18,7 +18,7 @@ namespace Rill
         public float Volume => math.PI * radius * radius * (height - 2f / 3f * radius);
 
         /// <param name="points">At least one.</param>
-        /// <param name="weights">Weights of each point, above 0: the area that it stands for.</param>
+        /// <param name="weights">Weight of each point, above 0: the area that it stands for.</param>
         /// <param name="coverage">Fraction of the weight that is to be within the radius, and between the ends; 0 to 1.</param>
         /// <param name="axes">Directions to try beside the one along which the points lie; need not have length 1.</param>
         public static FittedCapsule Around(float3[] points, float[] weights, float coverage, float3[] axes)

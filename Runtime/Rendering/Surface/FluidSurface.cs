@@ -113,7 +113,7 @@ namespace Rill
         /// <summary>Factor of what it mirrors, 0 to 4.</summary>
         public float ReflectionStrength { get => reflectionStrength; set => reflectionStrength = Mathf.Clamp(value, 0f, 4f); }
 
-        /// <summary>How much of the light is gone in the shadow of deep water, 0 to 1; what is thinner than four spacings throws less.</summary>
+        /// <summary>Opacity of the shadow that deep water casts, 0 to 1; what is thinner than four spacings casts less.</summary>
         public float ShadowOpacity { get => shadowOpacity; set => shadowOpacity = Mathf.Clamp01(value); }
 
         /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, the brightest directional light that the

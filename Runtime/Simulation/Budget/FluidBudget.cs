@@ -27,9 +27,7 @@ namespace Rill
 
         /// <summary>Chooses the settings of a frame's steps.</summary>
         /// <param name="seconds">Fluid time of the frame, s.</param>
-        /// <param name="last">The last step.</param>
-        /// <param name="gravityStep">How far gravity and the strongest field carry a particle in a step, d.</param>
-        public SolverSettings BeginFrame(float seconds, in StepInput last, float gravityStep)
+        public SolverSettings BeginFrame(float seconds)
         {
             SolverSettings settings = fluid.Settings;
             SolverBudget budget = fluid.Budget;
@@ -46,7 +44,7 @@ namespace Rill
             frameGpuTime.DeviceFactor = budget.deviceFactor;
 
             PbfSolver solver = fluid.Solver;
-            bool isMeasured = solver.TryGetStatistics(last, out FluidStatistics statistics);
+            bool isMeasured = solver.TryGetStatistics(fluid.Input, out FluidStatistics statistics);
             fluid.GetPose(out _, out Quaternion rotation);
             var still = new StepInput { settings = settings, material = fluid.Material, gravity = Quaternion.Inverse(rotation) * fluid.Gravity };
             SolverSettings chosen = budgeted.BeginFrame(seconds, budget, new BudgetScene
@@ -54,7 +52,7 @@ namespace Rill
                 asked = settings,
                 deepWater = solver.IsDeep(still),
                 elastic = Viscoelasticity.IsNeeded(still),
-                gravityStep = gravityStep,
+                gravityStep = fluid.Steps.GravityStep,
                 particles = isMeasured ? statistics.particles : fluid.Capacity,
                 densityError = isMeasured ? statistics.densityError : float.NaN,
             });

@@ -7,7 +7,7 @@ namespace Rill
 {
     /// <summary>
     /// Lets the water of two fluids flow from one box into the other where the boxes overlap. Each particle belongs to the fluid on whose
-    /// side of the center of the overlap it is; each fluid feels the other's particles in its own box.
+    /// side of the plane through the center of the overlap it is; each fluid feels the other's particles in its own box.
     /// </summary>
     /// <remarks>
     /// Both fluids have the same spacing, material, step rate and orientation. A particle that is handed over keeps position, velocity, phase

@@ -24,7 +24,7 @@ namespace Rill
         }
 
         /// <summary>Whether the pass visits the neighbors: to extrapolate, or for smoothing or the density unless a later stage does both.</summary>
-        public static bool VisitsNeighbors(in StepContext step) => step.Extrapolation != null
+        static bool VisitsNeighbors(in StepContext step) => step.Extrapolation != null
             || (step.Input.material.velocitySmoothing > 0f || step.Input.needsDensity) && !step.SmoothsLater;
 
         public void Record(in StepContext step)

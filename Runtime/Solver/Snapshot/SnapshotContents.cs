@@ -44,6 +44,13 @@ namespace Rill
         public void SetValues<T>(SnapshotSection section, ReadOnlySpan<T> values) where T : struct
             => Set(section, MemoryMarshal.AsBytes(values).ToArray());
 
+        /// <summary>Sets a section to records; without records the section is left out.</summary>
+        public void SetIfAny<T>(SnapshotSection section, List<T> records) where T : struct
+        {
+            if (records.Count > 0)
+                SetValues<T>(section, records.ToArray());
+        }
+
         /// <summary>Returns the fluid as at the start of its time: counts begin again with the present particles, and nothing is known of
         /// emitters, drains and colliders.</summary>
         public SnapshotContents Fluid()

@@ -27,7 +27,7 @@ namespace Rill.Tests
             stone.MeasuresForce = other.MeasuresForce = true;
             other.Friction = 0.5f;
             yield return Frames(8);
-            Assert.That((all.Inputs.Colliders.Count, one.Inputs.Colliders.Count, none.Inputs.Colliders.Count), Is.EqualTo((2, 1, 0)));
+            Assert.That((all.Inputs.Colliders.Set.Count, one.Inputs.Colliders.Set.Count, none.Inputs.Colliders.Set.Count), Is.EqualTo((2, 1, 0)));
             Assert.That(one.Input.colliders.Items[0].friction, Is.Zero, "that of the stone");
             Assert.That(none.Results.Describe().Single(stage => stage.Name == "Colliders").IsUsed, Is.False, "which costs nothing");
             Assert.That(stone.TryGetForceOf(all, out _) && stone.TryGetForceOf(one, out _) && other.TryGetForceOf(all, out _));
@@ -54,7 +54,7 @@ namespace Rill.Tests
             else
                 stone.gameObject.layer = Other;
             yield return null;
-            Assert.That(fluid.Inputs.Colliders.Count, Is.Zero, "from the next step on");
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.Zero, "from the next step on");
             Assert.That(stone.TryGetForceOf(fluid, out _), Is.False, "it no more feels that fluid");
             yield return Frames(6);
             Assert.That(stone.TryGetForceOf(fluid, out _), Is.False, "nor a pending result");
@@ -83,7 +83,7 @@ namespace Rill.Tests
                 yield return null;
             }
             Assert.That(frame, Is.Not.AllocatingGCMemory());
-            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.EqualTo(1));
             LogAssert.NoUnexpectedReceived();
         }
 
@@ -96,14 +96,14 @@ namespace Rill.Tests
             yield return Frames(4);
             FluidSnapshotRequest request = fluid.RequestSnapshot();
             yield return Frames(4);
-            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.EqualTo(1));
             fluid.Restore(request.Snapshot);
-            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.EqualTo(1));
             fluid.FluidColliderLayers = 1 << Other;
             fluid.Restore(request.Snapshot);
-            Assert.That(fluid.Inputs.Colliders.Count, Is.Zero);
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.Zero);
             yield return Frames(4);
-            Assert.That(fluid.Inputs.Colliders.Count, Is.Zero);
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.Zero);
             Assert.That(stone.TryGetForceOf(fluid, out _), Is.False);
         }
 

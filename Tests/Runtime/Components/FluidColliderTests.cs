@@ -49,7 +49,7 @@ namespace Rill.Tests
             simulation.Advance(simulation.FixedStep);
 
             ColliderMotion motion = simulation.Input.colliders.Items[0];
-            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.EqualTo(1));
             Assert.That(math.distance(motion.end.position, new float3(4f, 6f, 8f)), Is.LessThan(1e-3f));
             Assert.That(math.distance(motion.size, new float3(1f, 2f, 3f)), Is.LessThan(1e-4f));
             Assert.That(Quaternion.Angle(motion.end.rotation, Quaternion.Euler(0f, 0f, 20f)), Is.LessThan(0.1f));
@@ -168,7 +168,7 @@ namespace Rill.Tests
         {
             Make(ColliderShape.Sphere, water.transform.position + new Vector3(10f, 0f, 0f));
             simulation.Advance(simulation.FixedStep);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.Zero);
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.Zero);
             Assert.That(simulation.Results.Describe().Single(stage => stage.Name == "Colliders").IsUsed, Is.False);
         }
 
@@ -179,7 +179,7 @@ namespace Rill.Tests
                 Make(ColliderShape.Sphere, water.transform.position).name = "Ball " + i;
             LogAssert.Expect(LogType.Error, new Regex("'Water' takes 256 colliders at a time; 2 more .* 'Ball 256' first"));
             simulation.Advance(simulation.FixedStep);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(ColliderSet.MaxCount));
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.EqualTo(ColliderSet.MaxCount));
             simulation.Advance(simulation.FixedStep);       // logged once
         }
 
@@ -203,7 +203,7 @@ namespace Rill.Tests
                 + (what == "place" ? "transform is not finite" : what == "field" ? "signed distance field" : what) + ")"));
             simulation.Advance(simulation.FixedStep);
             simulation.Advance(simulation.FixedStep);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.Zero);
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.Zero);
         }
 
         [Test]
@@ -214,7 +214,7 @@ namespace Rill.Tests
             simulation.Advance(simulation.FixedStep);
             first.enabled = false;
             simulation.Advance(simulation.FixedStep);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.EqualTo(1));
             Assert.That(simulation.Input.colliders.Items[0].shape, Is.EqualTo(ColliderShape.Box));
             Assert.That(simulation.Input.colliders.Items[0].Moves, Is.False, "another number is not a motion");
             first.enabled = true;
@@ -224,7 +224,7 @@ namespace Rill.Tests
             simulation.Advance(simulation.FixedStep);
             simulation.Restart();
             simulation.Advance(simulation.FixedStep);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.EqualTo(1));
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.EqualTo(1));
         }
 
         [Test]

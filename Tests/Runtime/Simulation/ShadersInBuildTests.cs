@@ -115,7 +115,7 @@ namespace Rill.Tests
             built.gameObject.SetActive(true);
             yield return Frames(2);
             Assert.That(fluid.Solver.Colliders, Is.Not.Null);
-            Assert.That(fluid.Inputs.Colliders.Count, Is.EqualTo(2));
+            Assert.That(fluid.Inputs.Colliders.Set.Count, Is.EqualTo(2));
         }
 
         [UnityTest]

@@ -36,10 +36,10 @@ namespace Rill.Tests
                 scene.Fluid.Inputs.Colliders.Source = source;
                 LogsOnce("planted in Gather", "without Source");
                 scene.Step();
-                Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.Zero);
+                Assert.That(scene.Fluid.Inputs.Colliders.Set.Count, Is.Zero);
                 source.throws = false;
                 scene.Step();
-                Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.EqualTo(1));
+                Assert.That(scene.Fluid.Inputs.Colliders.Set.Count, Is.EqualTo(1));
             }
         }
 
@@ -60,7 +60,7 @@ namespace Rill.Tests
                 LogsOnce("NullReferenceException", "without a collider that is null");
                 scene.Step(3);
                 Assert.That(scene.Fluid.StepCount, Is.EqualTo(3));
-                Assert.That(scene.Fluid.Inputs.Colliders.Count, Is.EqualTo(2));
+                Assert.That(scene.Fluid.Inputs.Colliders.Set.Count, Is.EqualTo(2));
                 LogAssert.NoUnexpectedReceived();
             }
         }

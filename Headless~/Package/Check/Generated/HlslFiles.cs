@@ -1,9 +1,6 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Reflection;
-using System.Security.Cryptography;
-using System.Text;
 
 namespace Host.Check
 {
@@ -18,14 +15,9 @@ namespace Host.Check
         {
             if (!package.Has(OfThePackage))
                 return null;
-            string assembly = Path.Combine(package.Assemblies, "Rill.dll");
-            if (!File.Exists(assembly))
-            {
-                findings.Fault($"{assembly} is not there: build it first (Headless~/rill does)");
-                return null;
-            }
-            IReadOnlyDictionary<string, string> files = GeneratedHlsl.Files(Assembly.LoadFrom(assembly).GetTypes(),
-                CodeSummaries.Load(Path.ChangeExtension(assembly, ".xml")), findings);
+            Assembly assembly = Compiled(package, "Rill", findings);
+            IReadOnlyDictionary<string, string> files = assembly == null ? null : GeneratedHlsl.Files(assembly.GetTypes(),
+                CodeSummaries.Load(Path.ChangeExtension(assembly.Location, ".xml")), findings);
             if (files == null)
                 return null;
             var texts = new Dictionary<string, string> { [Folder.TrimEnd('/') + ".meta"] = Meta(Folder.TrimEnd('/'),
@@ -38,11 +30,5 @@ namespace Host.Check
             }
             return texts;
         }
-
-        // Writes them like Headless~/Engine/tools/make-meta: the GUID comes from the path.
-        static string Meta(string path, string importer) =>
-            $"fileFormatVersion: 2\nguid: " +
-            $"{Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant()}\n{importer}:\n  " +
-            "externalObjects: {}\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n";
     }
 }

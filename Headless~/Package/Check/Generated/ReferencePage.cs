@@ -28,13 +28,10 @@ namespace Host.Check
             var components = new List<Type>();
             foreach (string name in Assemblies)
             {
-                string file = System.IO.Path.Combine(package.Assemblies, name + ".dll");
-                if (!File.Exists(file))
-                {
-                    findings.Fault($"{file} is not there: build it first (Headless~/rill does)");
+                Assembly assembly = Compiled(package, name, findings);
+                if (assembly == null)
                     return null;
-                }
-                components.AddRange(Assembly.LoadFrom(file).GetTypes().Where(type => !type.IsAbstract && type.IsPublic
+                components.AddRange(assembly.GetTypes().Where(type => !type.IsAbstract && type.IsPublic
                     && typeof(MonoBehaviour).IsAssignableFrom(type) && type.GetCustomAttribute<AddComponentMenu>() != null));
             }
 

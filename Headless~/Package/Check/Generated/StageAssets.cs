@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using System.Reflection;
-using System.Security.Cryptography;
 using System.Text;
 
 namespace Host.Check
@@ -19,13 +17,8 @@ namespace Host.Check
         {
             if (!package.Has(StageScript) || !package.Has(ListScript))
                 return null;
-            string assembly = Path.Combine(package.Assemblies, "Rill.dll");
-            if (!File.Exists(assembly))
-            {
-                findings.Fault($"{assembly} is not there: build it first (Headless~/rill does)");
-                return null;
-            }
-            return Texts(package, StagesOf(Assembly.LoadFrom(assembly)), findings);
+            Assembly assembly = Compiled(package, "Rill", findings);
+            return assembly == null ? null : Texts(package, StagesOf(assembly), findings);
         }
 
         /// <param name="stages">Names of stages, each once, in the order of the list.</param>
@@ -56,8 +49,7 @@ namespace Host.Check
             texts.Add(path, Head(GuidOf(package, StageScript), stage) +
                 $"  compute: {Reference(package, compute, 7200000)}\n  shader: {Reference(package, shader, 4800000)}\n");
             if (!package.Has(path + ".meta"))
-                texts.Add(path + ".meta", $"fileFormatVersion: 2\nguid: {NewGuid(path)}\nNativeFormatImporter:\n  externalObjects: {{}}\n" +
-                    "  mainObjectFileID: 11400000\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n");
+                texts.Add(path + ".meta", Meta(path, "NativeFormatImporter", "  mainObjectFileID: 11400000\n"));
             return true;
         }
 
@@ -83,13 +75,10 @@ namespace Host.Check
             return lines.First(line => line.StartsWith(Key, StringComparison.Ordinal)).Substring(Key.Length).Trim();
         }
 
-        // Returns the GUID that Headless~/Engine/tools/make-meta gives, which writes the .meta files of new shaders.
-        static string NewGuid(string path)
-            => Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant();
-
         static string Head(string script, string name) =>
             "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &11400000\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n" +
-            "  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  m_GameObject: {fileID: 0}\n" +
-            $"  m_Enabled: 1\n  m_EditorHideFlags: 0\n  m_Script: {{fileID: 11500000, guid: {script}, type: 3}}\n  m_Name: {name}\n  m_EditorClassIdentifier: \n";
+            "  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n" +
+            "  m_GameObject: {fileID: 0}\n  m_Enabled: 1\n  m_EditorHideFlags: 0\n" +
+            $"  m_Script: {{fileID: 11500000, guid: {script}, type: 3}}\n  m_Name: {name}\n  m_EditorClassIdentifier: \n";
     }
 }

@@ -143,7 +143,7 @@ namespace Rill.Tests
             UnityEngine.TestTools.LogAssert.Expect(LogType.Error,
                 new System.Text.RegularExpressions.Regex("'Collider' is left out: its scale .* is not the same along all axes"));
             simulation.Advance(simulation.FixedStep);
-            Assert.That(simulation.Inputs.Colliders.Count, Is.Zero);
+            Assert.That(simulation.Inputs.Colliders.Set.Count, Is.Zero);
         }
 
         // Half a voxel of the field is 0.8 d at most here; what counts is the surface, within 2 d.
