@@ -143,12 +143,9 @@ namespace Rill
         /// <summary>After the velocity update: the corrected positions and the sorted ids are the state.</summary>
         public void Advance()
         {
-            SwapPasses();
+            buffers.Swap(ref positions, ref predicted);
             buffers.Swap(ref ids, ref sortedIds);
         }
-
-        /// <summary>Swaps the buffers of positions after a pass: it left the corrected positions in the memory of the multipliers.</summary>
-        public void SwapPasses() => buffers.Swap(ref positions, ref predicted);
 
         public void Dispose() => buffers.Dispose();
 

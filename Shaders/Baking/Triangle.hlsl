@@ -49,7 +49,7 @@ float3 TriangleAreaVector(Triangle t)
     return cross(t.b - t.a, t.c - t.a);
 }
 
-// Winding number of a triangle about p: its solid angle over 4 pi, positive if p is on its back. Van Oosterom and
+// Winding number of a triangle about p: its solid angle over 4 pi, positive if p is behind it. Van Oosterom and
 // Strackee 1983, eq. 8. 0 in the triangle's own plane.
 float TriangleWinding(Triangle t, float3 p)
 {

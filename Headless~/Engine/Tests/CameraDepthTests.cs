@@ -87,7 +87,7 @@ ENDCG
             Quad(Shader.Find(shader));
             Quad(Shader.Find("Standard"), 2);
             Frame();
-            Assert.That(Center, Is.EqualTo(AtSeven).Within(1e-5f), "the quad at its back");
+            Assert.That(Center, Is.EqualTo(AtSeven).Within(1e-5f), "the quad behind it");
             Assert.That(Pixel(32, 16).r, Is.GreaterThan(200), "though it is drawn in front");
         }
 

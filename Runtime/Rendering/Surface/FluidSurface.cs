@@ -34,8 +34,8 @@ namespace Rill
             "headsets: its textures have half the picture's width and height.")]
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
 
-        [Tooltip("Shows the scene behind bent, through a copy of the opaque scene. Off: the surface blends over whatever is " +
-            "beyond it, which other transparent objects there need.")]
+        [Tooltip("Shows the scene behind bent, through a copy of the opaque scene. Off: the surface blends over all that is " +
+            "behind it; transparent objects behind it need that.")]
         [SerializeField] bool refraction = true;
 
         [Tooltip("Gathers the sun's light by the surface on what stands in the water, and absorbs it on its path. With Refraction, " +

@@ -98,7 +98,7 @@ void DenserFirst(inout Surfaces surfaces, uint first, uint second)
     surfaces.behind[second] = behind;
 }
 
-// The density that lies behind any of them, w, and its gradient: planes combine as 1 - product of (1 - F), but what points the
+// The density that lies behind any of them, w, and its gradient: planes combine as 1 - product of (1 - F), but what points in the
 // same direction as a denser one lies behind that already.
 float4 BehindAny(Surfaces surfaces)
 {

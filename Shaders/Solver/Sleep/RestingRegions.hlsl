@@ -16,7 +16,7 @@ uint RegionOf(float3 p)
     return (region.z * counts.y + region.y) * counts.x + region.x;
 }
 
-static const uint kMaxDisplacement = 4;          // of the words of its motion: longest way of a particle, float bits
+static const uint kMaxDisplacement = 4;          // of the words of its motion: longest displacement of a particle, float bits
 
 #ifdef RILL_SLEEP
 StructuredBuffer<uint> _RegionStates;       // [regions]

@@ -114,7 +114,7 @@ namespace Rill.Tests.Reference
             return Math.Min(stiffness, MaxStiffness(i, after)) * (after + f * f.Transposed - Tensor.Identity) * inverseMoments[i];
         }
 
-        /// <summary>Change of the way of a substep, d.</summary>
+        /// <summary>Change of the displacement of a substep, d.</summary>
         public VectorSum Change(int i, Tensor[] stresses)
         {
             var change = new VectorSum();

@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>Calls by a script between two steps are neither lost nor repeated whatever else happens there: a fluid that is disabled,
+    /// <summary>Calls by a script between two steps are neither lost nor held back by whatever else happens there: a fluid that is disabled,
     /// teleported, restarted, restored or destroyed.</summary>
     public class PendingCallsTests : CallsFixture
     {

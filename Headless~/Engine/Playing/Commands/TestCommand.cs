@@ -96,14 +96,15 @@ namespace Host.Commands
             if (choice.Strict)
                 throw new HostException("--strict goes with --project; tests of the package are always run so.");
             List<Assembly> assemblies = TestAssemblies.Load(host: !choice.PackageOnly, package: !choice.HostOnly, choice.Assembly);
-            if (choice.LeftOut.Length > 0 && choice.Worker == null)
-                CheckCategories(choice, assemblies);
             if (choice.Worker == null)
-                CheckFilters(choice, assemblies);
-
-            if (choice.Worker == null)
+            {
+                if (choice.LeftOut.Length > 0)
+                    CheckCategories(choice, assemblies);
+                if (choice.Texts.Length > 0)
+                    CheckFilters(choice, assemblies);
                 using (var device = new VulkanDevice())
                     choice.IsSoftware = device.Info.IsSoftware;
+            }
             TextWriter output = Console.Out;
             if (list)
             {
@@ -150,11 +151,13 @@ namespace Host.Commands
         // A text that matches nothing is a mistake even beside others that do. One that matches tests of the other side is easily one.
         static void CheckFilters(Choice choice, List<Assembly> assemblies)
         {
+            string option = choice.PackageOnly ? "--package-only" : "--host-only";
+            List<Assembly> leftOut = choice.PackageOnly || choice.HostOnly ? TestAssemblies.LoadBuilt(choice.PackageOnly, choice.HostOnly)
+                : new List<Assembly>();
             foreach (string text in choice.Texts)
             {
                 var filter = new TextFilter(new[] { text }, choice.LeftOut);
-                int others = choice.PackageOnly || choice.HostOnly ? Count(TestAssemblies.LoadBuilt(choice.PackageOnly, choice.HostOnly), filter) : 0;
-                string option = choice.PackageOnly ? "--package-only" : "--host-only";
+                int others = Count(leftOut, filter);
                 if (Count(assemblies, filter) == 0)
                     throw new HostException($"--filter {text}: no test has a full name that contains it" +
                         (others > 0 ? $"; {others} that {option} leaves out do." : ". --list names all."));

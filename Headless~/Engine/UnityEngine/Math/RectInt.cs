@@ -27,7 +27,7 @@ namespace UnityEngine
         public Vector2Int min { get => new Vector2Int(xMin, yMin); set { xMin = value.x; yMin = value.y; } }
         public Vector2Int max { get => new Vector2Int(xMax, yMax); set { xMax = value.x; yMax = value.y; } }
 
-        // A negative width or height is reversed; setting one end leaves the other where it is.
+        // A negative width or height extends towards lower x or y; setting one end leaves the other where it is.
         public int xMin { get => Math.Min(x, x + width); set { int old = xMax; x = value; width = old - x; } }
         public int yMin { get => Math.Min(y, y + height); set { int old = yMax; y = value; height = old - y; } }
         public int xMax { get => Math.Max(x, x + width); set => width = value - x; }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using System.Text;
+using Host.Assets;
 
 namespace Host.Check
 {
@@ -25,13 +26,13 @@ namespace Host.Check
         public static IReadOnlyDictionary<string, string> Texts(PackageTree package, IEnumerable<string> stages, Findings findings)
         {
             var texts = new Dictionary<string, string>();
-            var list = new StringBuilder(Head(GuidOf(package, ListScript), "FluidShaders")).Append("  stages:\n");
+            var list = new StringBuilder(Head(GuidOf(package, ListScript, findings), "FluidShaders")).Append("  stages:\n");
             foreach (string stage in stages)
             {
                 string path = $"{Stages}{stage}.asset";
                 if (!package.Has(path) && !AddAsset(package, stage, path, texts, findings))
                     continue;
-                list.Append($"  - {{fileID: 11400000, guid: {GuidOf(package, path)}, type: 2}}\n");
+                list.Append($"  - {{fileID: 11400000, guid: {GuidOf(package, path, findings)}, type: 2}}\n");
             }
             texts.Add(List, list.ToString());
             return texts;
@@ -46,8 +47,8 @@ namespace Host.Check
                     $"Write one, or {path} by hand, or correct the row.");
                 return false;
             }
-            texts.Add(path, Head(GuidOf(package, StageScript), stage) +
-                $"  compute: {Reference(package, compute, 7200000)}\n  shader: {Reference(package, shader, 4800000)}\n");
+            texts.Add(path, Head(GuidOf(package, StageScript, findings), stage) +
+                $"  compute: {Reference(package, compute, 7200000, findings)}\n  shader: {Reference(package, shader, 4800000, findings)}\n");
             if (!package.Has(path + ".meta"))
                 texts.Add(path + ".meta", Meta(path, "NativeFormatImporter", "  mainObjectFileID: 11400000\n"));
             return true;
@@ -63,16 +64,18 @@ namespace Host.Check
         static string Find(PackageTree package, string name) => package.Files.FirstOrDefault(file =>
             file.StartsWith("Shaders/", StringComparison.Ordinal) && file.EndsWith("/" + name, StringComparison.Ordinal));
 
-        static string Reference(PackageTree package, string file, int fileId) =>
-            file == null ? "{fileID: 0}" : $"{{fileID: {fileId}, guid: {GuidOf(package, file)}, type: 3}}";
+        static string Reference(PackageTree package, string file, int fileId, Findings findings) =>
+            file == null ? "{fileID: 0}" : $"{{fileID: {fileId}, guid: {GuidOf(package, file, findings)}, type: 3}}";
 
-        static string GuidOf(PackageTree package, string path)
+        static string GuidOf(PackageTree package, string path, Findings findings)
         {
-            const string Key = "guid: ";
-            if (!package.Has(path + ".meta"))
+            string file = path + ".meta";
+            if (!package.Has(file))
                 return NewGuid(path);
-            string[] lines = package.Read(path + ".meta").Split('\n');
-            return lines.First(line => line.StartsWith(Key, StringComparison.Ordinal)).Substring(Key.Length).Trim();
+            if (MetaFile.TryRead(package.FullPath(file), file, out MetaFile meta, out string problem))
+                return meta.Guid;
+            findings.Fault(problem);
+            return "";
         }
 
         static string Head(string script, string name) =>

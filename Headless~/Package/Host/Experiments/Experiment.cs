@@ -38,7 +38,7 @@ namespace Host.Experiments
 
         /// <param name="solver">Empty, and made for this input.</param>
         /// <param name="isOver">Whether a run that has come to this is not worth its end.</param>
-        public static Experiment Run(IExperimentSolver solver, ExperimentScene scene, in StepInput input, double seconds, int sampleEvery,
+        public static Experiment Run(PackageSolver solver, ExperimentScene scene, in StepInput input, double seconds, int sampleEvery,
             Func<Experiment, bool> isOver)
         {
             var experiment = new Experiment(scene, input);
@@ -66,7 +66,7 @@ namespace Host.Experiments
             return sorted[sorted.Count / 2];
         }
 
-        void Play(IExperimentSolver solver, int steps, int sampleEvery, Func<Experiment, bool> isOver)
+        void Play(PackageSolver solver, int steps, int sampleEvery, Func<Experiment, bool> isOver)
         {
             IGraphicsDevice device = Player.Device;
             using var cmd = new CommandBuffer { name = "experiment" };
@@ -96,7 +96,7 @@ namespace Host.Experiments
             }
         }
 
-        void Measure(IExperimentSolver solver, CommandBuffer cmd)
+        void Measure(PackageSolver solver, CommandBuffer cmd)
         {
             cmd.Clear();
             solver.RecordStatistics(cmd);

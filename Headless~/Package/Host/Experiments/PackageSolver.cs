@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Rill;
 using Unity.Collections;
@@ -7,7 +8,7 @@ using UnityEngine.Rendering;
 namespace Host.Experiments
 {
     /// <summary>The package's solver with one input for all steps.</summary>
-    sealed class PackageSolver : IExperimentSolver
+    sealed class PackageSolver : IDisposable
     {
         readonly StepInput input;
 
@@ -19,12 +20,14 @@ namespace Host.Experiments
 
         public PbfSolver Solver { get; }
 
+        /// <param name="positions">xyz, m; <paramref name="velocities"/> m/s.</param>
         public void Add(NativeArray<float4> positions, NativeArray<float4> velocities) => Solver.Add(positions, velocities);
 
         public void Step(CommandBuffer cmd) => Solver.Step(cmd, input);
 
         public void RecordStatistics(CommandBuffer cmd) => Solver.RecordStatistics(cmd, input);
 
+        /// <summary>Fetches what was recorded, waiting for the device.</summary>
         public FluidStatistics FetchStatistics()
         {
             Solver.RequestStatistics();

@@ -107,15 +107,15 @@ namespace Rill.Tests
             using (var batch = new FluidQueryBatch(scene.Fluid, 4))
             {
                 Vector3 Point(int i) => new Vector3(0.05f * i - 0.1f, -0.1f, 0f);
-                void AssertAsked(params int[] cells)
+                void AssertAsked(params int[] indices)
                 {
                     scene.Step();
                     batch.Flush();
                     for (int i = 0; i < 4; i++)
                     {
-                        Assert.That(batch.TryGetSample(i, out FluidProbeSample sample), Is.EqualTo(i < cells.Length), $"point {i}");
-                        if (i < cells.Length)
-                            Assert.That(sample.position, Is.EqualTo(Point(cells[i])));
+                        Assert.That(batch.TryGetSample(i, out FluidProbeSample sample), Is.EqualTo(i < indices.Length), $"point {i}");
+                        if (i < indices.Length)
+                            Assert.That(sample.position, Is.EqualTo(Point(indices[i])));
                     }
                 }
                 using (var array = new NativeArray<float3>(new float3[] { Point(0), Point(1), Point(2) }, Allocator.Persistent))

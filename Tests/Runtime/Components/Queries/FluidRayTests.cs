@@ -98,7 +98,7 @@ namespace Rill.Tests
                     new FluidRay(new Vector3(-2f, -0.1f, 0f), Vector3.left),    // 10: away from it
                     new FluidRay(inside, Vector3.down, 10f, Enter),             // 11: nothing below it to enter
                     FluidRay.Sphere(inside, 0.05f, Vector3.right),              // 12: starts in water
-                    FluidRay.Sphere(new Vector3(-0.08f, -0.1f, 0f), 0.08f, Vector3.right),     // 13: touches water at its back
+                    FluidRay.Sphere(new Vector3(-0.08f, -0.1f, 0f), 0.08f, Vector3.right),     // 13: touches water behind it
                     FluidRay.Sphere(between, 0.03f, Vector3.right),             // 14
                 };
                 batch.SetRays(casts);

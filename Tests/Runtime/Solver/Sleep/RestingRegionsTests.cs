@@ -17,7 +17,7 @@ namespace Rill.Tests
 
         static readonly int StepsToSleep = (int)math.ceil(0.5f / TimeStep);
 
-        // By the mean way of a region or by one fast particle; in boxes of whole and of cut regions.
+        // By the mean displacement of a region or by one fast particle; in boxes of whole and of cut regions.
         [TestCase(40, 48, 40, 62, 1.5f, 1)]
         [TestCase(40, 48, 40, 0, 1.5f, 1)]
         [TestCase(60, 20, 9, 7, 1.5f, 1)]

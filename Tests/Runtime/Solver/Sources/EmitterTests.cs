@@ -172,7 +172,7 @@ namespace Rill.Tests
             }
         }
 
-        // Frames and steps differ: the way of a frame is walked in its time, however many steps it takes.
+        // Frames and steps differ: the path of a frame is walked in its time, however many steps it takes.
         [Test]
         public void What_a_moving_emitter_lets_in_goes_at_its_speed_at_any_frame_rate([Values(1f / 144f, 1f / 60f, 1f / 25f, 0.5f)] float frame)
         {

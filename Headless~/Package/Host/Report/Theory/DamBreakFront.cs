@@ -18,8 +18,8 @@ namespace Host.Report
 
         /// <summary>After every step.</summary>
         public FrontSeries Front { get; private set; }
-        /// <summary>Front of these states dated half a substep later: velocities of the solver are those of the center of a substep.</summary>
-        public FrontSeries FrontOfMiddle { get; private set; }
+        /// <summary>Front of these states dated half a substep later: velocities of the solver are those of the midpoint of a substep.</summary>
+        public FrontSeries FrontHalfStepLater { get; private set; }
         /// <summary>Kinetic and potential energy at the end over that at the start.</summary>
         public double EnergyRatio { get; private set; }
 
@@ -41,11 +41,11 @@ namespace Host.Report
                 run.Step();
                 points.Add((run.Time * TimeScale, FrontOf(run, across)));
             }
-            double center = 0.5 * run.Substep * TimeScale;
+            double halfStep = 0.5 * run.Substep * TimeScale;
             return new DamBreakFront
             {
                 Front = new FrontSeries("front", points),
-                FrontOfMiddle = new FrontSeries("front", points.Select(point => (point.T + center, point.Z)).Prepend(points[0])),
+                FrontHalfStepLater = new FrontSeries("front", points.Select(point => (point.T + halfStep, point.Z)).Prepend(points[0])),
                 EnergyRatio = run.Measure().Energy / start,
             };
         }

@@ -31,7 +31,7 @@ namespace Host.Report
                 DamBreakFront dam = DamBreakFront.Run(across, input, change == "twice as thick" ? 16 : 8);
                 var deviation = new FrontDeviation(dam.Front, experiments);
                 summary.Add(change, across, substeps, iterations, deviation.Min, deviation.Max, deviation.Mean, deviation.WithinBar ? 1 : 0,
-                    new FrontDeviation(dam.FrontOfMiddle, experiments).Mean, new FrontDeviation(dam.FrontOfMiddle, new[] { inviscid }).Mean,
+                    new FrontDeviation(dam.FrontHalfStepLater, experiments).Mean, new FrontDeviation(dam.FrontHalfStepLater, new[] { inviscid }).Mean,
                         dam.EnergyRatio);
                 if (change == "")
                     foreach ((double time, double position) in dam.Front.Points)
@@ -85,7 +85,7 @@ namespace Host.Report
                 $"laboratory leaves behind a gate that takes time to open and drags along a boundary layer at the floor. The solver " +
                 $"has neither, so that is what it should converge to, not 0. That is why a finer front is faster: it loses less energy " +
                 $"and comes nearer to inviscid flow. Beside it each state is half a substep later than the clock says, since " +
-                $"velocities are those of the center of a substep (see free fall). With more substeps the front is slower, as waves " +
+                $"velocities are those of the midpoint of a substep (see free fall). With more substeps the front is slower, as waves " +
                 $"are damped more: every substep takes velocities again from corrected positions."));
             page.Line();
             page.Table(new[] { "a/d", "substeps x iterations", "", "ahead, least", "most", "mean ahead", "in the bar",

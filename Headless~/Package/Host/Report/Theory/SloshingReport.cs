@@ -58,7 +58,7 @@ namespace Host.Report
                 "that is level to that gravity. The period is that of a damped cosine fitted to the center of mass along the box; " +
                 "theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted " +
                 "cosine swings about, over where the center of mass lies under a level surface (1 where the pressure answers to the " +
-                "surface as it should). Damping: of the amplitude a period, as −ln. Where the water creeps to its level without a " +
+                "surface as it should). Damping: of the amplitude a period, as −ln. Water that creeps to its level without a " +
                 "swing has no period (–): waves of half a spacing can.");
             page.Line();
             page.Table(new[] { "depth H, m", "L/d", "layers", "wave, d", "substeps x iterations", "period, s", "theory, s", "error",
