@@ -18,6 +18,7 @@ namespace Rill
             PrepareSources(input);
             PrepareConnections(input);
             UpdateStages(cmd, input);
+            Materials?.Upload(cmd, input);
             StepContext step = Context(cmd, input);
             RecordKills(step);
             RecordDrains(step);
@@ -85,6 +86,7 @@ namespace Rill
         /// <summary>Answers to probes and detectors; null while there are none.</summary>
         public Queries Queries => (Queries)stages[Features.Queries.Index];
 
+        MaterialTable Materials => (MaterialTable)stages[Features.Materials.Index];
         ImplicitViscosity Viscosity => (ImplicitViscosity)stages[Features.Viscosity.Index];
         VelocityExtrapolation Extrapolation => (VelocityExtrapolation)stages[Features.Extrapolation.Index];
         VorticityConfinement Vorticity => (VorticityConfinement)stages[Features.Vorticity.Index];
@@ -119,6 +121,7 @@ namespace Rill
                 ImplicitViscosity.Describe(Viscosity, step),
                 neighborSearch.Describe(step, Coarse != null && Viscosity == null),
                 ParticleTags.Describe(ParticleTags, step),
+                MaterialTable.Describe(Materials, input),
                 densityConstraint.Describe(step),
                 velocityUpdate.Describe(step),
                 VelocityExtrapolation.Describe(Extrapolation, step),
@@ -137,7 +140,7 @@ namespace Rill
         /// <param name="hasSteps">False leaves out what the last step would have left.</param>
         StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true)
             => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
-            hasSteps ? Coarse : null, hasSteps ? Resting : null, Colliders, Extrapolation, Vorticity?.Unconfined);
+            hasSteps ? Coarse : null, hasSteps ? Resting : null, Colliders, Extrapolation, Vorticity?.Unconfined, Materials, ParticleTags);
 
         // Returns the context for passes that read or edit the particles as the last step left them, without an input.
         StepContext BetweenSteps(CommandBuffer cmd) => Context(cmd, default);

@@ -27,15 +27,21 @@ namespace Rill
         public readonly Colliders Colliders;
         /// <summary>Null where velocities are those of a first-order step.</summary>
         public readonly VelocityExtrapolation Extrapolation;
+        /// <summary>Null where all phases have one material.</summary>
+        public readonly MaterialTable Materials;
+        /// <summary>uint [capacity], see ParticleTags.hlsl; null without tags. A sort moves them.</summary>
+        public GraphicsBuffer Tags => tags?.Current;
         /// <summary>Buffer in which the stages after the constraint leave the velocities: the particles' own, or another from which a later
         /// stage fills it.</summary>
         public readonly GraphicsBuffer NewVelocities;
+
+        readonly ParticleTags tags;
 
         /// <param name="newVelocities">Null for the particles' own buffer.</param>
         public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search,
             NeighborLists lists, SolverLayout layout, in StepInput input,
             CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null,
-            GraphicsBuffer newVelocities = null)
+            GraphicsBuffer newVelocities = null, MaterialTable materials = null, ParticleTags tags = null)
         {
             Commands = commands;
             Constants = constants;
@@ -50,6 +56,8 @@ namespace Rill
             Colliders = colliders;
             Extrapolation = extrapolation;
             NewVelocities = newVelocities ?? particles.Velocities;
+            Materials = materials;
+            this.tags = tags;
         }
 
         /// <summary>Whether a stage after the velocity update visits the neighbors, and smooths the velocities there.</summary>

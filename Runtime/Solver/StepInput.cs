@@ -13,6 +13,8 @@ namespace Rill
         public SolverSettings settings;
         /// <summary>Validated.</summary>
         public FluidMaterial material;
+        /// <summary>Validated materials of the phases that have their own.</summary>
+        public PhaseMaterials phases;
         /// <summary>Whether something reads the density that comes with the velocities.</summary>
         public bool needsDensity;
         /// <summary>Solid colliders over the frame that the step belongs to; null for none.</summary>

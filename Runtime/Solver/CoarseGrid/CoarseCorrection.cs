@@ -22,13 +22,19 @@ namespace Rill
         /// <summary>words of a cell in _Bins</summary>
         [GenerateHlsl("CoarseBins")] const int BinStride = 8;
 
+        /// <summary>the one of them that sums the mass</summary>
+        [GenerateHlsl("CoarseBins")] const int MassBin = 7;
+
         static readonly ProfilerMarker ProjectionMarker = GpuMarker.Create("Rill.Projection");
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
-        readonly KernelVariants binFlow, findSurface, findDivergence, displaceFlow, findErrors, displaceErrors;        // with colliders
-        readonly Kernel extendDisplacements, reactToFlow, reactToErrors;
+        readonly KernelVariants binFlow, findSurface, findDivergence, displaceFlow;     // with colliders, with materials
+        readonly KernelVariants findErrors, displaceErrors;         // with colliders
+        readonly KernelVariants reactToFlow, reactToErrors;         // with materials
+        readonly Kernel extendDisplacements;
         CoarseColliders coarseColliders;
+        GraphicsBuffer cellDensities;       // null for one density
         readonly GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
@@ -37,15 +43,19 @@ namespace Rill
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize, in DeviceLimits limits)
         {
-            binFlow = new KernelVariants(shader, "BinFlow", "BinFlowWithColliders");
-            findSurface = new KernelVariants(shader, "FindSurface", "FindSurfaceWithColliders");
-            findDivergence = new KernelVariants(shader, "FindDivergence", "FindDivergenceWithColliders");
-            displaceFlow = new KernelVariants(shader, "DisplaceFlow", "DisplaceFlowWithColliders");
+            binFlow = new KernelVariants(shader, "BinFlow", "BinFlowWithColliders", "BinFlowWithMaterials",
+                "BinFlowWithCollidersAndMaterials");
+            findSurface = new KernelVariants(shader, "FindSurface", "FindSurfaceWithColliders", "FindSurfaceWithMaterials",
+                "FindSurfaceWithCollidersAndMaterials");
+            findDivergence = new KernelVariants(shader, "FindDivergence", "FindDivergenceWithColliders", "FindDivergenceWithMaterials",
+                "FindDivergenceWithCollidersAndMaterials");
+            displaceFlow = new KernelVariants(shader, "DisplaceFlow", "DisplaceFlowWithColliders", "DisplaceFlowWithMaterials",
+                "DisplaceFlowWithCollidersAndMaterials");
             findErrors = new KernelVariants(shader, "FindErrors", "FindErrorsWithColliders");
             displaceErrors = new KernelVariants(shader, "DisplaceErrors", "DisplaceErrorsWithColliders");
             extendDisplacements = new Kernel(shader, "ExtendDisplacements");
-            reactToFlow = new Kernel(shader, "ReactToFlow");
-            reactToErrors = new Kernel(shader, "ReactToErrors");
+            reactToFlow = new KernelVariants(shader, "ReactToFlow", "ReactToFlowWithMaterials");
+            reactToErrors = new KernelVariants(shader, "ReactToErrors", "ReactToErrorsWithMaterials");
             takePotential = new Kernel(shader, "TakePotential");
 
             CoarseSolverPath path = CoarseSolverPath.For(limits);
@@ -137,13 +147,15 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(ProjectionMarker);
             step.BindConstants(shader);
-            int bin = binFlow.For(WithColliders);
+            PrepareDensities(step);
+            int bin = binFlow.For(WithColliders, WithMaterials);
             coarseColliders?.Bind(cmd, shader, bin);
+            step.Materials?.Bind(step, shader, bin);
             step.Particles.Bind(cmd, shader, bin);
             Buffers.Bind(cmd, shader, bin);
             step.Particles.DispatchAlive(cmd, shader, bin);
 
-            int find = findSurface.For(WithColliders);
+            int find = findSurface.For(WithColliders, WithMaterials);
             BindCells(cmd, find, flowPotential);
             coarseColliders?.BindVolume(cmd, shader, find);
             cmd.SetComputeBufferParam(shader, find, ParticleIds.Counters, step.Particles.Counters);
@@ -151,10 +163,11 @@ namespace Rill
 
             RecordNeighbors(step, ofFlow: true);
             FlowTime = step.SubstepTime;
-            RecordSource(step, findDivergence, flowPotential);
-            Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders, IsFirst);
-            RecordDisplacements(cmd, displaceFlow, flowPotential);
-            RecordReaction(cmd, reactToFlow, flowPotential);
+            RecordSource(step, findDivergence.For(WithColliders, WithMaterials), flowPotential);
+            Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders, cellDensities,
+                math.max(FirstCycles, step.Materials != null ? MaterialTable.CyclesFor(step.Input) : 1));
+            RecordDisplacements(cmd, displaceFlow.For(WithColliders, WithMaterials), flowPotential);
+            RecordReaction(cmd, reactToFlow.For(WithMaterials), flowPotential);
             cmd.EndSample(ProjectionMarker);
         }
 
@@ -165,11 +178,11 @@ namespace Rill
             cmd.BeginSample(DensityMarker);
             step.BindConstants(shader);
             RecordNeighbors(step, ofFlow: false);
-            RecordSource(step, findErrors, errorPotential);
-            Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders, IsFirst);
+            RecordSource(step, findErrors.For(WithColliders), errorPotential);
+            Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders, minCycles: FirstCycles);
             IsFirst = false;
-            RecordDisplacements(cmd, displaceErrors, errorPotential);
-            RecordReaction(cmd, reactToErrors, errorPotential);
+            RecordDisplacements(cmd, displaceErrors.For(WithColliders), errorPotential);
+            RecordReaction(cmd, reactToErrors.For(WithMaterials), errorPotential);
             cmd.EndSample(DensityMarker);
         }
 
@@ -193,25 +206,39 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
-            foreach (KernelVariants kernel in new[] { stage.binFlow, stage.findSurface, stage.findDivergence, stage.displaceFlow,
-                stage.findErrors, stage.displaceErrors })
-                description.Kernel(kernel.For(stage.WithColliders), substeps);
+            foreach (KernelVariants kernel in new[] { stage.binFlow, stage.findSurface, stage.findDivergence, stage.displaceFlow })
+                description.Kernel(kernel.For(stage.WithColliders, stage.WithMaterials), substeps);
+            description.Kernel(stage.findErrors.For(stage.WithColliders), substeps);
+            description.Kernel(stage.displaceErrors.For(stage.WithColliders), substeps);
             stage.coarseColliders?.Describe(description, substeps);
             if (stage.coarseColliders?.Reacting != null)
             {
-                description.Kernel(stage.reactToFlow, substeps);
-                description.Kernel(stage.reactToErrors, substeps);
+                description.Kernel(stage.reactToFlow.For(stage.WithMaterials), substeps);
+                description.Kernel(stage.reactToErrors.For(stage.WithMaterials), substeps);
             }
             description.Kernel(stage.extendDisplacements, 2 * substeps);
             int neighbors = CountTied(input.connections);
             if (neighbors > 0)
                 description.Kernel(stage.takePotential, 2 * substeps * neighbors);
-            stage.Solver.Describe(description, 2 * substeps, stage.WithColliders);
+            int cycles = stage.Solver.Cycles, withMaterials = stage.WithMaterials ? math.max(cycles, MaterialTable.CyclesFor(input)) : 0;
+            stage.Solver.Describe(description, (withMaterials > 0 ? 1 : 2) * cycles * substeps, withMaterials * substeps, stage.WithColliders);
             stage.Buffers.Describe(description);
             return description;
         }
 
+        int FirstCycles => IsFirst ? CoarseSolver.FirstCycles : 1;
+
         bool WithColliders => coarseColliders != null;
+
+        bool WithMaterials => cellDensities != null;
+
+        void PrepareDensities(in StepContext step)
+        {
+            if (step.Materials == null)
+                Buffers.Release(ref cellDensities);
+            else
+                cellDensities ??= Buffers.Structured<float>("Rill.Coarse.CellDensities", Grid.Total);
+        }
 
         void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
@@ -220,19 +247,17 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
-        void RecordSource(in StepContext step, KernelVariants variants, GraphicsBuffer potential)
+        void RecordSource(in StepContext step, int kernel, GraphicsBuffer potential)
         {
             CommandBuffer cmd = step.Commands;
-            int kernel = variants.For(WithColliders);
             BindCells(cmd, kernel, potential);
             coarseColliders?.BindVolume(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, step.Particles.Counters);
             Dispatch(cmd, kernel);
         }
 
-        void RecordDisplacements(CommandBuffer cmd, KernelVariants variants, GraphicsBuffer potential)
+        void RecordDisplacements(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
-            int kernel = variants.For(WithColliders);
             BindCells(cmd, kernel, potential);
             Dispatch(cmd, kernel);
             Buffers.Bind(cmd, shader, extendDisplacements);

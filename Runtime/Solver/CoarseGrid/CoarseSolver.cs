@@ -20,7 +20,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
         readonly CoarseSolverPath path;
-        readonly KernelVariants smooth, restrictGrid, correctAndSmooth;     // with colliders
+        readonly KernelVariants smooth, restrictGrid, correctAndSmooth;     // with colliders, with materials
         readonly Kernel smoothLevel, correctAndSmoothLevel, restrictLevel, solveCoarseLevels;
         readonly BufferSet buffers = new BufferSet();
         readonly GraphicsBuffer smoothed;
@@ -30,13 +30,16 @@ namespace Rill
         {
             this.grid = grid;
             this.path = path;
-            smooth = new KernelVariants(shader, path.Tiled("Smooth"), path.Tiled("SmoothWithColliders"));
-            restrictGrid = new KernelVariants(shader, "RestrictGrid", "RestrictGridWithColliders");
+            smooth = new KernelVariants(shader, path.Tiled("Smooth"), path.Tiled("SmoothWithColliders"),
+                "SmoothWithMaterials", "SmoothWithCollidersAndMaterials");
+            restrictGrid = new KernelVariants(shader, "RestrictGrid", "RestrictGridWithColliders",
+                "RestrictGridWithMaterials", "RestrictGridWithCollidersAndMaterials");
             smoothLevel = new Kernel(shader, path.Tiled("SmoothLevel"));
             restrictLevel = new Kernel(shader, "RestrictLevel");
             correctAndSmoothLevel = new Kernel(shader, path.Tiled("CorrectAndSmoothLevel"));
             solveCoarseLevels = new Kernel(shader, path.CoarseLevels);
-            correctAndSmooth = new KernelVariants(shader, path.Tiled("CorrectAndSmooth"), path.Tiled("CorrectAndSmoothWithColliders"));
+            correctAndSmooth = new KernelVariants(shader, path.Tiled("CorrectAndSmooth"), path.Tiled("CorrectAndSmoothWithColliders"),
+                "CorrectAndSmoothWithMaterials", "CorrectAndSmoothWithCollidersAndMaterials");
             smoothed = buffers.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             buffers.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
             buffers.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
@@ -44,8 +47,8 @@ namespace Rill
             buffers.Structured<float>("Rill.Coarse.Corrections", grid.LevelCells);
         }
 
-        // V-cycles of a solve without a past. With one, deep water began with a fall and swung up and down.
-        const int FirstCycles = 4;
+        /// <summary>V-cycles of a solve without a past. With one, deep water began with a fall and swung up and down.</summary>
+        public const int FirstCycles = 4;
 
         /// <summary>V-cycles a solve, at least 1: with a warm start one is enough.</summary>
         public int Cycles { get; set; } = 1;
@@ -55,25 +58,33 @@ namespace Rill
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
         /// <param name="coarseColliders">Colliders that close faces; null for none.</param>
-        /// <param name="isFirst">Whether the potential has no past: such a solve takes <see cref="FirstCycles"/> at least.</param>
+        /// <param name="densities">float [cells], relative to the heaviest phase's; null for one density.</param>
+        /// <param name="minCycles">V-cycles at least.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal,
-            GraphicsBuffer potential, CoarseColliders coarseColliders = null, bool isFirst = false)
+            GraphicsBuffer potential, CoarseColliders coarseColliders = null, GraphicsBuffer densities = null, int minCycles = 1)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
-            int cycles = isFirst ? Math.Max(Cycles, FirstCycles) : Cycles;
-            for (int cycle = 0; cycle < cycles; cycle++)
-                RecordCycle(cmd, source, diagonal, potential, coarseColliders);
+            for (int cycle = Math.Max(Cycles, minCycles); cycle > 0; cycle--)
+                RecordCycle(cmd, source, diagonal, potential, coarseColliders, densities);
         }
 
-        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders)
+        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential,
+            CoarseColliders coarseColliders, GraphicsBuffer densities)
         {
-            bool withColliders = coarseColliders != null;
-            int first = smooth.For(withColliders), restrict = restrictGrid.For(withColliders),
-                last = correctAndSmooth.For(withColliders);
+            bool withColliders = coarseColliders != null, withMaterials = densities != null;
+            int first = smooth.For(withColliders, withMaterials), restrict = restrictGrid.For(withColliders, withMaterials),
+                last = correctAndSmooth.For(withColliders, withMaterials);
+            if (withMaterials)
+            {
+                cmd.SetComputeBufferParam(shader, first, Ids.Densities, densities);
+                cmd.SetComputeBufferParam(shader, restrict, Ids.Densities, densities);
+                cmd.SetComputeBufferParam(shader, last, Ids.Densities, densities);
+            }
+            int tile = path.SmallTiles || withMaterials ? SmallTile : LargeTile;
             coarseColliders?.Bind(cmd, shader, first);
             coarseColliders?.Bind(cmd, shader, restrict);
             coarseColliders?.Bind(cmd, shader, last);
-            RecordSmooth(cmd, first, source, diagonal, potential, smoothed);
+            RecordSmooth(cmd, first, tile, source, diagonal, potential, smoothed);
             buffers.Bind(cmd, shader, restrict);
             BindGrid(cmd, restrict, source, diagonal, smoothed);
             CoarseGrid.Dispatch(cmd, shader, restrict, Children * grid.Cells(1));
@@ -91,45 +102,53 @@ namespace Rill
                 RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
 
             buffers.Bind(cmd, shader, last);
-            RecordSmooth(cmd, last, source, diagonal, smoothed, potential);
+            RecordSmooth(cmd, last, tile, source, diagonal, smoothed, potential);
         }
 
-        public void Describe(StageDescription stage, int perStep, bool withColliders)
+        /// <param name="cycles">V-cycles in a step for one density.</param>
+        /// <param name="withMaterials">V-cycles in a step for several.</param>
+        public void Describe(StageDescription stage, int cycles, int withMaterials, bool withColliders)
         {
-            int levels = grid.FirstTailLevel - 1;
-            perStep *= Cycles;
-            stage.Kernel(smooth.For(withColliders), perStep);
-            stage.Kernel(restrictGrid.For(withColliders), perStep);
+            void DescribeGrid(KernelVariants kernel)
+            {
+                stage.Kernel(kernel.For(withColliders), cycles);
+                if (withMaterials > 0)
+                    stage.Kernel(kernel.For(withColliders, true), withMaterials);
+            }
+
+            int levels = (grid.FirstTailLevel - 1) * (cycles + withMaterials);
+            DescribeGrid(smooth);
+            DescribeGrid(restrictGrid);
             if (levels > 0)
             {
-                stage.Kernel(smoothLevel, levels * perStep);
-                stage.Kernel(restrictLevel, levels * perStep);
-                stage.Kernel(correctAndSmoothLevel, levels * perStep);
+                stage.Kernel(smoothLevel, levels);
+                stage.Kernel(restrictLevel, levels);
+                stage.Kernel(correctAndSmoothLevel, levels);
             }
-            stage.Kernel(solveCoarseLevels, perStep);
-            stage.Kernel(correctAndSmooth.For(withColliders), perStep);
+            stage.Kernel(solveCoarseLevels, cycles + withMaterials);
+            DescribeGrid(correctAndSmooth);
             buffers.Describe(stage);
         }
 
         public void Dispose() => buffers.Dispose();
 
-        void RecordSmooth(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from, GraphicsBuffer to)
+        void RecordSmooth(CommandBuffer cmd, int kernel, int tile, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from,
+            GraphicsBuffer to)
         {
             BindGrid(cmd, kernel, source, diagonal, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Smoothed, to);
-            DispatchTiles(cmd, kernel, grid.Counts);
+            DispatchTiles(cmd, kernel, tile, grid.Counts);
         }
 
         void RecordSmoothLevel(CommandBuffer cmd, int kernel, int level)
         {
             cmd.SetComputeIntParam(shader, Ids.Level, level);
             buffers.Bind(cmd, shader, kernel);
-            DispatchTiles(cmd, kernel, (int3)grid.Level(level).xyz);
+            DispatchTiles(cmd, kernel, path.SmallTiles ? SmallTile : LargeTile, (int3)grid.Level(level).xyz);
         }
 
-        void DispatchTiles(CommandBuffer cmd, int kernel, int3 counts)
+        void DispatchTiles(CommandBuffer cmd, int kernel, int tile, int3 counts)
         {
-            int tile = path.SmallTiles ? SmallTile : LargeTile;
             int3 tiles = (counts + tile - 1) / tile;
             cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
         }
@@ -146,6 +165,7 @@ namespace Rill
             public static readonly int Source = Shader.PropertyToID("_Source");
             public static readonly int Diagonal = Shader.PropertyToID("_Diagonal");
             public static readonly int Potential = Shader.PropertyToID("_Potential");
+            public static readonly int Densities = Shader.PropertyToID("_CellDensities");
             public static readonly int Smoothed = Shader.PropertyToID("_Smoothed");
             public static readonly int Level = Shader.PropertyToID("_Level");
         }

@@ -42,12 +42,21 @@ namespace Rill
 
         public static readonly Feature Tags = new Feature("phases and lifetimes of emitted particles", "set phase and lifetime of its emitters to 0",
             defines: new[] { "RILL_LIFETIMES", "RILL_TAGS" },
-            asked: (PbfSolver solver, in StepInput step) => step.tracksPhases || step.sources != null && step.sources.needsTags,
+            asked: (PbfSolver solver, in StepInput step) => step.tracksPhases || MaterialTable.IsNeeded(step)
+                || step.sources != null && step.sources.needsTags,
             turnOff: (ref StepInput step) =>
             {
                 step.tracksPhases = false;
+                step.phases = default;
                 step.sources?.LeaveOutTags();
             });
+
+        public static readonly Feature Materials = new Feature("several materials", "give its phases one material",
+            defines: new[] { MaterialTable.Keyword, "MATERIALS" },
+            asked: (PbfSolver solver, in StepInput step) => MaterialTable.IsNeeded(step),
+            turnOff: (ref StepInput step) => step.phases = default,
+            make: (PbfSolver solver, in StepInput step) => new MaterialTable(solver.Layout.Capacity),
+            ofSettings: true);
 
         public static readonly Feature Drains = new Feature("drains and lifetimes", "disable its drains and set the lifetime of its emitters to 0",
             stages: new[] { "Drains" },
@@ -64,7 +73,7 @@ namespace Rill
         public static readonly Feature Viscosity = new Feature("dynamic viscosity", "set the dynamic viscosity to 0",
             stages: new[] { "ImplicitViscosity" },
             asked: (PbfSolver solver, in StepInput step) => ImplicitViscosity.IsNeeded(step),
-            turnOff: (ref StepInput step) => step.material.dynamicViscosity = 0f,
+            turnOff: (ref StepInput step) => (step.material.dynamicViscosity, step.phases) = (0f, step.phases.WithoutViscosity()),
             make: (PbfSolver solver, in StepInput step) => new ImplicitViscosity(solver.Layout.Capacity),
             ofSettings: true);
 
@@ -152,8 +161,8 @@ namespace Rill
         public static readonly Feature Baking = new Feature("distance fields of meshes", stages: new[] { StageShader.OfBaking });
 
         /// <summary>The most important first: where a device does not hold two of them together, the first stays.</summary>
-        public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Drains, ForceFields,
-            Viscosity, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Foam, Statistics, SurfaceParticles, Queries, ParticleAccess,
+        public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Materials, Drains, ForceFields, Viscosity,
+             Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Foam, Statistics, SurfaceParticles, Queries, ParticleAccess,
             ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness, ParticleRenderer, DomainRenderer, Baking);
 
         /// <summary>Those that the settings of a fluid alone ask for.</summary>

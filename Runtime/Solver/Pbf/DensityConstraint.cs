@@ -22,7 +22,7 @@ namespace Rill
             buildList = new KernelVariants(shader, "BuildList", "BuildListDeep", "BuildListWithColliders", "BuildListDeepWithColliders");
             solveLambda = new KernelVariants(shader, "SolveLambda", "SolveLambdaWithColliders");
             applyDeltaP = new KernelVariants(shader, "ApplyDeltaP", "ApplyDeltaPDeep", "ApplyDeltaPWithPressure", "ApplyDeltaPDeepWithPressure");
-            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true, weighs: true);
             Lists = new NeighborLists(layout);
         }
 
@@ -107,6 +107,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.BindLists(shader, kernel);
+            step.Materials?.Bind(step, shader, kernel);
             step.Particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);

@@ -17,6 +17,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
         readonly KernelVariants countCells, gather;       // deep, with colliders; with colliders
+        readonly KernelVariants countCellsWithMaterials;    // with colliders; deep
         readonly Kernel countCellsAtRest, scatterOrder;
         readonly StepKeywords keywords;
         readonly bool isNarrow;         // a kernel has 8 storage buffers
@@ -31,6 +32,7 @@ namespace Rill
         {
             isNarrow = !limits.Holds("NeighborSearch", "Gather");
             countCells = new KernelVariants(shader, "CountCells", "CountCellsDeep", "CountCellsWithColliders", "CountCellsDeepWithColliders");
+            countCellsWithMaterials = new KernelVariants(shader, "CountCellsWithMaterials", "CountCellsWithCollidersAndMaterials");
             gather = new KernelVariants(shader, isNarrow ? "Gather" + KernelNeed.Narrow : "Gather", "GatherWithColliders");
             countCellsAtRest = new Kernel(shader, "CountCellsAtRest");
             scatterOrder = new Kernel(shader, "ScatterOrder");
@@ -156,7 +158,7 @@ namespace Rill
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
             bool withColliders = step.Colliders != null;
             string variant = keywords.Variant(step);
-            stage.Kernel(countCells.For(takesProjection, withColliders), step.Substeps, variant);
+            stage.Kernel(CountKernel(step, takesProjection), step.Substeps, variant);
             prefixSum.Describe(stage, step.Substeps);
             stage.Kernel(scatterOrder, step.Substeps, variant);
             if (isNarrow && !withColliders)
@@ -180,7 +182,9 @@ namespace Rill
         void RecordCount(in StepContext step, bool takesProjection)
         {
             CommandBuffer cmd = step.Commands;
-            int kernel = countCells.For(takesProjection, step.Colliders != null);
+            int kernel = CountKernel(step, takesProjection);
+            if (takesProjection)
+                step.Materials?.Bind(step, shader, kernel);
             step.BindAsleep(shader, kernel);
             step.Colliders?.Bind(cmd, shader, kernel);
             if (takesProjection)
@@ -191,6 +195,9 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.Particles.Velocities);
             DispatchCount(cmd, step.Particles, kernel);
         }
+
+        Kernel CountKernel(in StepContext step, bool takesProjection) => takesProjection && step.Materials != null
+            ? countCellsWithMaterials.For(step.Colliders != null) : countCells.For(takesProjection, step.Colliders != null);
 
         void DispatchCount(CommandBuffer cmd, ParticleBuffers particles, int countKernel)
         {

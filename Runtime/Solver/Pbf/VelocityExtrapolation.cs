@@ -79,7 +79,6 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f
                 : 1f / (lastWeight * lastOverThis + 1f - weight));
             cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
-            cmd.SetComputeFloatParam(shader, Ids.SmoothingHere, step.SmoothsLater ? 0f : SolverConstants.Smoothing(input));
             cmd.SetComputeBufferParam(shader, kernel, Ids.Means, sorted);
             Buffers.Swap(ref means, ref sorted);
             lastTimeStep = dt;
@@ -107,7 +106,6 @@ namespace Rill
             public static readonly int Means = Shader.PropertyToID("_Means");
             public static readonly int ChangeScale = Shader.PropertyToID("_ChangeScale");
             public static readonly int LastChangeScale = Shader.PropertyToID("_LastChangeScale");
-            public static readonly int SmoothingHere = Shader.PropertyToID("_SmoothingHere");
         }
     }
 }

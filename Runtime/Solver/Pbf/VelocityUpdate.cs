@@ -20,11 +20,12 @@ namespace Rill
             update = new Kernel(shader, "UpdateVelocity");
             updateWithNeighbors = new KernelVariants(shader, "UpdateVelocityViscous", "UpdateVelocityExtrapolated",
                 "UpdateVelocityViscousWithColliders", "UpdateVelocityExtrapolatedWithColliders");
-            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true, weighs: true);
         }
 
-        /// <summary>Whether the pass visits the neighbors: to extrapolate, or for smoothing or the density unless a later stage does both.</summary>
-        static bool VisitsNeighbors(in StepContext step) => step.Extrapolation != null
+        /// <summary>Whether the pass visits the neighbors: to extrapolate, for slips, or for smoothing or the density
+        /// unless a later stage does both.</summary>
+        static bool VisitsNeighbors(in StepContext step) => step.Extrapolation != null || step.Materials != null
             || (step.Input.material.velocitySmoothing > 0f || step.Input.needsDensity) && !step.SmoothsLater;
 
         public void Record(in StepContext step)
@@ -39,6 +40,8 @@ namespace Rill
             step.BindConstants(shader);
             if (visits)
                 step.Lists.Bind(cmd, shader, kernel);
+            cmd.SetComputeFloatParam(shader, Ids.SmoothingHere, step.SmoothsLater ? 0f : SolverConstants.Smoothing(step.Input));
+            step.Materials?.Bind(step, shader, kernel);
             step.Extrapolation?.Bind(step, shader, kernel);
             if (visits && step.Colliders != null)
                 step.Colliders.Bind(cmd, shader, kernel);
@@ -55,7 +58,7 @@ namespace Rill
             FluidMaterial material = step.Input.material;
             string reason = VisitsNeighbors(step)
                 ? material.velocitySmoothing > 0f ? Invariant($"with XSPH: velocity smoothing is {material.velocitySmoothing}")
-                    : "with neighbors: the density is shown"
+                    : step.Materials != null ? "with neighbors: there are several materials" : "with neighbors: the density is shown"
                 : step.SmoothsLater ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
             stage.Kernel(KernelFor(step), step.Substeps, keywords.Variant(step));
@@ -64,5 +67,10 @@ namespace Rill
 
         Kernel KernelFor(in StepContext step) => VisitsNeighbors(step)
             ? updateWithNeighbors.For(step.Extrapolation != null, step.Colliders != null) : update;
+
+        static class Ids
+        {
+            public static readonly int SmoothingHere = Shader.PropertyToID("_SmoothingHere");
+        }
     }
 }

@@ -34,7 +34,7 @@ namespace Rill
             findResidual = new Kernel(shader, "FindResidual");
             firstPass = new Kernel(shader, "FirstPass");
             nextPass = new Kernel(shader, "NextPass");
-            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true);
+            keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true, weighs: true);
             solution = Buffers.Structured<float4>("Rill.ViscousVelocities", capacity, "_Solution");
             nextSolution = Buffers.Structured<float4>("Rill.NextViscousVelocities", capacity, "_NextSolution");
             Buffers.Structured<float4>("Rill.ViscousChanges", capacity, "_Changes");
@@ -43,14 +43,22 @@ namespace Rill
 
         public override bool Survives(ParticleChange change) => change == ParticleChange.Shifted;
 
-        public static bool IsNeeded(in StepInput input) => input.material.dynamicViscosity > 0f;
+        public static bool IsNeeded(in StepInput input) => input.phases.MaxViscosity(input.material) > 0f;
 
-        /// <summary>ν Δt / d² of a substep; less where velocities are extrapolated, as of all that lasts.</summary>
+        /// <summary>ν Δt / d² of a substep, of the phase with the largest; less where velocities are extrapolated, as of all that
+        /// lasts.</summary>
         public static double Strength(in StepInput input, SolverLayout layout)
         {
-            return (double)VelocityExtrapolation.FractionAtOnce(input) * input.material.dynamicViscosity / input.material.density
-                * ((double)input.timeStep / input.settings.substeps) / ((double)layout.Spacing * layout.Spacing);
+            return Scaled(input.phases.MaxKinematicViscosity(input.material), input, layout);
         }
+
+        // The largest viscosity in the heaviest phase: what kernels weigh by the viscosities and masses of a pair.
+        static double StrengthOfHeaviest(in StepInput input, SolverLayout layout)
+            => Scaled(input.phases.MaxViscosity(input.material) / (double)input.phases.Heaviest(input.material), input, layout);
+
+        static double Scaled(double kinematicViscosity, in StepInput input, SolverLayout layout)
+            => (double)VelocityExtrapolation.FractionAtOnce(input) * kinematicViscosity
+            * ((double)input.timeStep / input.settings.substeps) / ((double)layout.Spacing * layout.Spacing);
 
         /// <summary>Passes of Chebyshev's iteration that leave <see cref="Tolerance"/> of the error where no particle is braked more than
         /// twice as hard as in the lattice, <see cref="MaxPasses"/> at most.</summary>
@@ -92,11 +100,12 @@ namespace Rill
             {
                 step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, applyProjection, CoarseIds.Displacements, step.Coarse.Displacements);
+                step.Materials?.Bind(step, shader, applyProjection);
                 Dispatch(step, applyProjection);
             }
 
             double strength = Strength(step.Input, step.Layout);
-            cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * strength));
+            cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * StrengthOfHeaviest(step.Input, step.Layout)));
             cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
             cmd.SetComputeVectorParam(shader, Ids.Surface,
                 new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));
@@ -135,7 +144,7 @@ namespace Rill
         {
             bool needed = IsNeeded(step.Input);
             var description = new StageDescription("Implicit viscosity", needed, needed
-                ? Invariant($"{step.Input.material.dynamicViscosity} Pa s") : "the dynamic viscosity is 0");
+                ? Invariant($"{step.Input.phases.MaxViscosity(step.Input.material)} Pa s") : "the dynamic viscosity is 0");
             if (!needed || stage == null)
                 return description;
             string variant = stage.keywords.Variant(step);
@@ -158,6 +167,7 @@ namespace Rill
         void Bind(in StepContext step, int kernel)
         {
             step.BindLists(shader, kernel);
+            step.Materials?.Bind(step, shader, kernel);
             Buffers.Bind(step.Commands, shader, kernel);
         }
 

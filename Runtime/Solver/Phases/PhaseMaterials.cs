@@ -1,0 +1,108 @@
+using System;
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>Densities and viscosities of the phases of a fluid. A phase without a material of its own has the fluid's.</summary>
+    struct PhaseMaterials
+    {
+        /// <summary>Number of phases that a fluid can have.</summary>
+        public const int Phases = ParticleTags.MaxPhase + 1;
+
+        /// <summary>Largest ratio of two densities in a fluid.</summary>
+        public const float MaxRatio = 1000f;
+
+        struct Row
+        {
+            public float density;       // kg/m³; 0 for a phase without a material of its own
+            public float viscosity;     // Pa s
+        }
+
+        Row row1, row2, row3, row4, row5, row6, row7;
+
+        /// <summary>Gives a phase a material of its own.</summary>
+        /// <param name="phase">1 to 7.</param>
+        /// <param name="density">kg/m³, above 0.</param>
+        /// <param name="viscosity">Dynamic viscosity, Pa s.</param>
+        public void Set(int phase, float density, float viscosity) => RowOf(ref this, phase) = new Row { density = density, viscosity = viscosity };
+
+        /// <summary>Returns the density of a phase, kg/m³.</summary>
+        /// <param name="own">The fluid's own material.</param>
+        public float Density(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).density : own.density;
+
+        /// <summary>Returns the dynamic viscosity of a phase, Pa s.</summary>
+        /// <param name="own">The fluid's own material.</param>
+        public float Viscosity(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).viscosity : own.dynamicViscosity;
+
+        /// <summary>Returns the density of the heaviest phase, kg/m³.</summary>
+        public float Heaviest(in FluidMaterial own)
+        {
+            float heaviest = own.density;
+            for (int phase = 1; phase < Phases; phase++)
+                heaviest = math.max(heaviest, Density(phase, own));
+            return heaviest;
+        }
+
+        /// <summary>Returns the ratio of the heaviest phase's density to the lightest's.</summary>
+        public float Ratio(in FluidMaterial own)
+        {
+            float lightest = own.density;
+            for (int phase = 1; phase < Phases; phase++)
+                lightest = math.min(lightest, Density(phase, own));
+            return Heaviest(own) / lightest;
+        }
+
+        /// <summary>Returns the largest dynamic viscosity, Pa s.</summary>
+        public float MaxViscosity(in FluidMaterial own)
+        {
+            float most = own.dynamicViscosity;
+            for (int phase = 1; phase < Phases; phase++)
+                most = math.max(most, Viscosity(phase, own));
+            return most;
+        }
+
+        /// <summary>Returns the largest kinematic viscosity, m²/s.</summary>
+        public double MaxKinematicViscosity(in FluidMaterial own)
+        {
+            double most = 0.0;
+            for (int phase = 0; phase < Phases; phase++)
+                most = math.max(most, Viscosity(phase, own) / (double)Density(phase, own));
+            return most;
+        }
+
+        /// <summary>Returns whether a phase differs from the fluid's own material.</summary>
+        public bool Differ(in FluidMaterial own)
+        {
+            bool differ = false;
+            for (int phase = 1; phase < Phases; phase++)
+                differ |= Density(phase, own) != own.density || Viscosity(phase, own) != own.dynamicViscosity;
+            return differ;
+        }
+
+        /// <summary>Returns the same materials without viscosity.</summary>
+        public PhaseMaterials WithoutViscosity()
+        {
+            PhaseMaterials thin = this;
+            for (int phase = 1; phase < Phases; phase++)
+                RowOf(ref thin, phase).viscosity = 0f;
+            return thin;
+        }
+
+        bool Has(int phase) => phase > 0 && RowOf(ref this, phase).density > 0f;
+
+        static ref Row RowOf(ref PhaseMaterials of, int phase)
+        {
+            switch (phase)
+            {
+                case 1: return ref of.row1;
+                case 2: return ref of.row2;
+                case 3: return ref of.row3;
+                case 4: return ref of.row4;
+                case 5: return ref of.row5;
+                case 6: return ref of.row6;
+                case 7: return ref of.row7;
+                default: throw new ArgumentOutOfRangeException(nameof(phase));
+            }
+        }
+    }
+}
