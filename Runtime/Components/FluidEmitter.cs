@@ -65,8 +65,11 @@ namespace Rill
         [Tooltip("Fluid time during which it lets fluid in, s. 0: for ever.")]
         [SerializeField] float duration;
 
-        [Tooltip("Number of a look: of Phase Looks of the Fluid Surface, or of Phase Colors of the Particle Renderer, 0 to 7. " +
-            "Other than 0 takes 8 bytes a particle of capacity.")]
+        [Tooltip("Material of what it lets in: density and viscosity. None: that of Phase. Takes 12 bytes a particle of capacity.")]
+        [SerializeField] FluidMaterialAsset material;
+
+        [Tooltip("Number of a look and a material, 0 to 7: of Phase Looks of the Fluid Surface or Phase Colors of the Particle Renderer, and of " +
+            "Phase Materials of the Fluid Simulation. A Material has its own. Other than 0 takes 8 bytes a particle of capacity.")]
         [Range(0, 7)]
         [SerializeField] int phase;
 
@@ -112,7 +115,9 @@ namespace Rill
         public float Delay { get => delay; set { delay = value; Changed(); } }
         /// <summary>Fluid time during which it lets fluid in, s; 0 for ever.</summary>
         public float Duration { get => duration; set { duration = value; Changed(); } }
-        /// <summary>Number of the particles' look, 0 to 7: of the surface's phase looks, or of the particle renderer's phase colors.</summary>
+        /// <summary>Material of what it lets in; null for that of <see cref="Phase"/>.</summary>
+        public FluidMaterialAsset Material { get => material; set { material = value; Changed(); } }
+        /// <summary>Number of the particles' look and material, 0 to 7, where there is no <see cref="Material"/>.</summary>
         public int Phase { get => phase; set { phase = value; Changed(); } }
         /// <summary>Fluid time after which its particles are removed, s; 0 for never.</summary>
         public float Lifetime { get => lifetime; set { lifetime = value; Changed(); } }
@@ -211,7 +216,7 @@ namespace Rill
                 interval = fraction.interval,
                 maxWaiting = lingers ? (int)math.min(math.ceil(perSecond * MaxWait), int.MaxValue / 2) : 0,
                 isLast = !takesPart,
-                phase = phase,
+                phase = Simulation.Phases.PhaseOf(material, phase),
                 lifetimeSteps = lifetime > 0f ? math.max((int)math.round(lifetime / step), 1) : 0,
             };
             result.ChoosePositions(perSecond, step);
@@ -224,6 +229,8 @@ namespace Rill
                 Warn(TornProblem(Simulation));
             return true;
         }
+
+        int IEmitter.NamedPhase => material == null ? phase : 0;
 
         /// <summary>Says once by name what the numbers from the GPU tell.</summary>
         void IEmitter.ReportRefused()
@@ -247,7 +254,8 @@ namespace Rill
         }
 
         // The drains' stage removes particles when their lifetime is over.
-        private protected override FeatureSet UsedFeatures => lifetime > 0f ? Features.Emitters | Features.Drains : Features.Emitters;
+        private protected override FeatureSet UsedFeatures => ((FeatureSet)Features.Emitters).With(Features.Drains, lifetime > 0f)
+            .With(Features.Materials, material != null).With(Features.Viscosity, material != null && material.DynamicViscosity > 0f);
 
         private protected override string ValidateValues()
         {

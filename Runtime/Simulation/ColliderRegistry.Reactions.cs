@@ -45,7 +45,7 @@ namespace Rill
             takenStep = fluid.StepCount;
             takenShift = fluid.Box.WorldShift;
             double d = frame.Spacing;
-            takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep
+            takenImpulse = input.phases.Heaviest(input.material) * d * d * d * d * input.settings.substeps / input.timeStep
                 / VelocityExtrapolation.FractionAtOnce(input);
             reactions.RecordTake(commands);
         }

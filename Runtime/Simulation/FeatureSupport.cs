@@ -29,7 +29,7 @@ namespace Rill
             {
                 if (fluid.ShadersInBuild == ShadersInBuild.AllFeatures)
                     return Features.OfFluids;
-                var stored = new StepInput { settings = fluid.Settings, material = fluid.Material };
+                var stored = new StepInput { settings = fluid.Settings, material = fluid.Material, phases = fluid.Phases.ForStep() };
                 FeatureSet used = ((FeatureSet)Features.Core).With(Features.DeepWater, stored.settings.deepWater != DeepWater.Off)
                     .With(Features.Statistics, fluid.StatisticsInterval > 0);
                 foreach (Feature feature in Features.OfSettings)

@@ -20,6 +20,7 @@ namespace Rill
             problems.AddIfAny(fluid.Inputs.Colliders.Problem);
             problems.AddIfAny(gate.MissingProblem);
             problems.AddIfAny(fluid.Snapshots.StartStateProblem);
+            problems.AddIfAny(fluid.Phases.Problem);
             problems.AddIfAny(fluid.Editing.Problem);
             problems.AddIfAny(fluid.Editing.Recentering.OutsideProblem);
             problems.AddIfAny(fluid.Editing.Recentering.TakerProblem);

@@ -37,6 +37,22 @@ namespace Rill
         /// <summary>Properties of the fluid. Out-of-range values are clamped with a warning.</summary>
         public FluidMaterial Material { get => material; set { material = value; Changed(); } }
 
+        /// <summary>Materials of phases 1 to 7, at most 7; null for a phase that has the fluid's own <see cref="Material"/>. What they hold acts in
+        /// the next step. A material that an emitter, a volume or a script brings and that is not listed gets the next free phase.</summary>
+        public FluidMaterialAsset[] PhaseMaterials
+        {
+            get => phaseMaterials;
+            set
+            {
+                phaseMaterials = value ?? Array.Empty<FluidMaterialAsset>();
+                Changed();
+            }
+        }
+
+        /// <summary>Returns the phase of a material in this fluid, 1 to 7, and gives it the next free one if it has none. 0, which is logged, where
+        /// all are taken; 0 for null.</summary>
+        public int PhaseOf(FluidMaterialAsset fluidMaterial) => Phases.PhaseOf(fluidMaterial);
+
         /// <summary>Dynamic viscosity, Pa s, 0 (off) to 1e6: that of <see cref="Material"/>. Acts as <see cref="Iterations"/> does.</summary>
         public float DynamicViscosity { get => material.dynamicViscosity; set { material.dynamicViscosity = value; Changed(); } }
 
@@ -310,6 +326,17 @@ namespace Rill
         /// <exception cref="ArgumentException">The volume cannot be filled; the message says why.</exception>
         /// <exception cref="ArgumentOutOfRangeException">Phase or lifetime is out of range.</exception>
         public void Fill(FluidVolume volume, int phase = 0, float lifetime = 0f) => Editing.Fill(volume, phase, lifetime);
+
+        /// <summary>Fills a shape at once with a material: as <see cref="Fill(FluidShape, Vector3, int, float)"/>, with the phase of the
+        /// material.</summary>
+        /// <param name="shape">World space. A particle is put where all of it is inside.</param>
+        /// <param name="velocity">World space, m/s.</param>
+        /// <param name="fluidMaterial">Null for the fluid's own.</param>
+        /// <param name="lifetime">Fluid time after which they are removed, s; 0 for never.</param>
+        /// <remarks>In a player the shaders for several materials must be in the build: list the material in <see cref="PhaseMaterials"/>, or set
+        /// Shaders In Build to All Features.</remarks>
+        public void Fill(FluidShape shape, Vector3 velocity, FluidMaterialAsset fluidMaterial, float lifetime = 0f)
+            => Editing.Fill(shape, velocity, PhaseOf(fluidMaterial), lifetime);
 
         /// <summary>
         /// Removes the particles whose center is inside a shape at once. They count as drained, and free their part of the capacity with the

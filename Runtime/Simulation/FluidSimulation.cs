@@ -40,6 +40,11 @@ namespace Rill
         [SerializeField] int capacity = 50000;
 
         [SerializeField] FluidMaterial material = FluidMaterial.Water;
+
+        [Tooltip("Materials of phases 1 to 7: of the particles that emitters, volumes and scripts give that phase or that material. Phase 0 " +
+            "has the Material above. A material that is used and not listed here gets the next free phase.")]
+        [SerializeField] FluidMaterialAsset[] phaseMaterials = Array.Empty<FluidMaterialAsset>();
+
         [SerializeField] SolverSettings solver = SolverSettings.Default;
 
         [Tooltip("GPU time that the fluid may take. When on, substeps, iterations and relaxation are chosen to fit it.")]
@@ -111,6 +116,7 @@ namespace Rill
             Clock = new FluidClock(this);
             Support = new FeatureSupport(this);
             Inputs = new SceneInputs(this);
+            Phases = new PhaseTable(this);
             Steps = new StepRecorder(this);
             Results = new FrameResults(this);
             Editing = new ParticleEditing(this);
@@ -128,6 +134,8 @@ namespace Rill
         internal FeatureSupport Support { get; }
 
         internal SceneInputs Inputs { get; }
+
+        internal PhaseTable Phases { get; }
 
         internal StepRecorder Steps { get; }
 
@@ -197,6 +205,7 @@ namespace Rill
             shaders.Hold();
             if (resumes)
                 return;
+            Phases.Clear();
             if (SolverOwner.TryMake(out problem))
                 Restart();
             else
@@ -412,6 +421,9 @@ namespace Rill
             Limit.Clamp("culling distance", ref cullingDistance, 0f, float.MaxValue, 0f, ref problem);
             Limit.Clamp("culled rate", ref culledRate, MinCulledRate, 1f, DefaultCulledRate, ref problem);
             Limit.Clamp("kept capacity", ref keptCapacity, 1, SolverLayout.MaxCapacity, ref problem);
+            if (phaseMaterials.Length >= Rill.PhaseMaterials.Phases)
+                Limit.Append(ref problem, FormattableString.Invariant($"of {phaseMaterials.Length} phase materials only the first ") +
+                    FormattableString.Invariant($"{Rill.PhaseMaterials.Phases - 1} have a phase. Remove the others"));
             clamped.Set(problem);
         }
     }

@@ -31,6 +31,23 @@ namespace Rill
         /// <summary>Probes and detectors.</summary>
         public int QueryCount { get; private set; }
 
+        /// <summary>Whether an emitter names a phase by its number, without a material.</summary>
+        public bool NamesPhase(int phase)
+        {
+            bool names = false;
+            foreach (FluidPart part in emitters)
+                names |= part != null && ((IEmitter)part).NamedPhase == phase;
+            return names;
+        }
+
+        /// <summary>Lets the materials of all emitters get a phase.</summary>
+        public void FindPhases()
+        {
+            foreach (FluidPart part in emitters)
+                if (part != null)
+                    fluid.Phases.PhaseOf(((IEmitter)part).Material);
+        }
+
         public bool HasEmitters => HasAny(emitters);
 
         public bool HasFields => HasAny(fields);

@@ -79,6 +79,7 @@ namespace Rill
                 gravity = Quaternion.Inverse(box.rotation) * felt + inputs.Parts.UniformField(frame),
                 settings = settings,
                 material = fluid.Material,
+                phases = fluid.Phases.ForStep(),
                 needsDensity = NeedsDensity,
                 colliders = inputs.Colliders.Set,
                 tracksPhases = fluid.TrackPhases,
@@ -173,7 +174,7 @@ namespace Rill
             {
                 double strength = ImplicitViscosity.Strength(input, fluid.Solver.Layout), beyond = strength / ImplicitViscosity.MaxStrength;
                 double substeps = Math.Ceiling(input.settings.substeps * beyond);
-                float viscosity = fluid.Material.dynamicViscosity;
+                double viscosity = input.phases.MaxKinematicViscosity(input.material) * input.material.density;
                 string remedy = substeps <= SolverSettings.MaxSubsteps ? Invariant($"Take {substeps} substeps or a particle spacing of")
                     : "Take a particle spacing of";
                 return Invariant($"its dynamic viscosity of {viscosity:G4} Pa s is more than ") +

@@ -194,7 +194,8 @@ namespace Rill
             }
             if (contents.Has(SnapshotSection.Coarse) && features.Has(Features.DeepWater))
                 Keep(Features.DeepWater,
-                    new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, Limits)
+                    new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, Limits,
+                    contents.Has(SnapshotSection.Slips) && features.Has(Features.Materials))
                     {
                         FlowTime = contents.Get<float>(SnapshotSection.FlowTime),
                         IsFirst = false,
@@ -202,6 +203,8 @@ namespace Rill
             if (contents.Has(SnapshotSection.Extrapolation))
                 Keep(Features.Extrapolation, new VelocityExtrapolation(Layout.Capacity)).Record
                     = contents.Get<ExtrapolationRecord>(SnapshotSection.Extrapolation);
+            if (contents.Has(SnapshotSection.Slips) && features.Has(Features.Materials))
+                Keep(Features.Materials, new MaterialTable(Layout.Capacity));
             if (contents.Has(SnapshotSection.Conformation) && features.Has(Features.Elasticity))
                 Keep(Features.Elasticity, new Viscoelasticity(Layout.Capacity));
             if (contents.Has(SnapshotSection.NeighborCounts) && features.Has(Features.Viscosity))

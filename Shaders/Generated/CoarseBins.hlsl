@@ -3,6 +3,5 @@
 #define RILL_GENERATED_COARSE_BINS_INCLUDED
 
 static const uint kBinStride = 8;    // words of a cell in _Bins
-static const uint kMassBin = 7;    // the one of them that sums the mass
 
 #endif

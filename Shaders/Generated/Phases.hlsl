@@ -4,10 +4,10 @@
 
 static const uint kMaxPhase = 7;    // largest phase of a particle
 
-// What kernels know of the phases of a fluid with several densities.
+// Materials of the phases, for the kernels that weigh particles.
 cbuffer RillPhases
 {
-    float4 _Phases[8];    // x
+    float4 _Phases[8];    // x: mass of a particle, relative to one of the heaviest phase; y: its inverse; z: dynamic viscosity, relative to the largest; w: 0
 };
 
 #endif

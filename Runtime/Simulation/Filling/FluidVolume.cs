@@ -39,6 +39,9 @@ namespace Rill
         [Tooltip("Velocity at the start in world space, m/s.")]
         [SerializeField] Vector3 velocity;
 
+        [Tooltip("Material of its fluid: density and viscosity. None: the fluid's own.")]
+        [SerializeField] FluidMaterialAsset material;
+
         /// <summary>A box, a sphere or the inside of a field.</summary>
         public VolumeShape Shape { get => shape; set => shape = value; }
 
@@ -53,6 +56,9 @@ namespace Rill
 
         /// <summary>Velocity at the start in world space, m/s.</summary>
         public Vector3 Velocity { get => velocity; set => velocity = value; }
+
+        /// <summary>Material of its fluid; null for the fluid's own.</summary>
+        public FluidMaterialAsset Material { get => material; set => material = value; }
 
         /// <summary>Particles that fit along each axis of the shape, or of the box around it.</summary>
         /// <param name="spacing">m.</param>

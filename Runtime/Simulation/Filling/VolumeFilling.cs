@@ -105,7 +105,7 @@ namespace Rill
                         Invariant($"{fluid.transform.position}, and were left out. ") +
                         $"{ScaleBetween(volume)}Move or shrink the volume, or enlarge the domain.", volume);
                 if (inside > 0)
-                    Upload(positions.GetSubArray(0, inside), volume.Velocity, low, high);
+                    Upload(positions.GetSubArray(0, inside), volume.Velocity, low, high, fluid.Solver.TagFor(fluid.Phases.PhaseOf(volume.Material), 0));
                 return inside;
             }
             catch (ArgumentException problem)
@@ -121,14 +121,14 @@ namespace Rill
         }
 
         // Particles in the domain's frame, in spacings, all with one velocity in world space, m/s.
-        void Upload(NativeArray<float4> positions, Vector3 velocity, float3 low, float3 high)
+        void Upload(NativeArray<float4> positions, Vector3 velocity, float3 low, float3 high, uint tag)
         {
             fluid.GetPose(out _, out Quaternion rotation);
             float4 local = new float4((float3)(Quaternion.Inverse(rotation) * velocity), 0f) / fluid.ParticleSpacing;
             using (var shared = new NativeArray<float4>(1, Allocator.Persistent))
             {
                 shared.AsSpan()[0] = local;
-                fluid.Solver.AddInSpacings(positions, shared, low, high);
+                fluid.Solver.AddInSpacings(positions, shared, low, high, tag);
             }
         }
     }

@@ -6,6 +6,12 @@ namespace Rill
         /// <summary>Particles that were given up for want of room, as far as is known.</summary>
         int Blocked { get; }
 
+        /// <summary>Material of what it lets in; null for that of its phase.</summary>
+        FluidMaterialAsset Material { get; }
+
+        /// <summary>Phase of what it lets in, if it has no material; else 0.</summary>
+        int NamedPhase { get; }
+
         /// <summary>Gives what it does in the next step.</summary>
         /// <param name="frame">Frame of the fluid's box.</param>
         /// <param name="spacing">m.</param>

@@ -91,8 +91,10 @@ namespace Rill
         FeatureSet FeaturesFor(SnapshotContents contents)
         {
             SceneInputs inputs = fluid.Inputs;
-            var still = new StepInput { settings = fluid.Settings, material = fluid.Material };
+            var still = new StepInput { settings = fluid.Settings, material = fluid.Material, phases = fluid.Phases.ForStep() };
             FeatureSet features = FeatureSet.None;
+            if (contents.Has(SnapshotSection.Slips) && MaterialTable.IsNeeded(still))
+                features = WithSupported(features, Features.Materials);
             if (contents.Has(SnapshotSection.Rest) && RestingRegions.IsNeeded(still))
                 features = WithSupported(features, Features.Sleep);
             if (contents.Has(SnapshotSection.Coarse) && still.settings.deepWater != DeepWater.Off)

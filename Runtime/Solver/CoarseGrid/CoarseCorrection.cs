@@ -22,9 +22,6 @@ namespace Rill
         /// <summary>words of a cell in _Bins</summary>
         [GenerateHlsl("CoarseBins")] const int BinStride = 8;
 
-        /// <summary>the one of them that sums the mass</summary>
-        [GenerateHlsl("CoarseBins")] const int MassBin = 7;
-
         static readonly ProfilerMarker ProjectionMarker = GpuMarker.Create("Rill.Projection");
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");
 
@@ -34,14 +31,15 @@ namespace Rill
         readonly KernelVariants reactToFlow, reactToErrors;         // with materials
         readonly Kernel extendDisplacements;
         CoarseColliders coarseColliders;
-        GraphicsBuffer cellDensities;       // null for one density
+        readonly GraphicsBuffer cellDensities;      // null for one material
         readonly GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize) : this(layout, cellSize, DeviceLimits.Current) { }
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
-        public CoarseCorrection(SolverLayout layout, float cellSize, in DeviceLimits limits)
+        /// <param name="hasMaterials">Whether phases are of several materials.</param>
+        public CoarseCorrection(SolverLayout layout, float cellSize, in DeviceLimits limits, bool hasMaterials = false)
         {
             binFlow = new KernelVariants(shader, "BinFlow", "BinFlowWithColliders", "BinFlowWithMaterials",
                 "BinFlowWithCollidersAndMaterials");
@@ -65,7 +63,8 @@ namespace Rill
             flow = Buffers.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
             fill = Buffers.Structured<float>("Rill.Coarse.Fill", Grid.Total);
             surface = Buffers.Structured<uint>("Rill.Coarse.Surface", Grid.Total);
-            weightedCounts = Buffers.Structured<uint>("Rill.Coarse.WeightedCounts", Grid.Total);
+            weightedCounts = Buffers.Structured<uint>("Rill.Coarse.WeightedCounts", (hasMaterials ? 3L : 1L) * Grid.Total);
+            cellDensities = hasMaterials ? Buffers.Structured<float>("Rill.Coarse.CellDensities", Grid.Total) : null;
             source = Buffers.Structured<float>("Rill.Coarse.Source", Grid.Total);
             lastErrors = Buffers.Structured<float>("Rill.Coarse.LastErrors", Grid.Total);
             diagonal = Buffers.Structured<float>("Rill.Coarse.Diagonal", Grid.Total);
@@ -111,7 +110,8 @@ namespace Rill
 
         public override bool Survives(ParticleChange change) => false;
 
-        public override bool Fits(PbfSolver solver, in StepInput step) => Grid.WantedSize == solver.CoarseCellSize(step);
+        public override bool Fits(PbfSolver solver, in StepInput step)
+            => Grid.WantedSize == solver.CoarseCellSize(step) && WithMaterials == MaterialTable.IsNeeded(step);
 
         /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
         /// <param name="layers">Depth of the water, d.</param>
@@ -147,7 +147,6 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(ProjectionMarker);
             step.BindConstants(shader);
-            PrepareDensities(step);
             int bin = binFlow.For(WithColliders, WithMaterials);
             coarseColliders?.Bind(cmd, shader, bin);
             step.Materials?.Bind(step, shader, bin);
@@ -231,14 +230,6 @@ namespace Rill
         bool WithColliders => coarseColliders != null;
 
         bool WithMaterials => cellDensities != null;
-
-        void PrepareDensities(in StepContext step)
-        {
-            if (step.Materials == null)
-                Buffers.Release(ref cellDensities);
-            else
-                cellDensities ??= Buffers.Structured<float>("Rill.Coarse.CellDensities", Grid.Total);
-        }
 
         void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {

@@ -32,6 +32,8 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
         readonly Kernel binColliders, measureColliderVolume, measureWettedArea;
         readonly KernelVariants collidePaths, collide;        // with reactions; last pass, with reactions
+        readonly Kernel collidePathsReactWithMaterials;
+        readonly KernelVariants collideReactWithMaterials;     // last pass
         readonly LocalKeyword deforming;
         readonly FieldAtlas meshes, heights;
         // a kernel wants a texture even where it reads none
@@ -63,6 +65,8 @@ namespace Rill
             FindBoundary = new Kernel(shader, "FindBoundary");
             measureWettedArea = new Kernel(shader, "MeasureWettedArea");
             collide = new KernelVariants(shader, "Collide", "CollideLast", "CollideReact", "CollideLastReact");
+            collidePathsReactWithMaterials = new Kernel(shader, "CollidePathsReactWithMaterials");
+            collideReactWithMaterials = new KernelVariants(shader, "CollideReactWithMaterials", "CollideLastReactWithMaterials");
 
             cellSize = SmallestCell;
             while (Cells(layout.DomainSize, cellSize) > MaxCells)
@@ -198,7 +202,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            int kernel = collidePaths.For(reactions != null);
+            Kernel kernel = PathsKernel(step.Materials != null);
             cmd.BeginSample(Marker);
             Bind(step, kernel, step.MaySleep);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellHistogram, cellHistogram);
@@ -213,7 +217,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            int kernel = collide.For(last, reactions != null);
+            Kernel kernel = PassKernel(last, step.Materials != null);
             cmd.BeginSample(Marker);
             Bind(step, kernel, step.MaySleep);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Multipliers);
@@ -278,10 +282,11 @@ namespace Rill
                 description.Kernel(colliders.binColliders, substeps, variant);
                 description.Kernel(colliders.measureColliderVolume, substeps, variant);
             }
-            description.Kernel(colliders.collidePaths.For(reacts), substeps, variant);
+            bool weighs = MaterialTable.IsNeeded(input);
+            description.Kernel(colliders.PathsKernel(weighs), substeps, variant);
             if (input.settings.iterations > 1)
-                description.Kernel(colliders.collide.For(false, reacts), substeps * (input.settings.iterations - 1), variant);
-            description.Kernel(colliders.collide.For(true, reacts), substeps, variant);
+                description.Kernel(colliders.PassKernel(false, weighs), substeps * (input.settings.iterations - 1), variant);
+            description.Kernel(colliders.PassKernel(true, weighs), substeps, variant);
             if (reacts && colliders.reactions.HasWettedAreas)
                 description.Kernel(colliders.measureWettedArea, 0, variant);
             colliders.reactions?.Describe(description);
@@ -292,9 +297,17 @@ namespace Rill
             return description;
         }
 
+        // Forces weigh particles, where phases are of several materials.
+        Kernel PathsKernel(bool weighs) => reactions != null && weighs ? collidePathsReactWithMaterials : collidePaths.For(reactions != null);
+
+        Kernel PassKernel(bool last, bool weighs)
+            => reactions != null && weighs ? collideReactWithMaterials.For(last) : collide.For(last, reactions != null);
+
         void Bind(in StepContext step, int kernel, bool maySleep)
         {
             CommandBuffer cmd = step.Commands;
+            if (reactions != null)
+                step.Materials?.Bind(step, shader, kernel);
             cmd.SetKeyword(shader, deforming, HasDeforming);
             step.Particles.Bind(cmd, shader, kernel);
             BindShapes(cmd, shader, kernel);

@@ -27,7 +27,8 @@ namespace Rill
             defines: new[] { "DEEP" },
             asked: (PbfSolver solver, in StepInput step) => solver.IsDeep(step),
             turnOff: (ref StepInput step) => step.settings.deepWater = Rill.DeepWater.Off,
-            make: (PbfSolver solver, in StepInput step) => new CoarseCorrection(solver.Layout, solver.CoarseCellSize(step), solver.Limits));
+            make: (PbfSolver solver, in StepInput step) => new CoarseCorrection(solver.Layout, solver.CoarseCellSize(step), solver.Limits,
+                MaterialTable.IsNeeded(step)));
 
         public static readonly Feature VelocitySmoothing = new Feature("velocity smoothing", "set the velocity smoothing to 0",
             defines: new[] { "VISCOUS" },

@@ -22,7 +22,7 @@ namespace Rill
             float heaviest = phases.Heaviest(own), mostViscous = math.max(phases.MaxViscosity(own), 1e-12f);
             float4 Row(int phase)
             {
-                float mass = phases.Density(phase, own) / heaviest;
+                float mass = math.max(phases.Density(phase, own) / heaviest, 1f / PhaseMaterials.MaxRatio);
                 return new float4(mass, 1f / mass, phases.Viscosity(phase, own) / mostViscous, 0f);
             }
             return new PhaseConstants

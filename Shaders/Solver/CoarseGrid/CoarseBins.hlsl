@@ -1,5 +1,5 @@
 // Sums over the particles of a coarse cell, exact and independent of their order: integers, 64 bits each.
-// Include after RWStructuredBuffer<uint> _Bins is declared: particles of a cell, sums of three components, and the mass in one word.
+// Include after RWStructuredBuffer<uint> _Bins is declared: particles of a cell, then sums of three components.
 #ifndef RILL_COARSE_BINS_INCLUDED
 #define RILL_COARSE_BINS_INCLUDED
 
@@ -10,12 +10,8 @@ static const uint kNoCell = kNoRun;
 static const float kMinError = -0.1;         // more dilute particles are spray
 static const float kMaxError = 8.0;
 static const float kErrorScale = 65536.0;       // steps of a binned density error
-static const float kMassScale = 65536.0;        // steps of a binned mass
 
 groupshared uint3 g_Values[kGroup];
-#ifdef MATERIALS
-groupshared uint g_Masses[kGroup];      // in steps, set by each thread before AddRuns
-#endif
 
 // A sum of 64 bits in two words. The values are not negative.
 void AddWide(uint at, uint value)
@@ -40,21 +36,12 @@ void AddRuns(uint thread, uint cell, uint3 value, uint components)
 
     uint3 sum = value;
     uint count = 1;
-#ifdef MATERIALS
-    uint mass = g_Masses[thread];
-#endif
     FOR_REST_OF_RUN(thread, cell, next)
         sum += g_Values[next];
         count++;
-#ifdef MATERIALS
-        mass += g_Masses[next];
-#endif
     END_RUN
     uint bin = cell * kBinStride;
     InterlockedAdd(_Bins[bin], count);
-#ifdef MATERIALS
-    InterlockedAdd(_Bins[bin + kMassBin], mass);
-#endif
     AddWide(bin + 1, sum.x);
     if (components > 1)
     {

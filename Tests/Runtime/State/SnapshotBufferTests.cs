@@ -39,6 +39,8 @@ namespace Rill.Tests
             { "Rill.Coarse.Source", (Why.Rewritten, "FindDivergence and FindErrors write it") },
             { "Rill.Coarse.Diagonal", (Why.Rewritten, "FindDivergence and FindErrors write it") },
             { "Rill.Coarse.Displacements", (Why.Rewritten, "DisplaceFlow and DisplaceErrors write it") },
+            { "Rill.Coarse.CellDensities", (Why.Rewritten, "FindSurface writes it") },
+            { "Rill.Phases", (Why.Follows, "from the materials, in each step") },
             { "Rill.Coarse.Constants", (Why.Follows, "from the grid") },
             { "Rill.Coarse.Smoothed", (Why.Rewritten, "a cycle writes it") },
             { "Rill.Coarse.Couplings", (Why.Rewritten, "a cycle writes it") },
@@ -102,7 +104,7 @@ namespace Rill.Tests
 
         static SnapshotCase AllStages => new SnapshotCase
         {
-            name = "all stages", deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f, dynamicViscosity = 0.5f,
+            name = "all stages", density = 500f, deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f, dynamicViscosity = 0.5f,
             colliders = true, emitter = true, drain = true,
             field = true, moves = true, sleepSpeed = 0.02f, draws = true,
         };

@@ -17,6 +17,7 @@ namespace Rill.Tests
         readonly SourceScene scene;
         readonly List<GameObject> colliders = new List<GameObject>();
         readonly SnapshotCase made;
+        FluidMaterialAsset oil;
         int frame;
 
         public SnapshotScene(SnapshotCase made)
@@ -40,6 +41,8 @@ namespace Rill.Tests
                 AddCollider(ColliderShape.Sphere);
                 AddCollider(ColliderShape.Box);
             }
+            if (made.density > 0f)
+                scene.Fluid.PhaseMaterials = new[] { null, oil = FluidMaterialAsset.Create("Oil", made.density, made.dynamicViscosity) };
             FluidEmitter emitter = null;
             if (made.emitter)
                 emitter = scene.Add<FluidEmitter>(new Vector3(0.1f, 0.4f, 0f), Vector3.down, e =>
@@ -121,6 +124,8 @@ namespace Rill.Tests
             foreach (GameObject collider in colliders)
                 Object.DestroyImmediate(collider);
             scene.Dispose();
+            if (oil != null)
+                Object.DestroyImmediate(oil);
         }
 
         void AddCollider(ColliderShape shape)
@@ -157,7 +162,7 @@ namespace Rill.Tests
         public string name;
         public DeepWater deepWater = DeepWater.Off;
         public int substeps = 1;
-        public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frameSteps = 1f;
+        public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frameSteps = 1f, density;
         public bool colliders, emitter, drain, field, moves, stands, draws;
         public int steps = 12;
 

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Material of a liquid that shares a fluid with others: of an emitter, a volume, or what a script fills in.</summary>
+    /// <remarks>A fluid gives each material that is used in it a phase, 1 to 7; phase 0 has the fluid's own <see cref="FluidMaterial"/>. A
+    /// change acts in the next step.</remarks>
+    [CreateAssetMenu(menuName = "Rill/Fluid Material", fileName = "Fluid Material")]
+    [Icon(PackagePaths.Icon), ManualPage("materials.md")]
+    public sealed class FluidMaterialAsset : ScriptableObject, IAppliesSettings, IHasProblems
+    {
+        [Tooltip("Rest density, kg/m³. 0.001 to 1e6. Lighter liquids rise. Up to 20 times that of the lightest liquid of a fluid costs the " +
+            "least; up to 1000 times is possible.")]
+        [SerializeField] float density = 1000f;
+
+        [Tooltip("Dynamic viscosity, Pa s, 0 to 1e6: water 0.001, olive oil 0.08, glycerol 1.4, honey 10. 0: none but what Velocity Smoothing " +
+            "and the solver itself damp.")]
+        [SerializeField] float dynamicViscosity;
+
+        [NonSerialized] ClampedSettings clamped;
+
+        /// <summary>Rest density, kg/m³, 0.001 to 1e6. Out-of-range values are clamped with a warning.</summary>
+        public float Density { get => density; set { density = value; ChangedSettings.Apply(this); } }
+
+        /// <summary>Dynamic viscosity, Pa s, 0 to 1e6. Out-of-range values are clamped with a warning.</summary>
+        public float DynamicViscosity { get => dynamicViscosity; set { dynamicViscosity = value; ChangedSettings.Apply(this); } }
+
+        /// <summary>Returns a new material, for scripts.</summary>
+        /// <param name="name">Name, for messages.</param>
+        /// <param name="density">kg/m³.</param>
+        /// <param name="dynamicViscosity">Pa s.</param>
+        public static FluidMaterialAsset Create(string name, float density, float dynamicViscosity = 0f)
+        {
+            FluidMaterialAsset material = CreateInstance<FluidMaterialAsset>();
+            material.name = name;
+            material.density = density;
+            material.DynamicViscosity = dynamicViscosity;
+            return material;
+        }
+
+        void OnValidate() => ChangedSettings.ApplyLater(this);
+
+        void IAppliesSettings.CheckSettings()
+        {
+            string problem = null;
+            Limit.Clamp("density", ref density, 1e-3f, 1e6f, 1000f, ref problem);
+            Limit.Clamp("dynamic viscosity", ref dynamicViscosity, 0f, 1e6f, 0f, ref problem);
+            clamped.Set(problem);
+        }
+
+        void IAppliesSettings.ApplySettings() => clamped.Log(this);
+
+        void IHasProblems.ListProblems(List<string> problems) => problems.AddIfAny(clamped.Problem);
+    }
+}

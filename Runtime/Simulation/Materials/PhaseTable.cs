@@ -1,0 +1,106 @@
+using System.Collections.Generic;
+using UnityEngine;
+using static System.FormattableString;
+
+namespace Rill
+{
+    /// <summary>Materials of a fluid's phases: those of its list, and those that emitters, volumes and scripts bring besides.</summary>
+    sealed class PhaseTable
+    {
+        const int TooMany = 0, TooLight = 1;       // problems
+
+        readonly FluidSimulation fluid;
+        readonly FluidMaterialAsset[] added = new FluidMaterialAsset[PhaseMaterials.Phases];        // by phase
+        OnceLog log;
+        string tooMany, tooLight;
+        float lightest;     // kg/m³ that a fluid can hold
+
+        public PhaseTable(FluidSimulation fluid) => this.fluid = fluid;
+
+        /// <summary>What is wrong with the materials; null for nothing.</summary>
+        public string Problem => tooMany ?? TooLightProblem;
+
+        /// <summary>Forgets what was added, as the fluid begins.</summary>
+        public void Clear()
+        {
+            System.Array.Clear(added, 0, added.Length);
+            log.Reset();
+            tooMany = tooLight = null;
+        }
+
+        /// <summary>Returns the material of a phase; null for the fluid's own.</summary>
+        public FluidMaterialAsset this[int phase]
+        {
+            get
+            {
+                if (phase < 1 || phase >= PhaseMaterials.Phases)
+                    return null;
+                FluidMaterialAsset[] listed = fluid.PhaseMaterials;
+                FluidMaterialAsset own = phase <= listed.Length ? listed[phase - 1] : null;
+                return own != null ? own : added[phase];
+            }
+        }
+
+        /// <summary>Returns the phase of a material, which gets one if it has none. Logs once, by name, what has no phase left.</summary>
+        /// <param name="material">Null for the fluid's own.</param>
+        /// <param name="own">Phase without a material, or with one that none is left for.</param>
+        public int PhaseOf(FluidMaterialAsset material, int own = 0)
+        {
+            if (material == null)
+                return own;
+            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
+                if (this[phase] == material)
+                    return phase;
+            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
+            {
+                if (this[phase] != null || fluid.Inputs.Parts.NamesPhase(phase))
+                    continue;
+                added[phase] = material;
+                return phase;
+            }
+            tooMany = $"it has no phase left for the material '{material.name}', and uses its own instead: a fluid holds " +
+                Invariant($"{PhaseMaterials.Phases - 1} materials besides its own, and has {Names()}. Let some share a material, or put the liquid ") +
+                "into a fluid of its own.";
+            if (log.ShouldLog(TooMany))
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {tooMany}", fluid);
+            return own;
+        }
+
+        /// <summary>Returns the materials for a step, within what a fluid can hold together.</summary>
+        public PhaseMaterials ForStep()
+        {
+            fluid.Inputs.Parts.FindPhases();
+            var phases = new PhaseMaterials();
+            FluidMaterial own = fluid.Material;
+            float heaviest = own.density;
+            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
+                if (this[phase] != null)
+                    heaviest = Mathf.Max(heaviest, this[phase].Density);
+            lightest = heaviest / PhaseMaterials.MaxRatio;
+            tooLight = own.density < lightest ? "own material" : null;
+            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
+            {
+                FluidMaterialAsset material = this[phase];
+                if (material == null)
+                    continue;
+                phases.Set(phase, Mathf.Max(material.Density, lightest), material.DynamicViscosity);
+                tooLight = material.Density < lightest ? $"material '{material.name}'" : tooLight;
+            }
+            if (log.ShouldLog(TooLight, tooLight != null))
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {TooLightProblem}", fluid);
+            return phases;
+        }
+
+        string TooLightProblem => tooLight == null ? null
+            : Invariant($"its {tooLight} is lighter than 1/{PhaseMaterials.MaxRatio:0} of its heaviest, and acts as one of ") +
+            Invariant($"{lightest:0.###} kg/m³. Bring the densities nearer together.");
+
+        string Names()
+        {
+            var names = new List<string>();
+            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
+                names.Add(this[phase] != null ? $"'{this[phase].name}'" : Invariant($"phase {phase} of an emitter"));
+            return string.Join(", ", names);
+        }
+    }
+}

@@ -1,0 +1,187 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>Liquids of several materials in one fluid: of emitters, volumes, scripts and the list of the fluid.</summary>
+    public class FluidMaterialAssetTests
+    {
+        const float Spacing = 0.05f;
+        static readonly Vector3 Box = new Vector3(1f, 1f, 1f);
+
+        readonly List<FluidMaterialAsset> made = new List<FluidMaterialAsset>();
+
+        [TearDown]
+        public void Destroy()
+        {
+            foreach (FluidMaterialAsset material in made)
+                Object.DestroyImmediate(material);
+            made.Clear();
+        }
+
+        FluidMaterialAsset Material(string name, float density, float viscosity = 0f)
+        {
+            FluidMaterialAsset material = FluidMaterialAsset.Create(name, density, viscosity);
+            made.Add(material);
+            return material;
+        }
+
+        static uint[] Phases(SourceScene scene)
+            => GpuTest.Read<uint>(scene.Fluid.Solver.Tags, scene.Read().Count).Select(tag => tag >> ParticleTags.PhaseShift).ToArray();
+
+        static FluidVolume AddVolume(SourceScene scene, Vector3 size, Vector3 position, FluidMaterialAsset material)
+        {
+            FluidVolume volume = new GameObject("Volume").AddComponent<FluidVolume>();
+            volume.transform.SetParent(scene.Fluid.transform, false);
+            volume.transform.position = position;
+            volume.Size = size;
+            volume.Material = material;
+            return volume;
+        }
+
+        [Test]
+        public void Emitters_volumes_and_scripts_give_particles_the_phase_of_their_material()
+        {
+            FluidMaterialAsset oil = Material("Oil", 900f, 0.08f), honey = Material("Honey", 1400f), tar = Material("Tar", 1100f);
+            using (var scene = new SourceScene(Box, Spacing, 3000))
+            {
+                scene.Fluid.PhaseMaterials = new[] { oil };
+                AddVolume(scene, new Vector3(0.5f, 0.1f, 0.5f), new Vector3(0f, -0.45f, 0f), honey);
+                scene.Fluid.Restart();
+                scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => (e.Rate, e.Radius, e.Material) = (0.01f, 0.15f, oil));
+                scene.Step(10);
+                scene.Fluid.Fill(FluidShape.Box(new Vector3(0.3f, 0f, 0.3f), new Vector3(0.2f, 0.2f, 0.2f)), Vector3.zero, tar);
+                scene.Step();
+                Assert.That(scene.Fluid.PhaseOf(oil), Is.EqualTo(1));
+                Assert.That(scene.Fluid.PhaseOf(honey), Is.EqualTo(2));
+                Assert.That(scene.Fluid.PhaseOf(tar), Is.EqualTo(3));
+                Assert.That(Phases(scene).Distinct(), Is.EquivalentTo(new[] { 1u, 2u, 3u }));
+                Assert.That(Phases(scene).Count(phase => phase == 2), Is.EqualTo(200));
+            }
+        }
+
+        [Test]
+        public void A_phase_that_an_emitter_names_by_its_number_is_left_to_it()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 100))
+            {
+                scene.Add<FluidEmitter>(Vector3.zero, Vector3.down, e => e.Phase = 1);
+                Assert.That(scene.Fluid.PhaseOf(Material("Oil", 900f)), Is.EqualTo(2));
+            }
+        }
+
+        [Test]
+        public void An_eighth_material_is_refused_by_name_and_the_seven_go_on()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 100))
+            {
+                for (int i = 1; i < PhaseMaterials.Phases; i++)
+                    Assert.That(scene.Fluid.PhaseOf(Material($"Liquid {i}", 800f + i)), Is.EqualTo(i));
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': it has no phase left for the material 'Lava', and uses its own " +
+                    "instead: a fluid holds 7 materials besides its own, and has 'Liquid 1', 'Liquid 2'"));
+                FluidMaterialAsset lava = Material("Lava", 2500f);
+                Assert.That(scene.Fluid.PhaseOf(lava), Is.Zero);
+                Assert.That(scene.Fluid.PhaseOf(lava), Is.Zero);      // and is logged once
+                Assert.That(scene.Fluid.PhaseOf(made[3]), Is.EqualTo(4));
+                Assert.That(ProblemsOf(scene.Fluid), Has.Some.Contains("'Lava'"));
+            }
+        }
+
+        static List<string> ProblemsOf(FluidSimulation fluid)
+        {
+            var problems = new List<string>();
+            ((IHasProblems)fluid).ListProblems(problems);
+            return problems;
+        }
+
+        [Test]
+        public void A_liquid_much_lighter_than_another_is_said_by_name_and_acts_as_light_as_can_be()
+        {
+            using (SourceScene scene = new SourceScene(Box, Spacing, 2000).Fill(0.2f))
+            {
+                scene.Fluid.PhaseMaterials = new[] { Material("Air", 0.2f) };
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': its material 'Air' is lighter than 1/1000 of its heaviest, " +
+                    "and acts as one of 1 kg/m³"));
+                scene.Step(3);
+                Assert.That(scene.Fluid.Input.phases.Ratio(scene.Fluid.Material), Is.EqualTo(1000f).Within(0.1f));
+            }
+        }
+
+        [Test]
+        public void Values_out_of_range_are_clamped_and_said()
+        {
+            FluidMaterialAsset oil = Material("Oil", 900f);
+            LogAssert.Expect(LogType.Warning, new Regex("FluidMaterialAsset 'Oil'.*density"));
+            oil.Density = -5f;
+            Assert.That(oil.Density, Is.EqualTo(1e-3f));
+        }
+
+        static float MeanHeight(SourceScene scene, uint phase)
+        {
+            uint[] phases = Phases(scene);
+            return scene.Read().positions.Where((p, i) => phases[i] == phase).Average(p => p.y) * Spacing;
+        }
+
+        [Test]
+        public void Oil_beside_water_comes_to_lie_on_it_and_a_change_of_its_density_acts_at_once()
+        {
+            FluidMaterialAsset oil = Material("Oil", 500f);
+            using (var scene = new SourceScene(new Vector3(0.6f, 1f, 0.6f), Spacing, 3000, DeepWater.On))
+            {
+                var half = new Vector3(0.3f, 0.4f, 0.6f);
+                AddVolume(scene, half, new Vector3(-0.15f, -0.3f, 0f), oil);
+                AddVolume(scene, half, new Vector3(0.15f, -0.3f, 0f), null);
+                scene.Fluid.Restart();
+                float above = MeanHeight(scene.Step(120), 1), water = MeanHeight(scene, 0);
+                oil.Density = 2000f;
+                float below = MeanHeight(scene.Step(240), 1);
+                TestContext.Out.WriteLine($"oil at {above:0.000} m and water at {water:0.000} m, then oil at {below:0.000} m");
+                Assert.That(above, Is.GreaterThan(0.27f), "lighter than water");
+                Assert.That(water, Is.LessThan(0.13f));
+                Assert.That(below, Is.LessThan(0.13f), "heavier than water");
+            }
+        }
+
+        [Test]
+        public void A_liquid_presses_on_a_collider_by_its_own_density([Values(500f, 2000f)] float density)
+        {
+            using (var scene = new SourceScene(new Vector3(0.8f, 1f, 0.8f), Spacing, 6000, DeepWater.On))
+            {
+                AddVolume(scene, new Vector3(0.8f, 0.7f, 0.8f), new Vector3(0f, -0.15f, 0f), Material("Liquid", density));
+                scene.Fluid.Restart();
+                FluidCollider ball = new GameObject("Ball").AddComponent<FluidCollider>();
+                try
+                {
+                    ball.transform.position = new Vector3(0f, -0.15f, 0f);
+                    ball.Shape = ColliderShape.Sphere;
+                    ball.Radius = 0.2f;
+                    ball.MeasuresForce = true;
+                    scene.Step(90);
+                    double lift = 0.0;
+                    for (int i = 0; i < 30; i++)
+                    {
+                        scene.Step();
+                        UnityEngine.Rendering.AsyncGPUReadback.WaitAllRequests();
+                        Assert.That(ball.TryGetForce(out Vector3 force, out _));
+                        lift += force.y / 30.0;
+                    }
+                    double expected = density * 9.81 * 4.0 / 3.0 * math.PI * 0.2 * 0.2 * 0.2;
+                    TestContext.Out.WriteLine($"lift {lift:0.0} N, {expected:0.0} N of what it displaces");
+                    Assert.That(lift / expected, Is.InRange(0.85, 1.15));
+                }
+                finally
+                {
+                    Object.DestroyImmediate(ball.gameObject);
+                }
+            }
+        }
+    }
+}
