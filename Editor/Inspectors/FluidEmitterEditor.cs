@@ -9,6 +9,8 @@ namespace Rill.Editor
     [CanEditMultipleObjects]
     sealed class FluidEmitterEditor : RillEditor
     {
+        const string FlowTitle = "Flow";
+
         static readonly InspectorSection[] AllSections =
         {
             new InspectorSection("Shape", true,
@@ -17,7 +19,7 @@ namespace Rill.Editor
                 new InspectorField("size", "m", When.Is("shape", EmitterShape.Box)),
                 new InspectorField("radius", "m", When.Is("shape", EmitterShape.Sphere, EmitterShape.Disc)),
                 new InspectorField("mesh", when: When.Is("shape", EmitterShape.MeshSurface))),
-            new InspectorSection("Flow", true,
+            new InspectorSection(FlowTitle, true,
                 new InspectorField("mode", when: When.IsNot("shape", EmitterShape.MeshSurface)),
                 new InspectorField("rate", "m³/s"),
                 new InspectorField("speed", "m/s"),
@@ -35,6 +37,18 @@ namespace Rill.Editor
         internal override InspectorSection[] Sections => AllSections;
 
         internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidEmitter)of, out bounds);
+
+        private protected override void DrawBelow(string title)
+        {
+            if (title != FlowTitle || targets.Length > 1)
+                return;
+            var emitter = (FluidEmitter)target;
+            FluidSimulation fluid = MissingPart.FluidOf(emitter);
+            if (fluid == null || !(fluid.ParticleSpacing > 0f))
+                return;
+            InspectorRows.Text("Lets in", EmissionEstimate.RateText(emitter, fluid));
+            InspectorRows.Text("Capacity", EmissionEstimate.CapacityText(emitter, fluid));
+        }
 
         internal override void ListLive(List<(string label, string text)> live)
         {

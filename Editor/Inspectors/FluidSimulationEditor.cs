@@ -31,22 +31,23 @@ namespace Rill.Editor
                 new InspectorField("material.dynamicViscosity", "Pa s"),
                 new InspectorField("material.wallFriction"),
                 new InspectorField("material.vorticity", "m/s"),
-                new InspectorField("material.artificialPressure"),
-                new InspectorField("material.artificialPressureDistance", "support radii", When.IsPositive("material.artificialPressure")),
-                new InspectorField("material.allowedTension"),
                 new InspectorField("material.shearModulus", "Pa"),
                 new InspectorField("material.relaxationTime", "s", When.IsPositive("material.shearModulus")),
                 new InspectorField("gravity", "m/s²")),
-            new InspectorSection(SolverTitle, true,
+            new InspectorSection(SolverTitle, false,
                 new InspectorField("solver.deepWater"),
                 new InspectorField("solver.iterations"),
                 new InspectorField("solver.relaxation"),
                 new InspectorField("solver.substeps"),
-                new InspectorField("solver.softness"),
-                new InspectorField("solver.listMargin", "support radii"),
-                new InspectorField("solver.neighborCapacity"),
                 new InspectorField("solver.sleepSpeed", "m/s"),
                 new InspectorField("solver.numericalDamping", "of a first-order step's")),
+            new InspectorSection("Advanced", false,
+                new InspectorField("material.artificialPressure"),
+                new InspectorField("material.artificialPressureDistance", "support radii", When.IsPositive("material.artificialPressure")),
+                new InspectorField("material.allowedTension"),
+                new InspectorField("solver.softness"),
+                new InspectorField("solver.listMargin", "support radii"),
+                new InspectorField("solver.neighborCapacity")),
             new InspectorSection(BudgetTitle, false,
                 new InspectorField("budget.mode"),
                 new InspectorField("budget.milliseconds", "ms", When.Is("budget.mode", BudgetMode.Milliseconds)),
@@ -71,6 +72,11 @@ namespace Rill.Editor
             new InspectorSection("Build", false,
                 new InspectorField("shadersInBuild")),
         };
+
+        static readonly GUIContent presetLabel = new GUIContent("Preset",
+            "A fluid that goes by a name: sets the material below and the look of the Fluid Surface on this object. Presets are assets: " +
+            "Assets > Create > Rill > Fluid Preset makes one."),
+            saveLabel = new GUIContent("Save as Fluid Preset", "Writes material and look into an asset, which is then among the presets.");
 
         List<MissingPart> missing = new List<MissingPart>();
         StageTimes times;
@@ -104,12 +110,27 @@ namespace Rill.Editor
                 EditorGUILayout.HelpBox(text, type);
         }
 
-        private protected override void DrawBelow(string title)
+        private protected override void DrawAboveSections()
+        {
+            if (targets.Length > 1)
+                return;
+            if (!Application.isPlaying && !EditorUtility.IsPersistent(target))
+                SceneSimulationControls.Draw(Simulation);
+            InspectorRows.Text("Deep Water", DeepWaterState.Describe(Simulation));
+        }
+
+        private protected override void DrawAbove(string title)
         {
             if (title == FluidTitle)
                 DrawPresets();
+        }
+
+        private protected override void DrawBelow(string title)
+        {
             if (targets.Length > 1)
                 return;
+            if (title == FluidTitle)
+                DrawMaterialTexts();
             if (title == DomainTitle)
                 DrawEstimates();
             if (title == SolverTitle && Simulation.Budget.mode != BudgetMode.Off)
@@ -130,29 +151,36 @@ namespace Rill.Editor
         void DrawPresets()
         {
             serializedObject.ApplyModifiedProperties();
-            int current = targets.Length == 1 ? FluidPresets.IndexOf(Simulation.Material) : -1;
-            int chosen = EditorGUILayout.Popup("Preset", current + 1, FluidPresets.Names) - 1;
-            if (chosen >= 0 && chosen != current)
+            int current = FluidPresets.IndexOf((FluidSimulation)targets[0]);
+            bool isMixed = false;
+            foreach (Object one in targets)
+                isMixed |= FluidPresets.IndexOf((FluidSimulation)one) != current;
+            EditorGUI.showMixedValue = isMixed;
+            EditorGUI.BeginChangeCheck();
+            int chosen = EditorGUILayout.Popup(presetLabel, current + 1, FluidPresets.Names) - 1;
+            bool isChosen = EditorGUI.EndChangeCheck();
+            EditorGUI.showMixedValue = false;
+            if (isChosen && chosen >= 0)
             {
                 FluidPresets.Apply(FluidPresets.All[chosen], targets);
                 GUIUtility.ExitGUI();       // another preset has other lines below it
             }
             if (targets.Length > 1)
                 return;
-            if (Simulation.Material.velocitySmoothing > 0f)
-                InspectorRows.Text("Smoothing acts like", FluidPresets.SmoothingText(Simulation.Material, Simulation.ParticleSpacing));
-            if (Simulation.Material.shearModulus > 0f)
-                InspectorRows.Text("Elastic",
-                    FluidPresets.ElasticityText(Simulation.Material, Simulation.ParticleSpacing,
-                    Simulation.FixedStep / Simulation.Settings.substeps));
             if (current >= 0)
-                EditorGUILayout.HelpBox(FluidPresets.All[current].Describe(Simulation.ParticleSpacing), MessageType.None);
+                EditorGUILayout.HelpBox(PresetText.Describe(FluidPresets.All[current], Simulation.ParticleSpacing), MessageType.None);
+            else if (GUILayout.Button(saveLabel))
+                FluidPresets.SaveAs(Simulation);
         }
 
-        private protected override void DrawBelowSections()
+        void DrawMaterialTexts()
         {
-            if (!Application.isPlaying && targets.Length == 1 && !EditorUtility.IsPersistent(target))
-                SceneSimulationControls.Draw(Simulation);
+            if (Simulation.Material.velocitySmoothing > 0f)
+                InspectorRows.Text("Smoothing acts like", PresetText.SmoothingText(Simulation.Material, Simulation.ParticleSpacing));
+            if (Simulation.Material.shearModulus > 0f)
+                InspectorRows.Text("Elastic",
+                    PresetText.ElasticityText(Simulation.Material, Simulation.ParticleSpacing,
+                    Simulation.FixedStep / Simulation.Settings.substeps));
         }
 
         private protected override void DrawLive()

@@ -48,10 +48,17 @@ namespace Rill.Editor
         {
             if (fluid.GetComponentInChildren<FluidVolume>(true) != null)
                 return true;
+            foreach (FluidEmitter _ in EmittersOf(fluid))
+                return true;
+            return false;
+        }
+
+        /// <summary>Emitters that act on a fluid, wherever in its scene they are.</summary>
+        public static IEnumerable<FluidEmitter> EmittersOf(FluidSimulation fluid)
+        {
             foreach (FluidEmitter emitter in Emitters(fluid))
                 if (FluidOf(emitter) == fluid)
-                    return true;
-            return false;
+                    yield return emitter;
         }
 
         static IEnumerable<FluidEmitter> Emitters(FluidSimulation fluid)
@@ -65,8 +72,9 @@ namespace Rill.Editor
             return emitters;
         }
 
+        /// <summary>Fluid that an emitter acts on; null for none.</summary>
         // The property is known only while it is enabled in play mode.
-        static FluidSimulation FluidOf(FluidEmitter emitter)
+        public static FluidSimulation FluidOf(FluidEmitter emitter)
         {
             if (emitter.Simulation != null)
                 return emitter.Simulation;

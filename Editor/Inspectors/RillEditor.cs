@@ -21,6 +21,12 @@ namespace Rill.Editor
         /// <summary>Below what is wrong with the component itself.</summary>
         private protected virtual void DrawMessages() { }
 
+        /// <summary>Above all sections, playing or not.</summary>
+        private protected virtual void DrawAboveSections() { }
+
+        /// <summary>Draws what stands above the fields of a section, given by its title.</summary>
+        private protected virtual void DrawAbove(string title) { }
+
         /// <summary>Draws what stands below the fields of a section, given by its title.</summary>
         private protected virtual void DrawBelow(string title) { }
 
@@ -67,6 +73,7 @@ namespace Rill.Editor
             foreach (string problem in ProblemList.Of(targets))
                 EditorGUILayout.HelpBox(problem, MessageType.Warning);
             DrawMessages();
+            DrawAboveSections();
             foreach (InspectorSection section in Sections)
                 Draw(section);
             serializedObject.ApplyModifiedProperties();
@@ -103,6 +110,7 @@ namespace Rill.Editor
                 return;
             using (new EditorGUI.IndentLevelScope())
             {
+                DrawAbove(section.Title);
                 foreach (InspectorField field in section.Shown(serializedObject))
                 {
                     SerializedProperty property = serializedObject.FindProperty(field.Path);

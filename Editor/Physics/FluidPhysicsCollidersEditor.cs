@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEditor;
+using UnityEngine;
 using static System.FormattableString;
 
 namespace Rill.Editor
@@ -28,6 +29,25 @@ namespace Rill.Editor
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        readonly List<string> problems = new List<string>();
+
+        private protected override void DrawMessages()
+        {
+            // Both passes of a frame have to draw the same rows.
+            if (Event.current.type == EventType.Layout)
+            {
+                problems.Clear();
+                foreach (Object one in targets)
+                    problems.AddIfAny(ProblemOf((FluidPhysicsColliders)one));
+            }
+            foreach (string problem in problems)
+                EditorGUILayout.HelpBox(problem, MessageType.Warning);
+        }
+
+        // A mask of no layers carries nothing.
+        static string ProblemOf(FluidPhysicsColliders colliders) => colliders.FloatingLayers.value != 0
+            && colliders.TryGetComponent(out FluidSimulation fluid) ? DeepWaterState.FloatingProblem(fluid) : null;
 
         private protected override void DrawBelow(string title)
         {

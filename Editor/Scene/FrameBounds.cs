@@ -165,7 +165,8 @@ namespace Rill.Editor
             return true;
         }
 
-        static Bounds Turned(Matrix4x4 toWorld, Bounds local)
+        /// <summary>Bounds in another frame that hold a box.</summary>
+        public static Bounds Turned(Matrix4x4 toWorld, Bounds local)
         {
             Vector3 half = Vector3.zero;
             for (int row = 0; row < 3; row++)

@@ -17,6 +17,11 @@ namespace Rill.Editor
     {
         const double MaxFrameTime = 1.0 / 3.0;      // s, as Unity's own default; what a hitch of the Editor took longer is left out
 
+        /// <summary>Bounds of <see cref="Speed"/>.</summary>
+        public const float MinSpeed = 0.1f, MaxSpeed = 2f;
+
+        const string SpeedKey = "Rill.SceneSimulation.Speed";
+
         readonly List<MonoBehaviour> running = new List<MonoBehaviour>();
         double lastTime;
         int stepsDue;
@@ -31,6 +36,13 @@ namespace Rill.Editor
         public static string Problem { get; private set; }
 
         public FluidSimulation Fluid { get; }
+
+        /// <summary>Fluid time that passes in a second, s: of this simulation and the next ones, until the Editor closes.</summary>
+        public static float Speed
+        {
+            get => SessionState.GetFloat(SpeedKey, 1f);
+            set => SessionState.SetFloat(SpeedKey, Mathf.Clamp(value, MinSpeed, MaxSpeed));
+        }
 
         /// <summary>Whether its time stands still.</summary>
         public bool IsPaused { get; set; }
@@ -105,7 +117,7 @@ namespace Rill.Editor
             else if (IsPaused)
                 Fluid.Clock.GiveTime(0f);
             else if (passed > 0.0)
-                Fluid.Clock.GiveTime((float)passed);
+                Fluid.Clock.GiveTime((float)(passed * Speed));
             // Also while it is paused: what a frame draws is gone with it.
             EditorApplication.QueuePlayerLoopUpdate();
             SceneView.RepaintAll();

@@ -13,6 +13,7 @@ namespace Rill.Editor
             resume = new GUIContent("Go On", "Its time goes on."),
             step = new GUIContent("Step", "Pauses, and takes one fixed step."),
             restart = new GUIContent("Restart", "Begins again with the volumes or the start state."),
+            speed = new GUIContent("Speed", "Fluid time that passes in a second, s: 1 is real time."),
             stop = new GUIContent("Stop", "Ends it: its particles are gone."),
             save = new GUIContent("Save as Start State",
                 "Writes the present state into the asset of Start State, or into a new one that becomes the Start State.");
@@ -32,6 +33,9 @@ namespace Rill.Editor
             else
                 DrawRunning(current);
             EditorGUILayout.EndHorizontal();
+            float chosen = EditorGUILayout.Slider(speed, SceneSimulation.Speed, SceneSimulation.MinSpeed, SceneSimulation.MaxSpeed);
+            if (chosen != SceneSimulation.Speed)
+                SceneSimulation.Speed = chosen;
             if (current == null)
                 return;
             using (new EditorGUI.DisabledScope(current.IsSaving))

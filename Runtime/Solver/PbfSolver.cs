@@ -233,8 +233,9 @@ namespace Rill
                 neighborSearch.ReleaseAtRest();
         }
 
-        /// <summary>How deep the water can be, d: as far as what was added reaches along gravity, or across where there is none.</summary>
-        float WaterDepth(float3 gravity)
+        /// <summary>How deep the water can be, d: as far as what was added reaches along gravity; 0 where there is none.</summary>
+        /// <param name="gravity">In the domain's frame; its length does not matter.</param>
+        public float WaterDepth(float3 gravity)
         {
             float3 extent = math.max(maxAdded - minAdded + 1f, 0f);
             float strength = math.length(gravity);

@@ -1,9 +1,12 @@
+using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Rill.Tests;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.TestTools;
 using static System.FormattableString;
 
 namespace Rill.Editor.Tests
@@ -21,11 +24,16 @@ namespace Rill.Editor.Tests
         [Test]
         public void Every_preset_gives_a_valid_material_that_is_found_again()
         {
-            for (int i = 0; i < FluidPresets.All.Length; i++)
+            FluidSimulation fluid = scene.Add<FluidSimulation>();
+            Assert.That(FluidPresets.All.Count, Is.GreaterThanOrEqualTo(9));
+            for (int i = 0; i < FluidPresets.All.Count; i++)
             {
                 FluidMaterial material = FluidPresets.All[i].Material;
-                Assert.That(material.Validate(out string problem), $"{FluidPresets.All[i].Name}: {problem}");
-                Assert.That(FluidPresets.IndexOf(material), Is.EqualTo(i));
+                Assert.That(material.Validate(out string problem), $"{FluidPresets.All[i].name}: {problem}");
+                FluidPresets.All[i].Look.Validate(out problem);
+                Assert.That(problem, Is.Null, FluidPresets.All[i].name);
+                fluid.Material = material;
+                Assert.That(FluidPresets.IndexOf(fluid), Is.EqualTo(i));
             }
             Assert.That(FluidPresets.Names, Is.Unique);
         }
@@ -56,9 +64,9 @@ namespace Rill.Editor.Tests
         [Test]
         public void A_spacing_too_coarse_for_a_viscosity_is_named_with_what_the_solver_damps()
         {
-            Assert.That(Named("Honey").Describe(0.01f), Does.Contain("10 Pa s").And.Not.Contain("solver"));
-            Assert.That(Named("Honey").Describe(0.05f), Does.Contain("damps eddies as 15 Pa s"));
-            Assert.That(Named("Water").Describe(0.02f), Does.Contain("damps eddies as 1.7 Pa s"));
+            Assert.That(Described("Honey", 0.01f), Does.Contain("10 Pa s").And.Not.Contain("solver"));
+            Assert.That(Described("Honey", 0.05f), Does.Contain("damps eddies as 15 Pa s"));
+            Assert.That(Described("Water", 0.02f), Does.Contain("damps eddies as 1.7 Pa s"));
         }
 
         // Over what the solver itself damps, which is subtracted.
@@ -83,17 +91,17 @@ namespace Rill.Editor.Tests
         public void An_elastic_fluid_has_its_modulus_and_what_keeps_it_whole_and_says_how_many_substeps_it_takes()
         {
             FluidPreset[] elastic = FluidPresets.All.Where(preset => preset.Material.shearModulus > 0f).ToArray();
-            Assert.That(elastic.Select(preset => preset.Name), Has.Member("Viscoelastic slime").And.Member("Pectin gel"));
+            Assert.That(elastic.Select(preset => preset.name), Has.Member("Viscoelastic slime").And.Member("Pectin gel"));
             foreach (FluidPreset preset in elastic)
             {
                 FluidMaterial material = preset.Material;
                 Assert.That(material.allowedTension, Is.GreaterThan(0f));
                 Assert.That(material.artificialPressure, Is.GreaterThan(0f));
                 int substeps = (int)Mathf.Ceil(Mathf.Sqrt(3f * preset.Material.shearModulus / material.MaxShearModulus(0.01f, 1f / 60f)));
-                Assert.That(preset.Describe(0.01f), Does.Contain(Invariant($"{preset.Material.shearModulus} Pa"))
+                Assert.That(PresetText.Describe(preset, 0.01f), Does.Contain(Invariant($"{preset.Material.shearModulus} Pa"))
                     .And.Contain(Invariant($" {substeps} substeps")));
                 Assert.That(material.MaxShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.Material.shearModulus));
-                Assert.That(preset.Describe(1f), Does.Contain(" 1 substeps"));
+                Assert.That(PresetText.Describe(preset, 1f), Does.Contain(" 1 substeps"));
             }
         }
 
@@ -110,10 +118,10 @@ namespace Rill.Editor.Tests
         public void A_material_from_code_is_the_preset_of_that_name_in_the_inspector()
         {
             PropertyInfo[] fromCode = typeof(FluidMaterial).GetProperties(BindingFlags.Public | BindingFlags.Static);
-            Assert.That(fromCode.Select(property => property.Name), Is.EquivalentTo(FluidPresets.All.Select(preset => NameInCode(preset.Name))));
+            Assert.That(fromCode.Select(property => property.Name), Is.EquivalentTo(Shipped.Select(preset => NameInCode(preset.name))));
             foreach (PropertyInfo property in fromCode)
                 Assert.That((FluidMaterial)property.GetValue(null),
-                    Is.EqualTo(FluidPresets.All.Single(preset => NameInCode(preset.Name) == property.Name).Material), property.Name);
+                    Is.EqualTo(Shipped.Single(preset => NameInCode(preset.name) == property.Name).Material), property.Name);
 
             string NameInCode(string name)
                 => string.Concat(name.Split(' ').Select(word => word.Substring(0, 1).ToUpperInvariant() + word.Substring(1)));
@@ -153,9 +161,101 @@ namespace Rill.Editor.Tests
         [Test]
         public void A_material_of_ones_own_is_no_preset()
         {
+            FluidSimulation fluid = scene.Add<FluidSimulation>();
             foreach (FieldInfo field in Fields)
-                Assert.That(FluidPresets.IndexOf(Changed(field)), Is.EqualTo(-1), field.Name);
+            {
+                fluid.Material = Changed(field);
+                Assert.That(FluidPresets.IndexOf(fluid), Is.EqualTo(-1), field.Name);
+            }
         }
+
+        [Test]
+        public void A_preset_sets_the_look_with_the_material_in_one_step_of_undo([Values] bool fromCode)
+        {
+            FluidSimulation fluid = scene.Add<FluidSimulation>();
+            FluidSurface surface = fluid.gameObject.AddComponent<FluidSurface>();
+            SurfaceLook water = surface.Look;
+            Undo.IncrementCurrentGroup();
+            foreach (FluidPreset preset in Shipped)
+            {
+                if (fromCode)
+                    preset.ApplyTo(fluid);
+                else
+                    FluidPresets.Apply(preset, new Object[] { fluid });
+                Assert.That(fluid.Material, Is.EqualTo(preset.Material), preset.name);
+                Assert.That((surface.Preset, surface.Look), Is.EqualTo((preset.Surface, preset.Look)), preset.name);
+                Assert.That(FluidPresets.IndexOf(fluid), Is.EqualTo(FluidPresets.All.ToList().IndexOf(preset)));
+            }
+            FluidPresets.Apply(Named("Honey"), new Object[] { fluid });
+            Assert.That(surface.Preset, Is.EqualTo(SurfacePreset.Honey));
+            surface.Preset = SurfacePreset.Milk;
+            Assert.That(FluidPresets.IndexOf(fluid), Is.EqualTo(-1), "honey that looks like milk");
+            if (fromCode)
+                return;
+            Undo.PerformUndo();
+            Assert.That(fluid.Material, Is.EqualTo(FluidMaterial.Water));
+            Assert.That((surface.Preset, surface.Look), Is.EqualTo((SurfacePreset.Water, water)));
+        }
+
+        [Test]
+        public void Fluids_of_the_package_that_differ_look_different()
+        {
+            string[] same = Shipped.GroupBy(preset => preset.Look).Where(group => group.Count() > 1)
+                .Select(group => string.Join(", ", group.Select(preset => preset.name).OrderBy(name => name))).ToArray();
+            Assert.That(same, Is.EqualTo(new[] { "Seawater, Water" }));
+        }
+
+        [Test]
+        public void A_fluid_that_is_saved_as_a_preset_is_among_them_and_gives_the_same_again()
+        {
+            FluidSimulation fluid = scene.Add<FluidSimulation>(), other = scene.Add<FluidSimulation>();
+            FluidSurface surface = fluid.gameObject.AddComponent<FluidSurface>(), drawn = other.gameObject.AddComponent<FluidSurface>();
+            FluidMaterial material = FluidMaterial.Viscous(1100f, 3f);
+            SurfaceLook look = SurfaceLook.Of(SurfacePreset.Wine);
+            look.roughness = 0.2f;
+            (fluid.Material, surface.Look) = (material, look);
+            const string Path = "Assets/Honey.asset";
+            try
+            {
+                FluidPreset saved = FluidPresets.Save(fluid, Path);
+                Assert.That(FluidPresets.All.Last(), Is.SameAs(saved), "after those of the package");
+                Assert.That(FluidPresets.Names, Is.Unique.And.Member("Honey (Assets∕Honey.asset)"), "another Honey");
+                FluidPresets.All.Last().ApplyTo(other);
+                Assert.That((other.Material, drawn.Preset, drawn.Look), Is.EqualTo((material, SurfacePreset.Custom, look)));
+                fluid.Material = FluidMaterial.Viscous(1200f, 3f);
+                Assert.That(FluidPresets.Save(fluid, Path), Is.SameAs(saved), "references to it stay");
+                Assert.That(saved.Material.density, Is.EqualTo(1200f));
+            }
+            finally
+            {
+                AssetDatabase.DeleteAsset(Path);
+            }
+            Assert.That(FluidPresets.All, Is.EquivalentTo(Shipped), "a deleted one is gone");
+        }
+
+        [Test]
+        public void A_preset_out_of_range_is_brought_back_with_a_warning_by_name()
+        {
+            var preset = ScriptableObject.CreateInstance<FluidPreset>();
+            try
+            {
+                preset.name = "Mine";
+                FluidMaterial material = FluidMaterial.Water;
+                material.density = -5f;
+                LogAssert.Expect(LogType.Warning, new Regex("FluidPreset 'Mine': density"));
+                preset.Material = material;
+                Assert.That(preset.Material.density, Is.EqualTo(1e-3f));
+                Assert.That(ProblemList.Of(new Object[] { preset }), Has.Exactly(1).Contains("Density"));
+                Assert.That(() => preset.ApplyTo(null), Throws.ArgumentNullException);
+            }
+            finally
+            {
+                Object.DestroyImmediate(preset);
+            }
+        }
+
+        static IEnumerable<FluidPreset> Shipped
+            => FluidPresets.All.Where(preset => AssetDatabase.GetAssetPath(preset).StartsWith(FluidPresets.Folder));
 
         static FieldInfo[] Fields => typeof(FluidMaterial).GetFields(BindingFlags.Public | BindingFlags.Instance);
 
@@ -167,6 +267,8 @@ namespace Rill.Editor.Tests
             return (FluidMaterial)material;
         }
 
-        static FluidPreset Named(string name) => FluidPresets.All.Single(preset => preset.Name == name);
+        static string Described(string name, float spacing) => PresetText.Describe(Named(name), spacing);
+
+        static FluidPreset Named(string name) => Shipped.Single(preset => preset.name == name);
     }
 }

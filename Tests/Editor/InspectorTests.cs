@@ -97,6 +97,47 @@ namespace Rill.Editor.Tests
             Assert.That(Shown(fluid), Has.Member("budget.fraction").And.Member("budget.frameRate").And.No.Member("budget.milliseconds"));
         }
 
+        [Test]
+        public void Solver_and_what_few_need_begin_folded()
+        {
+            RillEditor editor = Inspect(scene.Add<FluidSimulation>());
+            Assert.That(editor.Sections.Where(section => section.StartsOpen).Select(section => section.Title),
+                Is.EqualTo(new[] { "Domain", "Fluid" }));
+            Assert.That(editor.Sections.Single(section => section.Title == "Advanced").Fields.Select(field => field.Path), Is.EquivalentTo(new[]
+            {
+                "material.artificialPressure", "material.artificialPressureDistance", "material.allowedTension", "solver.softness",
+                "solver.listMargin", "solver.neighborCapacity",
+            }));
+        }
+
+        [TestCase(0.02f, 0f, "about 125,000 particles a second", "50,000 of 50,000 left, full after 0.4 s of this emitter alone")]
+        [TestCase(0.2f, 0f, "about 125 particles a second", "50,000 of 50,000 left, full after 7 min of this emitter alone")]
+        [TestCase(0.2f, 100f, "about 125 particles a second", "50,000 of 50,000 left, enough for the 12,500 of its duration")]
+        public void An_emitter_tells_its_particles_and_when_the_capacity_is_full(float spacing, float duration, string lets, string capacity)
+        {
+            var fluid = scene.Add<FluidSimulation>();
+            fluid.Configure(Vector3.one, spacing, 50000);
+            var emitter = scene.Add<FluidEmitter>();
+            (emitter.Rate, emitter.Duration) = (1f, duration);
+            Assert.That(EmissionEstimate.RateText(emitter, fluid), Is.EqualTo(lets));
+            Assert.That(EmissionEstimate.CapacityText(emitter, fluid), Is.EqualTo(capacity));
+        }
+
+        [Test]
+        public void What_volumes_fill_is_not_left_for_an_emitter()
+        {
+            var fluid = scene.Add<FluidSimulation>();
+            fluid.gameObject.SetActive(true);
+            fluid.Configure(Vector3.one, 0.1f, 1500);
+            var volume = fluid.gameObject.AddComponent<FluidVolume>();
+            volume.Size = Vector3.one;
+            var emitter = scene.Add<FluidEmitter>();
+            emitter.Rate = 0f;
+            Assert.That(EmissionEstimate.CapacityText(emitter, fluid), Is.EqualTo("500 of 1,500 left"));
+            fluid.Configure(Vector3.one, 0.1f, 1000);
+            Assert.That(EmissionEstimate.CapacityText(emitter, fluid), Does.StartWith("0 of 1,000 left").And.Contain("Raise the capacity"));
+        }
+
         [TestCase(ForceFieldKind.Direction, "m/s²")]
         [TestCase(ForceFieldKind.Wind, "m/s")]
         public void The_unit_of_a_strength_is_that_of_its_kind(ForceFieldKind kind, string unit)

@@ -145,13 +145,20 @@ namespace UnityEditor
             return free;
         }
 
-        /// <summary>The GUIDs of the project's files of one type, of which the host knows prefabs.</summary>
+        /// <summary>The GUIDs of the project's files of one type, of which the host knows prefabs and scriptable objects: those whose file
+        /// refers to a script of that name.</summary>
         public static string[] FindAssets(string filter)
         {
-            if (filter != "t:Prefab")
-                throw new NotSupportedException($"AssetDatabase.FindAssets(\"{filter}\"): the host finds \"t:Prefab\" alone.");
-            return Player.Assets?.AllPaths().Where(path => path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase))
-                .Select(AssetPathToGUID).ToArray() ?? Array.Empty<string>();
+            if (!filter.StartsWith("t:", StringComparison.Ordinal) || filter.Contains(' '))
+                throw new NotSupportedException($"AssetDatabase.FindAssets(\"{filter}\"): the host finds \"t:\" and one type alone.");
+            string type = filter.Substring(2);
+            string extension = type == "Prefab" ? ".prefab" : ".asset";
+            return (Player.Assets?.AllPaths() ?? Enumerable.Empty<string>())
+                .Where(path => path.EndsWith(extension, StringComparison.OrdinalIgnoreCase) && (type == "Prefab"
+                    || Player.Assets.ReferencesIn(path).Any(script => script.EndsWith($"/{type}.cs", StringComparison.Ordinal))))
+                .Select(AssetPathToGUID)
+                .Concat(made.Values.Where(asset => type != "Prefab" && Object.IsAlive(asset.Parts[0]) && asset.Parts[0].GetType().Name == type)
+                    .Select(asset => asset.Guid)).ToArray();
         }
 
         /// <summary>Files that a file refers to as it is stored, scripts too; with all that those refer to and itself where recursive.</summary>

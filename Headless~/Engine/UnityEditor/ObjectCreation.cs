@@ -61,11 +61,15 @@ namespace UnityEditor
     public class SessionState
     {
         static readonly Dictionary<string, bool> bools = new Dictionary<string, bool>();
+        static readonly Dictionary<string, float> floats = new Dictionary<string, float>();
         static readonly Dictionary<string, string> strings = new Dictionary<string, string>();
 
         public static bool GetBool(string key, bool defaultValue) => bools.TryGetValue(key, out bool value) ? value : defaultValue;
         public static void SetBool(string key, bool value) => bools[key] = value;
         public static void EraseBool(string key) => bools.Remove(key);
+        public static float GetFloat(string key, float defaultValue) => floats.TryGetValue(key, out float value) ? value : defaultValue;
+        public static void SetFloat(string key, float value) => floats[key] = value;
+        public static void EraseFloat(string key) => floats.Remove(key);
         public static string GetString(string key, string defaultValue) => strings.TryGetValue(key, out string value) ? value : defaultValue;
         public static void SetString(string key, string value) => strings[key] = value;
         public static void EraseString(string key) => strings.Remove(key);

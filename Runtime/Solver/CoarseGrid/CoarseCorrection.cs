@@ -128,6 +128,19 @@ namespace Rill
         /// <summary>Fractions of the grid that solid colliders leave open; null without colliders.</summary>
         public CoarseColliders Colliders => coarseColliders;
 
+        /// <summary>Layers of particles above which water collapses under plain iterations, so that bodies in it sink to about twice their
+        /// draft: it stands in 14 layers and not in 24, see Research~/report.md, "Floating bodies".</summary>
+        public const float MaxLayersWithout = 14f;
+
+        /// <summary>Says why a correction runs, or why not; the arguments are those of <see cref="IsNeeded"/>.</summary>
+        public static string Reason(DeepWater mode, float layers, bool present)
+        {
+            string depth = Invariant($"water {layers:0} layers deep");
+            return mode != DeepWater.Automatic ? Invariant($"deep water is set to {mode}")
+                : IsNeeded(mode, layers, present) ? Invariant($"{depth}, more than {MaxShallowLayers:0} (and stays above {StaysAboveLayers:0})")
+                : Invariant($"{depth}, at most {MaxShallowLayers:0}");
+        }
+
         /// <summary>Records what solid colliders leave open of the grid in this substep; before the rest of it.</summary>
         public void RecordColliders(in StepContext step)
         {
@@ -197,11 +210,7 @@ namespace Rill
         public static StageDescription Describe(CoarseCorrection stage, in StepInput input, float layers)
         {
             bool needed = IsNeeded(input.settings.deepWater, layers, stage != null);
-            string depth = Invariant($"water {layers:0} layers deep");
-            string reason = input.settings.deepWater != DeepWater.Automatic ? Invariant($"deep water is set to {input.settings.deepWater}")
-                : needed ? Invariant($"{depth}, more than {MaxShallowLayers:0} (and stays above {StaysAboveLayers:0})")
-                : Invariant($"{depth}, at most {MaxShallowLayers:0}");
-            var description = new StageDescription("Coarse correction", needed, reason);
+            var description = new StageDescription("Coarse correction", needed, Reason(input.settings.deepWater, layers, stage != null));
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
