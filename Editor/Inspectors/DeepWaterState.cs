@@ -65,6 +65,7 @@ namespace Rill.Editor
                 if (!emitter.isActiveAndEnabled || !FrameBounds.TryGet(emitter, out Bounds outlet))
                     continue;
                 Bounds reach = FrameBounds.Turned(toBox, outlet);
+                reach.size = 2f * Mathf.Max(reach.extents.x, reach.extents.y, reach.extents.z) * Vector3.one;      // as the solver takes it
                 FrameBounds.Join(ref isThere, ref water, reach);
                 FrameBounds.Join(ref isThere, ref water, new Bounds(reach.center + down, reach.size));
             }

@@ -48,7 +48,7 @@ namespace Rill.Editor.Tests
             var emitter = new GameObject("Tap").AddComponent<FluidEmitter>();
             emitter.transform.SetParent(fluid.transform, false);
             emitter.transform.SetLocalPositionAndRotation(new Vector3(0f, 1f, 0f), Quaternion.Euler(90f, 0f, 0f));
-            Assert.That(DeepWaterState.Layers(fluid), Is.EqualTo(30f).Within(1f));
+            Assert.That(DeepWaterState.Layers(fluid), Is.EqualTo(31f).Within(0.01f), "with its radius");
             emitter.enabled = false;
             Assert.That(DeepWaterState.Layers(fluid), Is.Zero);
         }

@@ -120,8 +120,9 @@ namespace Rill.Editor.Tests
             PropertyInfo[] fromCode = typeof(FluidMaterial).GetProperties(BindingFlags.Public | BindingFlags.Static);
             Assert.That(fromCode.Select(property => property.Name), Is.EquivalentTo(Shipped.Select(preset => NameInCode(preset.name))));
             foreach (PropertyInfo property in fromCode)
-                Assert.That((FluidMaterial)property.GetValue(null),
-                    Is.EqualTo(Shipped.Single(preset => NameInCode(preset.name) == property.Name).Material), property.Name);
+                foreach (FieldInfo field in Fields)
+                    Assert.That(field.GetValue(Shipped.Single(preset => NameInCode(preset.name) == property.Name).Material),
+                        Is.EqualTo(field.GetValue(property.GetValue(null))), $"{field.Name} in the asset of {property.Name}");
 
             string NameInCode(string name)
                 => string.Concat(name.Split(' ').Select(word => word.Substring(0, 1).ToUpperInvariant() + word.Substring(1)));

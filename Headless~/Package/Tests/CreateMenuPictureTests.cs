@@ -7,6 +7,7 @@ using Rill;
 using Rill.Editor;
 using UnityEngine;
 using UnityEngine.Headless;
+using Object = UnityEngine.Object;
 
 namespace Host.Tests
 {
@@ -26,8 +27,26 @@ namespace Host.Tests
         [Category("GpuOnly")]
         public void The_water_is_seen_in_its_basin_later(string item, int frames) => Draw(item, frames, 4 * Width, 4 * Height);
 
-        // The water is what differs from the same picture without a fluid: bent tiles, a mirrored sky, glitter.
-        void Draw(string item, int frames, int width, int height)
+        // Mean color of what the fluid changes in the picture: which of its channels is well above which, and by what factor.
+        [TestCase("Basaltic lava", "rb", 1.8)]
+        [TestCase("Viscoelastic slime", "gb", 1.5)]
+        [TestCase("Pectin gel", "rg", 1.4)]
+        [TestCase("Honey", "rb", 1.5)]
+        [TestCase("Mercury", "", 1.0)]
+        [TestCase("Glycerol", "", 1.0)]
+        public void A_preset_has_its_color(string name, string channels, double factor)
+        {
+            FluidPreset preset = FluidPresets.All.Single(one => one.name == name);
+            double[] color = Draw("Fluid", 2, 2 * Width, 2 * Height, fluid => FluidPresets.Apply(preset, new Object[] { fluid }), name);
+            double Channel(int i) => color["rgb".IndexOf(channels[i])];
+            if (channels != "")
+                Assert.That(Channel(0), Is.GreaterThan(factor * Channel(1)));
+            else
+                Assert.That(color.Max(), Is.LessThan(1.3 * color.Min()), "gray");
+        }
+
+        // The water is what differs from the same picture without a fluid: bent tiles, a mirrored sky, glitter. Returns its mean color.
+        double[] Draw(string item, int frames, int width, int height, Action<FluidSimulation> set = null, string name = null)
         {
             Player.ScreenWidth = width;
             Player.ScreenHeight = height;
@@ -37,6 +56,7 @@ namespace Host.Tests
                 AddLight();
             GameObject made = item == "Fluid" ? SceneSetup.CreateFluid(null) : FluidSceneSetup.Create(null);
             FluidSimulation fluid = made.GetComponentInChildren<FluidSimulation>();
+            set?.Invoke(fluid);
             Camera camera = item == "Fluid" ? LookAt(fluid) : made.GetComponentInChildren<Camera>();
             camera.enabled = false;
             for (int i = 0; i < frames - 1; i++)
@@ -48,7 +68,7 @@ namespace Host.Tests
             fluid.GetComponent<FluidFoam>().enabled = false;
             PlayerLoop.Frame(1f / 60f);
             byte[] dry = Screenshot.ReadRgba();
-            Save($"{item} {frames}", wet, width, height);
+            Save(name ?? $"{item} {frames}", wet, width, height);
             Assert.That(Logged, Is.Empty);
 
             int Differs(int i) => Enumerable.Range(4 * i, 3).Any(k => Math.Abs(wet[k] - dry[k]) > 12) ? 1 : 0;
@@ -56,6 +76,10 @@ namespace Host.Tests
             TestContext.Out.WriteLine($"{item} at frame {frames}: {100 * water:0.0} % of the picture is changed by the water");
             Assert.That(water, Is.GreaterThan(0.08));
             Assert.That(camera.clearFlags, Is.EqualTo(CameraClearFlags.Skybox));
+            double[] color = Enumerable.Range(0, 3).Select(k
+                => Enumerable.Range(0, width * height).Where(i => Differs(i) > 0).Average(i => (double)wet[4 * i + k])).ToArray();
+            TestContext.Out.WriteLine(FormattableString.Invariant($"mean color {color[0]:0} {color[1]:0} {color[2]:0}"));
+            return color;
         }
 
         // Looks as the scene view does after F, from where it looks in a new project.

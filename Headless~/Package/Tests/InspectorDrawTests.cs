@@ -144,6 +144,58 @@ namespace Host.Tests
         }
 
         [Test]
+        public void The_inspector_of_a_fluid_begins_with_Simulate_and_Deep_Water()
+        {
+            EditMode.IsOn = true;
+            try
+            {
+                var fluid = SceneSetup.CreateFluid(null).GetComponent<FluidSimulation>();
+                Draw(Inspect(fluid));
+                Assert.That(GuiDrawing.Buttons, Has.Member("Simulate"));
+                string[] labels = GuiDrawing.Labels.Select(label => label.text).ToArray();
+                int line = Array.IndexOf(labels, "Deep Water");
+                Assert.That(line, Is.GreaterThanOrEqualTo(0).And.LessThan(Array.IndexOf(labels, "Domain Size")));
+                Assert.That(labels[line + 1], Does.StartWith("on: water 37 layers deep, more than 4"));      // the drop reaches up to 1.12 m
+            }
+            finally
+            {
+                EditMode.IsOn = false;
+            }
+        }
+
+        [Test]
+        public void A_body_in_deep_water_without_Deep_Water_has_a_warning_in_its_inspector()
+        {
+            var fluid = SceneSetup.CreateFluid(null).GetComponent<FluidSimulation>();
+            fluid.Configure(fluid.DomainSize, 0.07f, 4000);
+            GameObject body = SceneSetup.CreateCollider(fluid.gameObject);
+            Object buoyancy = body.AddComponent<FluidBuoyancy>();
+            var colliders = fluid.gameObject.AddComponent<FluidPhysicsColliders>();
+            colliders.FloatingLayers = 1;
+            foreach ((DeepWater mode, bool warns) in new[] { (DeepWater.Automatic, false), (DeepWater.Off, true) })
+                foreach (Object inspected in new[] { buoyancy, colliders })
+                {
+                    fluid.DeepWater = mode;
+                    PlayerLoop.Frame(1f / 60f);
+                    Draw(Inspect(inspected));
+                    Assert.That(GuiTrace.HelpBoxes.Any(box => box.text.Contains("Above 14 layers")), Is.EqualTo(warns), $"{inspected} {mode}");
+                }
+            colliders.FloatingLayers = 0;
+            Draw(Inspect(colliders));
+            Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.None.Contain("14 layers"), "it carries nothing");
+        }
+
+        [Test]
+        public void An_emitter_draws_its_particles_a_second()
+        {
+            var fluid = SceneSetup.CreateFluid(null);
+            Draw(Inspect(SceneSetup.CreateEmitter(fluid).GetComponent<FluidEmitter>()));
+            string[] labels = GuiDrawing.Labels.Select(label => label.text).ToArray();
+            Assert.That(labels[Array.IndexOf(labels, "Lets in") + 1], Does.EndWith(" particles a second"));
+            Assert.That(labels[Array.IndexOf(labels, "Capacity") + 1], Does.Contain(" of 50,000 left, full after "));
+        }
+
+        [Test]
         public void Fields_in_which_objects_differ_are_drawn_as_mixed()
         {
             var first = (FluidDrain)Make(typeof(FluidDrain));

@@ -193,6 +193,53 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Time_passes_at_the_chosen_speed_until_another_is_chosen()
+        {
+            SceneSimulation simulation = new EditModeScene().Simulate();
+            simulation.IsPaused = false;
+            double now = EditorApplication.timeSinceStartup + 1000.0;
+            try
+            {
+                simulation.Advance(now);
+                PlayerLoop.Frame(0f);
+                foreach ((float speed, int steps) in new[] { (2f, 4), (0.5f, 1), (7f, 4), (1f, 2) })
+                {
+                    SceneSimulation.Speed = speed;
+                    int before = simulation.Fluid.StepCount;
+                    simulation.Advance(now += 2.0 / 60.0);
+                    PlayerLoop.Frame(0f);
+                    Assert.That(simulation.Fluid.StepCount, Is.EqualTo(before + steps), $"at {speed}");
+                }
+                SceneSimulation.Speed = 0f;
+                Assert.That(SceneSimulation.Speed, Is.EqualTo(0.1f));
+                SceneSimulation.Speed = 3f;
+                Assert.That(SceneSimulation.Speed, Is.EqualTo(2f));
+            }
+            finally
+            {
+                SceneSimulation.Speed = 1f;
+            }
+        }
+
+        [Test]
+        public void The_depth_that_is_told_before_it_runs_is_that_of_the_solver()
+        {
+            var scene = new EditModeScene();
+            float estimated = DeepWaterState.Layers(scene.Fluid);
+            string line = DeepWaterState.Describe(scene.Fluid);
+            scene.Simulate();
+            EditModeScene.Step(8);      // until the emitter has let a particle in
+            TestContext.Out.WriteLine($"{estimated} and {DeepWaterState.Layers(scene.Fluid)} layers: {line}");
+            Assert.That(DeepWaterState.Layers(scene.Fluid), Is.EqualTo(estimated).Within(1f));
+            Assert.That(line, Does.StartWith("on: water"));
+            Assert.That(DeepWaterState.Describe(scene.Fluid), Does.StartWith("on: water"));
+            Assert.That(scene.Fluid.Solver.Coarse, Is.Not.Null);
+            scene.Fluid.DeepWater = DeepWater.Off;
+            EditModeScene.Step(1);
+            Assert.That(DeepWaterState.Describe(scene.Fluid), Does.StartWith("off: deep water is set to Off"));
+        }
+
+        [Test]
         public void A_paused_fluid_of_the_scene_is_simulated_where_no_camera_sees_it()
         {
             var scene = new EditModeScene();
