@@ -231,6 +231,17 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void ApplyPreset(FluidSimulation fluid)
+        {
+            #region Give a fluid a preset
+            var wine = ScriptableObject.CreateInstance<FluidPreset>();
+            wine.Material = FluidMaterial.Viscous(990f, 0f);            // kg/m³; as thin as water
+            wine.Surface = SurfacePreset.Wine;                          // or wine.Look, for values of your own
+            wine.ApplyTo(fluid);
+            #endregion
+            Object.DestroyImmediate(wine);
+        }
+
         static void SetBudget(FluidSimulation fluid)
         {
             #region Set a budget and the solver
@@ -495,6 +506,8 @@ namespace Rill.Tests
         {
             root = MakeFluid();
             var fluid = root.GetComponent<FluidSimulation>();
+            ApplyPreset(fluid);
+            Assert.That(fluid.Material.density, Is.EqualTo(990f));
             SetBudget(fluid);
             FluidEmitter jet = Part<FluidEmitter>();
             FluidDrain drain = Part<FluidDrain>();

@@ -37,7 +37,7 @@ namespace Host.Tests
         public void A_preset_has_its_color(string name, string channels, double factor)
         {
             FluidPreset preset = FluidPresets.All.Single(one => one.name == name);
-            double[] color = Draw("Fluid", 2, 2 * Width, 2 * Height, fluid => FluidPresets.Apply(preset, new Object[] { fluid }), name);
+            double[] color = Draw("Fluid", 2, Width, Height, fluid => FluidPresets.Apply(preset, new Object[] { fluid }), name);
             double Channel(int i) => color["rgb".IndexOf(channels[i])];
             if (channels != "")
                 Assert.That(Channel(0), Is.GreaterThan(factor * Channel(1)));

@@ -24,10 +24,10 @@ namespace Rill
         /// too.</summary>
         const float EasyGravityStep = 0.3f;
 
-        /// <summary>Also solves for the pressure of deep water on a coarse grid. Without it water more than a few layers of
-        /// particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.</summary>
-        [Tooltip("Also solves for the pressure of deep water on a coarse grid. Without it water more than a few layers of " +
-            "particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.")]
+        /// <summary>Also solves for the pressure of deep water on a coarse grid. Without it 14 layers of particles stand 5 % too low, and 24
+        /// collapse. Automatic is on above four layers.</summary>
+        [Tooltip("Also solves for the pressure of deep water on a coarse grid. Without it 14 layers of particles stand 5 % too low, and 24 " +
+            "collapse. Automatic is on above four layers.")]
         public DeepWater deepWater;
 
         /// <summary>Jacobi iterations of the density constraint a substep. 1 to 50.</summary>
