@@ -38,6 +38,24 @@ namespace Rill.Editor.Tests
                 Assert.That(editor.serializedObject.FindProperty(path), Is.Not.Null, path);
         }
 
+        [Test]
+        public void Every_serialized_field_of_a_preset_is_in_one_section()
+        {
+            var preset = ScriptableObject.CreateInstance<FluidPreset>();
+            try
+            {
+                RillEditor editor = Inspect(preset);
+                Assert.That(editor.Sections.SelectMany(section => section.Fields).Select(field => field.Path),
+                    Is.EquivalentTo(Fields(typeof(FluidPreset), "")));
+                foreach (InspectorField field in editor.Sections.SelectMany(section => section.Fields))
+                    Assert.That(editor.serializedObject.FindProperty(field.Path), Is.Not.Null, field.Path);
+            }
+            finally
+            {
+                Object.DestroyImmediate(preset);
+            }
+        }
+
         [TestCaseSource(nameof(Components))]
         public void Several_of_a_kind_can_be_edited_together(Type component)
         {
@@ -195,7 +213,7 @@ namespace Rill.Editor.Tests
         // Structs of the package one by one, as the sections name them.
         static IEnumerable<string> Fields(Type type, string prefix)
         {
-            for (Type t = type; t != null && t != typeof(MonoBehaviour) && t != typeof(ValueType); t = t.BaseType)
+            for (Type t = type; t != null && t != typeof(MonoBehaviour) && t != typeof(ScriptableObject) && t != typeof(ValueType); t = t.BaseType)
                 foreach (FieldInfo field in t.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic
                     | BindingFlags.DeclaredOnly))
                 {

@@ -39,6 +39,18 @@ namespace Host.Tests
         }
 
         [Test]
+        public void What_was_made_is_found_by_its_type_and_no_longer_when_it_is_deleted()
+        {
+            AssetDatabase.CreateAsset(new Mesh(), Path);
+            string guid = AssetDatabase.AssetPathToGUID(Path);
+            Assert.That(AssetDatabase.FindAssets("t:Mesh"), Has.Member(guid));
+            Assert.That(AssetDatabase.FindAssets("t:Pot"), Has.No.Member(guid));
+            AssetDatabase.DeleteAsset(Path);
+            Assert.That(AssetDatabase.FindAssets("t:Mesh"), Has.No.Member(guid));
+            Assert.Throws<System.NotSupportedException>(() => AssetDatabase.FindAssets("Pot t:Mesh"));
+        }
+
+        [Test]
         public void Faults_are_unitys()
         {
             var mesh = new Mesh();
