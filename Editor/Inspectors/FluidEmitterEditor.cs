@@ -30,7 +30,8 @@ namespace Rill.Editor
                 new InspectorField("delay", "s"),
                 new InspectorField("duration", "s")),
             new InspectorSection("Particles", false,
-                new InspectorField("phase"),
+                new InspectorField("material"),
+                new InspectorField("phase", when: When.IsNull("material")),
                 new InspectorField("lifetime", "s")),
         };
 

@@ -33,6 +33,7 @@ namespace Rill.Editor
                 new InspectorField("material.vorticity", "m/s"),
                 new InspectorField("material.shearModulus", "Pa"),
                 new InspectorField("material.relaxationTime", "s", When.IsPositive("material.shearModulus")),
+                new InspectorField("phaseMaterials"),
                 new InspectorField("gravity", "m/s²")),
             new InspectorSection(SolverTitle, false,
                 new InspectorField("solver.deepWater"),

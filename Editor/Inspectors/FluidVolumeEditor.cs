@@ -15,7 +15,8 @@ namespace Rill.Editor
                 new InspectorField("size", "m", When.Is("shape", VolumeShape.Box)),
                 new InspectorField("radius", "m", When.Is("shape", VolumeShape.Sphere)),
                 new InspectorField("field", when: When.Is("shape", VolumeShape.SignedDistanceField)),
-                new InspectorField("velocity", "m/s")),
+                new InspectorField("velocity", "m/s"),
+                new InspectorField("material")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

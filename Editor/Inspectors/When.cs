@@ -21,6 +21,9 @@ namespace Rill.Editor
         /// <summary>A number is above 0.</summary>
         public static Func<SerializedObject, bool> IsPositive(string path) => Of(path, property => property.floatValue > 0f);
 
+        /// <summary>An object is not set.</summary>
+        public static Func<SerializedObject, bool> IsNull(string path) => Of(path, property => property.objectReferenceValue == null);
+
         static Func<SerializedObject, bool> Of(string path, Func<SerializedProperty, bool> condition)
         {
             return inspected =>

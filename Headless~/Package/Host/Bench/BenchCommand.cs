@@ -10,6 +10,7 @@ using Host.Commands;
 using Host.Experiments;
 using Rill;
 using Spectre.Console;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Headless;
@@ -38,6 +39,8 @@ namespace Host.Bench
                 DefaultValueFactory = _ => FluidMaterial.Water.dynamicViscosity };
             var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.",
                 DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
+            var densityRatio = new Option<float>("--density-ratio") { Description = "The upper half is a liquid that is lighter by this factor; 1 for one " +
+                "liquid.", DefaultValueFactory = _ => 1f };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.",
                 DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
@@ -49,7 +52,7 @@ namespace Host.Bench
             Option<string> shaders = ShadersOption.Create();
 
             var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
-                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, kernels, json, shaders,
+                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, densityRatio, deepWater, window, steps, kernels, json, shaders,
                 BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(),
                 PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
                 SurfaceBench.Create() };
@@ -79,9 +82,32 @@ namespace Host.Bench
 
                 var scene = ExperimentScene.Dam(parsed.GetValue(particles));
                 var input = ExperimentFigures.Input(settings, material);
+                float ratio = parsed.GetValue(densityRatio);
+                if (!(ratio >= 1f) || ratio > PhaseMaterials.MaxRatio)
+                    throw new HostException($"--density-ratio {ratio}: give 1 to {PhaseMaterials.MaxRatio}.");
+                if (ratio > 1f)
+                    input.phases.Set(1, material.density / ratio, material.dynamicViscosity);
                 return Execute(scene, input, windows, parsed.GetValue(steps), parsed.GetValue(json), System.Console.Out);
             });
             return command;
+        }
+
+        static void Fill(PbfSolver solver, ExperimentScene scene, bool hasMaterials)
+        {
+            if (!hasMaterials)
+            {
+                scene.Fill(solver);
+                return;
+            }
+            float surface = 0.5f * scene.Layers * scene.Spacing;
+            foreach (int phase in new[] { 0, 1 })
+                scene.Fill((positions, velocities) =>
+                {
+                    float4[] own = positions.ToArray().Where(p => (p.y > surface ? 1 : 0) == phase).Select(p => p / scene.Spacing).ToArray();
+                    using var of = new NativeArray<float4>(own, Allocator.Persistent);
+                    using var still = new NativeArray<float4>(1, Allocator.Persistent);
+                    solver.AddInSpacings(of, still, 0f, scene.Box, solver.TagFor(phase, 0));
+                });
         }
 
         static int Execute(ExperimentScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
@@ -91,7 +117,7 @@ namespace Host.Bench
                 $"x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), " +
                 $"{input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, " +
                 $"velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear " +
-                $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} " +
+                $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, density ratio {input.phases.Ratio(input.material)}, {input.settings.neighborCapacity} " +
                 $"list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
@@ -104,7 +130,7 @@ namespace Host.Bench
                 input.settings.neighborCapacity, input.settings.listMargin)))
             {
                 foreach ((string name, int first, int last) in windows)
-                    results[name] = StepTimes.Measure(solver, scene.Fill, input, first, last, steps);
+                    results[name] = StepTimes.Measure(solver, s => Fill(s, scene, MaterialTable.IsNeeded(input)), input, first, last, steps);
                 bytes = solver.Describe(input, 0).Sum(stage => stage.Bytes);
             }
 
