@@ -33,6 +33,8 @@ namespace Rill.Editor
                 new InspectorField("material.vorticity", "m/s"),
                 new InspectorField("material.shearModulus", "Pa"),
                 new InspectorField("material.relaxationTime", "s", When.IsPositive("material.shearModulus")),
+                new InspectorField("material.surfaceTension", "N/m"),
+                new InspectorField("material.contactAngle", "degrees", When.IsPositive("material.surfaceTension")),
                 new InspectorField("phaseMaterials"),
                 new InspectorField("gravity", "m/s²")),
             new InspectorSection(SolverTitle, false,
@@ -181,6 +183,10 @@ namespace Rill.Editor
             if (Simulation.Material.shearModulus > 0f)
                 InspectorRows.Text("Elastic",
                     PresetText.ElasticityText(Simulation.Material, Simulation.ParticleSpacing,
+                    Simulation.FixedStep / Simulation.Settings.substeps));
+            if (Simulation.Material.surfaceTension > 0f)
+                InspectorRows.Text("Surface tension",
+                    PresetText.TensionText(Simulation.Material, Simulation.Settings, Simulation.ParticleSpacing,
                     Simulation.FixedStep / Simulation.Settings.substeps));
         }
 

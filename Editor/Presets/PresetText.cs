@@ -38,6 +38,10 @@ namespace Rill.Editor
                 "where it is drawn out";
         }
 
+        /// <param name="substep">s.</param>
+        public static string TensionText(in FluidMaterial material, in SolverSettings settings, float spacing, float substep)
+            => SurfaceTension.Text(material, settings, spacing, substep, settings.deepWater == DeepWater.On);
+
         static string ElasticText(in FluidMaterial material, float spacing)
         {
             if (material.shearModulus <= 0f)

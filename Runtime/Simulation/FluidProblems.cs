@@ -25,6 +25,7 @@ namespace Rill
             problems.AddIfAny(fluid.Editing.Recentering.OutsideProblem);
             problems.AddIfAny(fluid.Editing.Recentering.TakerProblem);
             problems.AddIfAny(fluid.Steps.Problem);
+            fluid.Steps.Tension.List(problems);
             foreach ((Feature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);
             for (ReadbackKinds lost = solver.ReadbackErrors.Lost; ReadbackErrors.TryTake(ref lost, out ReadbackKinds kind);)

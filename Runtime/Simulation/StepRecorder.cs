@@ -22,11 +22,14 @@ namespace Rill
             this.fluid = fluid;
             Budget = new FluidBudget(fluid);
             Passes = new ScriptPasses(fluid);
+            Tension = new TensionCheck(fluid);
         }
 
         public FluidBudget Budget { get; }
 
         public ScriptPasses Passes { get; }
+
+        public TensionCheck Tension { get; }
 
         /// <summary>The last step.</summary>
         public ref readonly StepInput Input => ref input;
@@ -54,6 +57,7 @@ namespace Rill
         {
             isTooViscous = false;
             log.Reset();
+            Tension.Begin();
         }
 
         /// <summary>Chooses the settings of a frame's steps.</summary>
@@ -98,6 +102,7 @@ namespace Rill
             input.settings.relaxation = settings.StableRelaxation(fluid.Solver.IsDeep(input));
             input.settings.substeps = settings.StableSubsteps(GravityStep);
             CheckViscosity();
+            Tension.Check(input);
         }
 
         /// <summary>Makes the input of a step in which nothing acts, so that each particle goes on as it is.</summary>

@@ -115,7 +115,7 @@ namespace Rill
                 wallScale = (float)LatticeKernels.WallScale,
                 relaxation = input.settings.relaxation,
                 maxCorrection = MaxCorrection,
-                allowedTension = material.allowedTension,
+                allowedTension = SurfaceTension.IsNeeded(input) ? 0f : material.allowedTension,
                 artificialPressure = (float)(material.artificialPressure / LatticeKernels.ReferenceSquares),
                 artificialPressureReference = (float)(1.0 / (pressureAt * pressureAt * pressureAt)),
                 smoothing = Smoothing(input),

@@ -58,6 +58,8 @@ namespace Rill.Editor.Tests
         {
             FluidMaterial expected = FluidMaterial.Water;
             expected.density = Named(name).Material.density;
+            if (name == "Mercury")
+                (expected.surfaceTension, expected.contactAngle) = (0.485f, 140f);
             Assert.That(Named(name).Material, Is.EqualTo(expected));
         }
 
@@ -103,6 +105,20 @@ namespace Rill.Editor.Tests
                 Assert.That(material.MaxShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.Material.shearModulus));
                 Assert.That(PresetText.Describe(preset, 1f), Does.Contain(" 1 substeps"));
             }
+        }
+
+        // At 1 cm, 60 steps a second and 4 iterations up to 0.18 N/m act of water.
+        [TestCase(0.072f, 4, "0.072 N/m acts (Σ 0.02 of at most 0.05) over 2.7 mm, 0.27 spacings")]
+        [TestCase(0.036f, 4, "over 1.9 mm, 0.19 spacings: not seen at this spacing, where 0.036 to 0.18 N/m look like small drops")]
+        [TestCase(0.72f, 4, "0.72 N/m acts like 0.18 N/m (Σ 0.05 of at most 0.05) over 4.3 mm, 0.43 spacings; 2 substeps would reach it")]
+        [TestCase(0.72f, 1, "0.72 N/m does not act with fewer than 2 iterations")]
+        public void What_acts_of_a_surface_tension_is_said_with_what_would_make_it_act(float tension, int iterations, string expected)
+        {
+            FluidMaterial material = FluidMaterial.Water;
+            material.surfaceTension = tension;
+            SolverSettings settings = SolverSettings.Default;
+            settings.iterations = iterations;
+            Assert.That(PresetText.TensionText(material, settings, 0.01f, 1f / 60f), Does.EndWith(expected));
         }
 
         // Figures as the manual's table of presets has them: shear modulus in Pa, time in s.

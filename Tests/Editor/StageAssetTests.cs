@@ -14,7 +14,7 @@ namespace Rill.Editor.Tests
         [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel",
             "SolveCoarseLevels")]
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "ApplyDeltaP", "ApplyDeltaPWithPressure",
-            "ApplyDeltaPDeep", "ApplyDeltaPDeepWithPressure")]
+            "ApplyDeltaPDeep", "ApplyDeltaPDeepWithPressure", "ApplyDeltaPWithTension", "ApplyDeltaPDeepWithTension")]
         [TestCase("ParticleUpload", "Append", "CommitAppend", "Clear")]
         [TestCase("Foam", "AverageCells", "Move", "Compact", "Spawn", "Commit")]
         [TestCase("FoamSources", "FindPotentials", "CountSpawned")]

@@ -22,7 +22,7 @@ namespace Host.Tests
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
         static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
             "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
-            "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure",
+            "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure", "WithTension",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
             "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
             "Queries", "QueryBatch", "ParticleTransfer", "Rill.Transfer", "Rill.Kept" };
@@ -63,6 +63,18 @@ namespace Host.Tests
             {
                 $"-{Iterations} DensityConstraint.compute ApplyDeltaP", $"+{Iterations} DensityConstraint.compute ApplyDeltaPWithPressure",
             }),
+            ("surface tension", null, Material((ref FluidMaterial v) => v.surfaceTension = 1f), new[]
+            {
+                $"-{Iterations} DensityConstraint.compute ApplyDeltaP", $"+{Iterations} DensityConstraint.compute ApplyDeltaPWithTension",
+            }),
+            ("surface tension beside a collider", s => AddCollider(s, false), Material((ref FluidMaterial v) => v.surfaceTension = 1f),
+                Instead(Iterations, "DensityConstraint.compute ApplyDeltaP", "WithTension")
+                .Concat(Instead(Iterations - 1, "Colliders.compute Collide", "WithTension"))
+                .Concat(Instead(1, "Colliders.compute CollideLast", "WithTension")).ToArray()),
+            ("surface tension of deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On),
+                Material((ref FluidMaterial v) => v.surfaceTension = 1f),
+                Instead(Iterations - 1, "DensityConstraint.compute ApplyDeltaP", "WithTension")
+                .Concat(Instead(1, "DensityConstraint.compute ApplyDeltaPDeep", "WithTension")).ToArray()),
             ("sleep", null, Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f),
                 new[] { "+1 RestingRegions.compute MeasureMotion", "+1 RestingRegions.compute CountQuiet",
                 "+1 RestingRegions.compute Spread", "+1 Rill.Regions.*" }
@@ -321,6 +333,7 @@ namespace Host.Tests
         [TestCase("vorticity")]
         [TestCase("elasticity")]
         [TestCase("artificial pressure")]
+        [TestCase("surface tension")]
         [TestCase("sleep")]
         [TestCase("a collider")]
         [TestCase("an emitter with a phase")]

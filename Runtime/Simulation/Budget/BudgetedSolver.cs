@@ -8,6 +8,8 @@ namespace Rill
     {
         public SolverSettings asked;
         public bool deepWater, elastic;
+        /// <summary>Whether it has a surface tension.</summary>
+        public bool hasTension;
         /// <summary>|g| Δt² of a fixed step, d.</summary>
         public float gravityStep;
         public float particles;
@@ -46,8 +48,11 @@ namespace Rill
         {
             SolverSettings asked = scene.asked;
             SolverBudget bounds = budget;
-            if (scene.elastic)      // with fewer substeps than it was given it would be softer, see FluidMaterial.MaxShearModulus
+            // With fewer substeps than it was given it would be softer, or have less tension: see FluidMaterial.MaxShearModulus.
+            if (scene.elastic || scene.hasTension)
                 bounds.minSubsteps = Math.Max(budget.minSubsteps, Math.Min(asked.substeps, budget.maxSubsteps));
+            if (scene.hasTension)
+                bounds.minIterations = Math.Max(budget.minIterations, Math.Min(SurfaceTension.MinIterations, budget.maxIterations));
             ladder.IsElastic = scene.elastic;
             if (ladder.Build(scene.deepWater, scene.gravityStep, bounds))
                 Continue(isStarted ? state.substeps : asked.substeps, isStarted ? state.iterations : asked.iterations, scene.particles);

@@ -189,6 +189,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             cmd.BeginSample(DensityMarker);
             step.BindConstants(shader);
+            cmd.SetComputeFloatParam(shader, Ids.PressedError, (float)SurfaceTension.PressedError(step));
             RecordNeighbors(step, ofFlow: false);
             RecordSource(step, findErrors.For(WithColliders), errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders, minCycles: FirstCycles);
@@ -279,6 +280,7 @@ namespace Rill
         static class Ids
         {
             public static readonly int Potential = Shader.PropertyToID("_Potential");
+            public static readonly int PressedError = Shader.PropertyToID("_PressedError");
         }
     }
 

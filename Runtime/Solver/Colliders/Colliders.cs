@@ -31,9 +31,10 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
         readonly Kernel binColliders, measureColliderVolume, measureWettedArea;
-        readonly KernelVariants collidePaths, collide;        // with reactions; last pass, with reactions
+        readonly KernelVariants collidePaths, collide, collideWithTension;        // with reactions; last pass, with reactions
         readonly Kernel collidePathsReactWithMaterials;
-        readonly KernelVariants collideReactWithMaterials;     // last pass
+        readonly KernelVariants collideReactWithMaterials;      // last pass
+        readonly KernelVariants collideWithTensionAndMaterials;     // last pass, with reactions
         readonly LocalKeyword deforming;
         readonly FieldAtlas meshes, heights;
         // a kernel wants a texture even where it reads none
@@ -67,6 +68,10 @@ namespace Rill
             collide = new KernelVariants(shader, "Collide", "CollideLast", "CollideReact", "CollideLastReact");
             collidePathsReactWithMaterials = new Kernel(shader, "CollidePathsReactWithMaterials");
             collideReactWithMaterials = new KernelVariants(shader, "CollideReactWithMaterials", "CollideLastReactWithMaterials");
+            collideWithTension = new KernelVariants(shader, "CollideWithTension", "CollideLastWithTension", "CollideReactWithTension",
+                "CollideLastReactWithTension");
+            collideWithTensionAndMaterials = new KernelVariants(shader, "CollideWithTensionAndMaterials", "CollideLastWithTensionAndMaterials",
+                "CollideReactWithTensionAndMaterials", "CollideLastReactWithTensionAndMaterials");
 
             cellSize = SmallestCell;
             while (Cells(layout.DomainSize, cellSize) > MaxCells)
@@ -217,8 +222,10 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            Kernel kernel = PassKernel(last, step.Materials != null);
+            Kernel kernel = PassKernel(step.Input, last);
             cmd.BeginSample(Marker);
+            if (SurfaceTension.IsNeeded(step.Input))
+                SurfaceTension.Bind(step, shader);
             Bind(step, kernel, step.MaySleep);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Multipliers);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
@@ -285,8 +292,8 @@ namespace Rill
             bool weighs = MaterialTable.IsNeeded(input);
             description.Kernel(colliders.PathsKernel(weighs), substeps, variant);
             if (input.settings.iterations > 1)
-                description.Kernel(colliders.PassKernel(false, weighs), substeps * (input.settings.iterations - 1), variant);
-            description.Kernel(colliders.PassKernel(true, weighs), substeps, variant);
+                description.Kernel(colliders.PassKernel(input, false), substeps * (input.settings.iterations - 1), variant);
+            description.Kernel(colliders.PassKernel(input, true), substeps, variant);
             if (reacts && colliders.reactions.HasWettedAreas)
                 description.Kernel(colliders.measureWettedArea, 0, variant);
             colliders.reactions?.Describe(description);
@@ -300,14 +307,18 @@ namespace Rill
         // Forces weigh particles, where phases are of several materials.
         Kernel PathsKernel(bool weighs) => reactions != null && weighs ? collidePathsReactWithMaterials : collidePaths.For(reactions != null);
 
-        Kernel PassKernel(bool last, bool weighs)
-            => reactions != null && weighs ? collideReactWithMaterials.For(last) : collide.For(last, reactions != null);
+        Kernel PassKernel(in StepInput input, bool last)
+        {
+            bool weighs = MaterialTable.IsNeeded(input), reacts = reactions != null;
+            if (SurfaceTension.IsNeeded(input))
+                return (weighs ? collideWithTensionAndMaterials : collideWithTension).For(last, reacts);
+            return reacts && weighs ? collideReactWithMaterials.For(last) : collide.For(last, reacts);
+        }
 
         void Bind(in StepContext step, int kernel, bool maySleep)
         {
             CommandBuffer cmd = step.Commands;
-            if (reactions != null)
-                step.Materials?.Bind(step, shader, kernel);
+            step.Materials?.Bind(step, shader, kernel);
             cmd.SetKeyword(shader, deforming, HasDeforming);
             step.Particles.Bind(cmd, shader, kernel);
             BindShapes(cmd, shader, kernel);

@@ -14,7 +14,8 @@ namespace Rill
         static readonly ProfilerMarker DisplaceMarker = GpuMarker.Create("Rill.ApplyDeltaP");
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
-        readonly KernelVariants buildList, solveLambda, applyDeltaP;      // deep, with colliders; with colliders; deep, with artificial pressure
+        readonly KernelVariants buildList, solveLambda;                 // deep, with colliders; with colliders
+        readonly KernelVariants applyDeltaP, applyDeltaPWithTension;    // deep, with artificial pressure; deep
         readonly StepKeywords keywords;
 
         public DensityConstraint(SolverLayout layout)
@@ -22,6 +23,7 @@ namespace Rill
             buildList = new KernelVariants(shader, "BuildList", "BuildListDeep", "BuildListWithColliders", "BuildListDeepWithColliders");
             solveLambda = new KernelVariants(shader, "SolveLambda", "SolveLambdaWithColliders");
             applyDeltaP = new KernelVariants(shader, "ApplyDeltaP", "ApplyDeltaPDeep", "ApplyDeltaPWithPressure", "ApplyDeltaPDeepWithPressure");
+            applyDeltaPWithTension = new KernelVariants(shader, "ApplyDeltaPWithTension", "ApplyDeltaPDeepWithTension");
             keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true, weighs: true);
             Lists = new NeighborLists(layout);
         }
@@ -34,8 +36,9 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            bool hasPressure = HasPressure(step.Input);
             int iterations = step.Input.settings.iterations;
+            if (SurfaceTension.IsNeeded(step.Input))
+                SurfaceTension.Bind(step, shader);
             RecordList(step);
             step.Coarse?.RecordDensity(step);
             for (int i = 0; i < iterations; i++)
@@ -51,7 +54,7 @@ namespace Rill
 
                 cmd.BeginSample(DisplaceMarker);
                 bool takesCorrection = i == 0 && step.Coarse != null;
-                int kernel = applyDeltaP.For(takesCorrection, hasPressure);
+                Kernel kernel = ApplyDeltaP(step.Input, takesCorrection);
                 if (takesCorrection)
                     cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
                 Dispatch(step, kernel, particles.Multipliers, particles.Predicted);
@@ -84,24 +87,29 @@ namespace Rill
 
         public StageDescription Describe(in StepContext step)
         {
-            bool deep = step.Coarse != null, withColliders = step.Colliders != null, hasPressure = HasPressure(step.Input);
+            bool deep = step.Coarse != null, withColliders = step.Colliders != null;
             string variant = keywords.Variant(step);
             int substeps = step.Substeps, iterations = step.Input.settings.iterations;
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
             var stage = new StageDescription("Density constraint", true, Invariant($"{iterations} iterations in each of {substeps} ") +
-                Invariant($"substeps, neighbor lists in {lists}, artificial pressure is {step.Input.material.artificialPressure}"));
+                Invariant($"substeps, neighbor lists in {lists}, artificial pressure is {ArtificialPressure(step.Input)}, ") +
+                SurfaceTension.Describe(step));
             stage.Kernel(buildList.For(deep, withColliders), substeps, variant);
             if (iterations > 1)
                 stage.Kernel(solveLambda.For(withColliders), substeps * (iterations - 1), variant);
             if (deep)
-                stage.Kernel(applyDeltaP.For(true, hasPressure), substeps, variant);
+                stage.Kernel(ApplyDeltaP(step.Input, true), substeps, variant);
             if (!deep || iterations > 1)
-                stage.Kernel(applyDeltaP.For(false, hasPressure), substeps * (deep ? iterations - 1 : iterations), variant);
+                stage.Kernel(ApplyDeltaP(step.Input, false), substeps * (deep ? iterations - 1 : iterations), variant);
             Lists.Describe(stage);
             return stage;
         }
 
-        static bool HasPressure(in StepInput input) => input.material.artificialPressure > 0f;
+        Kernel ApplyDeltaP(in StepInput input, bool takesCorrection)
+            => SurfaceTension.IsNeeded(input) ? applyDeltaPWithTension.For(takesCorrection)
+                : applyDeltaP.For(takesCorrection, ArtificialPressure(input) > 0f);
+
+        static float ArtificialPressure(in StepInput input) => SurfaceTension.IsNeeded(input) ? 0f : input.material.artificialPressure;
 
         void Dispatch(in StepContext step, int kernel, GraphicsBuffer from, GraphicsBuffer to)
         {

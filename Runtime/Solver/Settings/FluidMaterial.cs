@@ -60,6 +60,20 @@ namespace Rill
             "has about 1, gels many.")]
         [Min(1e-3f)] public float relaxationTime;
 
+        /// <summary>Surface tension σ, N/m: drops become round, films draw in. 0 (off) to 1000; water 0.072, mercury 0.485. It needs two
+        /// iterations, acts only up to a limit by spacing and substep, and takes the place of Artificial Pressure and Allowed Tension.</summary>
+        [Tooltip("Surface tension σ, N/m: drops become round, films draw in. 0 (off) to 1000; water 0.072, mercury 0.485. It needs two " +
+            "iterations, acts only up to a limit by spacing and substep, and takes the place of Artificial Pressure and Allowed Tension.")]
+        [Min(0f)] public float surfaceTension;
+
+        /// <summary>Angle at which the surface of a fluid with a Surface Tension meets walls and colliders, degrees. 0 to 180: above 90 it
+        /// forms beads, below it spreads. An angle below 90 is approximate.</summary>
+        [Tooltip("Angle at which the surface of a fluid with a Surface Tension meets walls and colliders, degrees. 0 to 180: above 90 it " +
+            "forms beads, below it spreads. An angle below 90 is approximate.")]
+        [Range(0f, 180f)] public float contactAngle;
+
+        const float MaxTension = 1000f;
+
         /// <summary>Water: 1000 kg/m³, with as much smoothing as keeps it calm.</summary>
         public static FluidMaterial Water => new FluidMaterial
         {
@@ -73,6 +87,8 @@ namespace Rill
             allowedTension = 0f,
             shearModulus = 0f,
             relaxationTime = 1f,
+            surfaceTension = 0f,
+            contactAngle = 90f,
         };
 
         /// <summary>A fluid as thick as a real one, the same at every spacing and step; else as water.</summary>
@@ -106,11 +122,22 @@ namespace Rill
         public float MaxShearModulus(float spacing, float substep)
             => (float)(Viscoelasticity.MaxStiffness * density * spacing * spacing / ((double)substep * substep));
 
+        /// <summary>Surface tension that the setting acts like at most, N/m: a stronger one would outrun what the passes of a substep can
+        /// follow.</summary>
+        /// <remarks>See <see cref="SolverSettings"/> for both; Documentation~/solver.md has the measurements.</remarks>
+        /// <param name="spacing">Particle spacing, m.</param>
+        /// <param name="substep">Length of a substep, s.</param>
+        /// <param name="iterations">Iterations of a substep; with fewer than 2 none acts.</param>
+        /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water.</param>
+        public float MaxSurfaceTension(float spacing, float substep, int iterations = 4, bool deepWater = false)
+            => (float)(SurfaceTension.MaxStrength(iterations, deepWater) * SurfaceTension.UnitTension(density, spacing, substep));
+
         /// <summary>Returns the fluid without anything that acts between its particles.</summary>
         internal FluidMaterial WithoutForces()
         {
             FluidMaterial still = this;
             still.velocitySmoothing = still.dynamicViscosity = still.shearModulus = still.vorticity = still.artificialPressure = 0f;
+            still.surfaceTension = 0f;
             return still;
         }
 
@@ -131,6 +158,8 @@ namespace Rill
             Limit.Clamp("allowed tension", ref allowedTension, 0f, 0.5f, water.allowedTension, ref problem);
             Limit.Clamp("shear modulus", ref shearModulus, 0f, 1e6f, water.shearModulus, ref problem);
             Limit.Clamp("relaxation time", ref relaxationTime, 1e-3f, 1e3f, water.relaxationTime, ref problem);
+            Limit.Clamp("surface tension", ref surfaceTension, 0f, MaxTension, water.surfaceTension, ref problem);
+            Limit.Clamp("contact angle", ref contactAngle, 0f, 180f, water.contactAngle, ref problem);
             return problem == null;
         }
     }

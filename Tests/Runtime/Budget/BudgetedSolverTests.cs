@@ -33,6 +33,18 @@ namespace Rill.Tests
         [TearDown]
         public void Dispose() => solver.Dispose();
 
+        [Test]
+        public void A_surface_tension_keeps_two_iterations_and_its_substeps()
+        {
+            scene.asked.substeps = 2;
+            scene.particles = 1e8f;     // too many for any
+            Run(600, frame => 1);
+            Assert.That((solver.State.substeps, solver.State.iterations), Is.EqualTo((1, 1)), "without");
+            scene.hasTension = true;
+            Run(600, frame => 1);
+            Assert.That((solver.State.substeps, solver.State.iterations), Is.EqualTo((2, 2)));
+        }
+
         // Every other frame takes two steps.
         [Test]
         public void Frames_without_steps_do_not_count_for_how_many_a_frame_takes()

@@ -283,7 +283,8 @@ namespace Rill.Tests
                 right.Material = new FluidMaterial
                 {
                     density = 900f, velocitySmoothing = right.Material.velocitySmoothing,
-                    artificialPressureDistance = 0.2f, relaxationTime = right.Material.relaxationTime
+                    artificialPressureDistance = 0.2f, relaxationTime = right.Material.relaxationTime,
+                    contactAngle = right.Material.contactAngle
                 };
             else if (fault == 2)
                 right.StepRate = 120f;

@@ -14,6 +14,8 @@ namespace Rill.Tests.Reference
         /// <summary>k of s_corr as a density error, and |Δq| / h.</summary>
         public double artificialPressure, artificialPressureDistance = 0.2;
         public double maxCorrection = 0.5;
+        /// <summary>Displacement by a pair whose f is 1, and by a wall, d: see <see cref="Tension"/>.</summary>
+        public double pairAttraction, wallAttraction;
 
         /// <summary>Distance, d, within which a pair is pushed apart, and the fraction of what it lacks to it that a pass adds.</summary>
         const double Close = 0.25, Separation = 0.1;
@@ -73,6 +75,12 @@ namespace Rill.Tests.Reference
 
             size = relaxation * sum.size;
             double3 correction = relaxation * sum.value;
+            if (pairAttraction > 0.0)
+            {
+                correction += Tension.OfPairs(i, points, neighbors, pairAttraction, out double attracted)
+                    + Tension.OfWalls(points[i], box, wallAttraction);
+                size += attracted;
+            }
             double length = math.length(correction);
             return length > maxCorrection ? correction * (maxCorrection / length) : correction;
         }

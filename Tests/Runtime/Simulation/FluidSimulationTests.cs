@@ -281,6 +281,46 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_surface_tension_that_does_not_act_as_asked_is_said_once_by_name_with_the_remedy([Values(0, 1, 2)] int fault)
+        {
+            string expected = new[]
+            {
+                "its surface tension of 0.1 N/m does not act with 1 iteration. Take 2 iterations or more, or set Surface Tension to 0.",
+                "N/m: more is not stable at this spacing and substep. Take 2 substeps or a particle spacing of",
+                "its artificial pressure and allowed tension do not act beside its surface tension, which takes their place. Set both to 0,",
+            }[fault];
+            LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidSimulation 'Dam': .*" + Regex.Escape(expected)));
+            FluidSimulation fluid = Dam(f =>
+            {
+                FluidMaterial material = FluidMaterial.Water;
+                float limit = material.MaxSurfaceTension(f.ParticleSpacing, f.FixedStep, 4, true);
+                material.surfaceTension = fault == 1 ? 3f * limit : 0.1f;
+                material.allowedTension = fault == 2 ? 0.05f : 0f;
+                f.Material = material;
+                f.DeepWater = DeepWater.On;
+                f.Iterations = fault == 0 ? 1 : 4;
+            });
+            yield return Frames(3);
+            LogAssert.NoUnexpectedReceived();
+            Assert.That(Problems(), Has.Count.EqualTo(1).And.Some.Contains(expected));
+
+            FluidMaterial mended = fluid.Material;
+            mended.allowedTension = 0f;
+            fluid.Material = mended;
+            fluid.Iterations = 4;
+            fluid.Substeps = 2;
+            yield return Frames(2);
+            Assert.That(Problems(), Is.Empty);
+
+            List<string> Problems()
+            {
+                var problems = new List<string>();
+                ((IHasProblems)fluid).ListProblems(problems);
+                return problems;
+            }
+        }
+
+        [UnityTest]
         public IEnumerator Deep_water_without_relaxation_gains_no_energy_and_the_statistics_say_why()
         {
             SolverSettings settings = SolverSettings.Default;

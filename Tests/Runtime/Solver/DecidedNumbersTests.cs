@@ -87,7 +87,7 @@ namespace Rill.Tests
         // At 20 °C, but for mercury (25 °C) and lava (1200 °C); kg/m³, Pa s, Pa and s. The sources are in Documentation~/editor.md.
         [TestCase("Water", 1000f, 0f, 0f, 1f)]
         [TestCase("Seawater", 1025f, 0f, 0f, 1f)]
-        [TestCase("Mercury", 13530f, 0f, 0f, 1f)]
+        [TestCase("Mercury", 13534f, 0f, 0f, 1f)]
         [TestCase("Olive oil", 910f, 0.084f, 0f, 1f)]
         [TestCase("Glycerol", 1260f, 1.41f, 0f, 1f)]
         [TestCase("Honey", 1420f, 10f, 0f, 1f)]
@@ -109,7 +109,32 @@ namespace Rill.Tests
             Assert.That(material.artificialPressureDistance, Is.EqualTo(0.2f));
             Assert.That((material.wallFriction, material.vorticity), Is.EqualTo((1f, 0f)));
             Assert.That(material.velocitySmoothing, Is.EqualTo(isThin ? 0.01f : 0f));
+            Assert.That((material.surfaceTension, material.contactAngle), Is.EqualTo(name == "Mercury" ? (0.485f, 140f) : (0f, 90f)));
         }
+
+        // Of Σ = σ Δt² / (ρ d³), which is 3.6 N/m at 1 cm and 1/60 s.
+        [TestCase(1, true, 0.0)]
+        [TestCase(2, false, 0.02)]
+        [TestCase(2, true, 0.05)]
+        [TestCase(3, false, 0.05)]
+        [TestCase(8, true, 0.05)]
+        public void No_more_surface_tension_than_this_is_stable(int iterations, bool deepWater, double strength)
+        {
+            Assert.That(SurfaceTension.MaxStrength(iterations, deepWater), Is.EqualTo(strength));
+            Assert.That(FluidMaterial.Water.MaxSurfaceTension(0.01f, 1f / 60f, iterations, deepWater), Is.EqualTo(3.6 * strength).Within(1e-5));
+            Assert.That(FluidMaterial.Mercury.MaxSurfaceTension(0.02f, 1f / 120f, iterations, deepWater),
+                Is.EqualTo(3.6 * 13.534 * 8.0 * 4.0 * strength).Within(1e-3));
+        }
+
+        // Over what as much of the fluid itself would attract.
+        [TestCase(180f, 0.0)]
+        [TestCase(120f, 0.353553)]
+        [TestCase(90f, 0.5)]
+        [TestCase(60f, 1.25)]
+        [TestCase(30f, 1.799038)]
+        [TestCase(0f, 2.0)]
+        public void A_wall_attracts_by_the_contact_angle(float angle, double fraction)
+            => Assert.That(SurfaceTension.WallFraction(angle), Is.EqualTo(fraction).Within(1e-6));
 
         [Test]
         public void Settings_begin_as_their_pages_say()

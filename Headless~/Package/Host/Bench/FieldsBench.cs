@@ -30,6 +30,7 @@ namespace Host.Bench
             ("Dynamic Viscosity 1", (ref SolverSettings s, ref FluidMaterial m) => m.dynamicViscosity = 1f),
             ("Vorticity 0.1", (ref SolverSettings s, ref FluidMaterial m) => m.vorticity = 0.1f),
             ("Artificial Pressure 0.1", (ref SolverSettings s, ref FluidMaterial m) => m.artificialPressure = 0.1f),
+            ("Surface Tension 1", (ref SolverSettings s, ref FluidMaterial m) => m.surfaceTension = 1f),
             ("Shear Modulus 1000", (ref SolverSettings s, ref FluidMaterial m) => m.shearModulus = 1000f),
         };
 

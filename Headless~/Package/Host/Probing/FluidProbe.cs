@@ -90,7 +90,7 @@ namespace Host.Probing
                 yield return Row("material", $"viscosity {material.dynamicViscosity} Pa s, velocity smoothing " +
                     $"{material.velocitySmoothing}, vorticity {material.vorticity} m/s, artificial pressure " +
                     $"{material.artificialPressure}, tension {material.allowedTension}, shear modulus {material.shearModulus} Pa " +
-                    $"relaxing in {material.relaxationTime} s");
+                    $"relaxing in {material.relaxationTime} s, surface tension {material.surfaceTension} N/m at {material.contactAngle}°");
                 if (simulation.TryGetStatistics(out FluidStatistics last))
                     yield return Row("particles", last.particles.ToString("N0", CultureInfo.InvariantCulture));
             }
