@@ -36,6 +36,7 @@ namespace Rill
         /// <summary>words of a region in _RegionMotion</summary>
         [GenerateHlsl("RestingRegions")] const int MotionStride = 5;
 
+        const int TensionBytes = 2 * sizeof(float);     // the last of a material: tension and angle
         const float GravityChange = 0.01f;      // fraction of it that wakes everything
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");
@@ -88,7 +89,7 @@ namespace Rill
                 gravity = last.gravity,
                 timeStep = last.timeStep,
                 settings = Crc32C.Of(StructBytes.Of(ref last.settings)),
-                material = Crc32C.Of(StructBytes.Of(ref last.material)),
+                material = Checksum(last.material),
             };
             record.wake = wake ? 1u : 0u;
             return record;
@@ -162,6 +163,13 @@ namespace Rill
             return description;
         }
 
+        /// <summary>Checksum of a material. One without surface tension has that from before there was any, for older snapshots.</summary>
+        public static uint Checksum(FluidMaterial material)
+        {
+            ReadOnlySpan<byte> bytes = StructBytes.Of(ref material);
+            return Crc32C.Of(material.surfaceTension == 0f ? bytes.Slice(0, bytes.Length - TensionBytes) : bytes);
+        }
+
         static int Total(SolverLayout layout)
         {
             int3 counts = math.max((int3)math.ceil(layout.DomainSize / RegionSize), 1);
@@ -175,7 +183,7 @@ namespace Rill
             {
                 StepInput now = input;
                 bool same = Crc32C.Of(StructBytes.Of(ref now.settings)) == before.settings
-                    && Crc32C.Of(StructBytes.Of(ref now.material)) == before.material;
+                    && Checksum(now.material) == before.material;
                 last = same ? input : default;
                 last.gravity = before.gravity;
                 last.timeStep = before.timeStep;

@@ -63,6 +63,21 @@ namespace Rill.Tests
             }
         }
 
+        // Ten floats, as snapshots have it from before there was a tension.
+        [Test]
+        public void A_material_without_tension_has_the_checksum_that_it_had_before_there_was_any()
+        {
+            FluidMaterial water = FluidMaterial.Water, tense = water;
+            var floats = new[] { water.density, water.velocitySmoothing, water.dynamicViscosity, water.wallFriction, water.vorticity,
+                water.artificialPressure, water.artificialPressureDistance, water.allowedTension, water.shearModulus, water.relaxationTime };
+            Assert.That(RestingRegions.Checksum(water), Is.EqualTo(Crc32C.Of(floats.SelectMany(System.BitConverter.GetBytes).ToArray())));
+            tense.surfaceTension = 0.1f;
+            uint checksum = RestingRegions.Checksum(tense);
+            Assert.That(checksum, Is.Not.EqualTo(RestingRegions.Checksum(water)));
+            tense.contactAngle = 120f;
+            Assert.That(RestingRegions.Checksum(tense), Is.Not.EqualTo(checksum));
+        }
+
         [Test]
         public void A_pool_at_rest_falls_asleep_stays_as_it_is_and_measures_as_the_one_awake()
         {
