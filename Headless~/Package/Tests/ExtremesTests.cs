@@ -60,5 +60,13 @@ namespace Host.Tests
             Assert.That(expected, Is.GreaterThan(0));
             Assert.That(ClosePairs.Count(positions, distance), Is.EqualTo(expected));
         }
+
+        [Test]
+        public void More_close_pairs_than_an_int_holds_are_counted()
+        {
+            const long crowd = 70_000;      // crowd (crowd - 1) / 2 is above 2^31
+            var positions = Enumerable.Repeat(new float3(0.3f), (int)crowd).Append(new float3(0.35f, 0.3f, 0.3f)).Append(new float3(5f)).ToArray();
+            Assert.That(ClosePairs.Count(positions, 0.25f), Is.EqualTo(crowd * (crowd - 1) / 2 + crowd));
+        }
     }
 }

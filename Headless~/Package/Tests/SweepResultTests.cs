@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using Host.Experiments;
 using Host.Report;
@@ -58,6 +60,59 @@ namespace Host.Tests
             Assert.That(ThesisCapacity.Particles(points, 2.0), Is.EqualTo(1_000_000).Within(1));
             Assert.That(ThesisCapacity.Particles(points, 0.1), Is.NaN, "below the smallest");
             Assert.That(ThesisCapacity.Particles(points, 9.0), Is.NaN, "above the largest");
+        }
+
+        static readonly int[] Counts = { 1, 4, 16 };
+
+        // C+ that falls with iterations and with ω, as in the thesis.
+        static string DensityPage(Func<int, float, double> energy)
+        {
+            var table = new ReportTable(ExperimentFigures.Columns);
+            foreach (int iterations in Counts)
+                foreach (float relaxation in new[] { 1f, 1.2f, 1.5f })
+                {
+                    double error = 0.1 / (iterations * relaxation);
+                    table.Add(ExperimentFigures.Columns.Select(column => column switch {
+                        "iterations" => iterations, "relaxation" => relaxation, "error_moving" => error, "volume_lowest" => 1.0,
+                        "energy" => energy(iterations, relaxation), "jitter" => 0.1, "substeps" => 4, _ => (object)0 }).ToArray());
+                }
+            string folder = Path.Combine(Path.GetTempPath(), "rill-thesis-" + Guid.NewGuid().ToString("N"));
+            try
+            {
+                table.Save(Path.Combine(folder, "thesis-density.csv"));
+                var page = new ReportPage(folder, folder, ".");
+                new ThesisDensity().Write(page);
+                return page.ToString();
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
+        }
+
+        [Test]
+        public void A_thesis_figure_agrees_where_no_run_gained_energy()
+        {
+            string page = DensityPage((_, _) => 1.01);
+            Assert.That(page, Does.Contain("Agrees.").And.Not.Contain("%, " + Verdict.NotComparable));
+        }
+
+        [Test]
+        public void A_thesis_figure_of_runs_that_gained_energy_is_not_comparable_and_never_agrees()
+        {
+            string page = DensityPage((_, _) => 1.02);
+            Assert.That(page, Does.Contain(Verdict.NotComparable).And.Not.Contain("grees"));
+            Assert.That(page, Does.Contain("9 of 9 runs gained energy"));
+        }
+
+        [Test]
+        public void A_thesis_run_that_gained_energy_is_left_out_of_its_verdict()
+        {
+            string page = DensityPage((iterations, relaxation) => iterations == 1 && relaxation == 1.5f ? 1.02 : 1.0);
+            Assert.That(page, Does.Contain("C+ falls in 5 of 5 steps from one count to the next"));
+            Assert.That(page, Does.Contain("1 of 9 runs gained energy"));
+            string row = page.Split('\n').Single(line => line.StartsWith("| 1 |", StringComparison.Ordinal));
+            Assert.That(row, Does.Contain(Verdict.NotComparable));
         }
     }
 }

@@ -23,8 +23,8 @@ namespace Host.Report
             new TheorySection(),
             new DampingSection(),
             new ObstaclesSection(),
-            new ExtremesSection("extremes", "Stiff and extreme cases", ExtremeCases.All, besideOthers: true),
-            new ExtremesSection("obstacle-extremes", "Extreme cases with obstacles and sources", ExtremeCases.AllWithObstacles, besideOthers: false),
+            new ExtremesSection("extremes", "Stiff and extreme cases", ExtremeCases.All),
+            new ExtremesSection("obstacle-extremes", "Extreme cases with obstacles and sources", ExtremeCases.AllWithObstacles),
             new BudgetSection(),
         };
 

@@ -4,6 +4,8 @@ namespace Host.Report
     static class Verdict
     {
         public const string Yes = "yes", No = "**no**", None = "–";
+        /// <summary>Of a run that gained energy: it is no water, so nothing about water follows from it.</summary>
+        public const string NotComparable = "not comparable";
         const string Broken = "**FAILS**: ";
 
         /// <param name="holds">Null without a figure.</param>

@@ -8,16 +8,13 @@ namespace Host.Report.Extremes
     sealed class ExtremesSection : ReportSection
     {
         readonly Func<bool, IEnumerable<ExtremeCase>> cases;
-        readonly bool besideOthers;
 
         /// <param name="cases">By whether they shall be small.</param>
-        /// <param name="besideOthers">Whether other solvers' counts stand beside them.</param>
-        public ExtremesSection(string name, string title, Func<bool, IEnumerable<ExtremeCase>> cases, bool besideOthers)
+        public ExtremesSection(string name, string title, Func<bool, IEnumerable<ExtremeCase>> cases)
         {
             Name = name;
             Title = title;
             this.cases = cases;
-            this.besideOthers = besideOthers;
         }
 
         /// <summary>Name on the command line and in the table.</summary>
@@ -51,50 +48,45 @@ namespace Host.Report.Extremes
             List<ReportTable.Row> rows = table.Rows.ToList();
             int failed = rows.Count(row => row["broken"].Length > 0);
             page.Line($"`rill report {Name}`, {table.MeasuredOn}. {rows.Count} runs, of which {rows.Count - failed} hold and {failed} " +
-                $"fail. Every run also has to keep each");
-            page.Line("particle inside, with a finite speed, and alive, refused or culled, so that none is missing from the sum. *On* " +
-                "and *off* are the setting Deep");
-            page.Line("Water (automatic is on above four layers of water); *default* goes through the component with its own settings. " +
-                "The bar on speed where");
-            page.Line("particles are crowded is what two steps can add: half a spacing a pass, and two spacings by the grid's density correction.");
+                $"fail. In every run no particle may be lost, outside the box or infinitely fast. *On* and *off* are the setting Deep " +
+                "Water; *default* goes through the component with its own settings. Where particles are crowded the bar on speed is " +
+                "what two steps can add: half a spacing a pass, and two spacings by the grid's density correction.");
             page.Line();
-            if (besideOthers)
-                WriteCounts(page, rows);
-            foreach (IGrouping<string, ReportTable.Row> subject in rows.GroupBy(row => row["subject"]))
-            {
-                page.Heading(subject.Key);
-                page.Table(new[] { "case", "setting", "bar", "seen", "" },
-                    subject.Select(row => new[] { row["case"], row["setting"], row["bar"], row["seen"], Verdict.Of(row["broken"]) }));
-            }
+            WriteCounts(page, rows);
+            page.Table(new[] { "subject", "runs", "hold", "fail" }, rows.GroupBy(row => row["subject"]).Select(subject => new[] { subject.Key,
+                Count(subject, _ => true), Count(subject, row => row["broken"].Length == 0), Count(subject, row => row["broken"].Length > 0) }));
+            if (failed == 0)
+                return;
+            page.Line("Runs that fail. Those that hold are in the table below, each with its bar and what was seen:");
+            page.Line();
+            page.Table(new[] { "case", "setting", "bar", "seen", "" }, rows.Where(row => row["broken"].Length > 0)
+                .Select(row => new[] { row["case"], row["setting"], row["bar"], row["seen"], Verdict.Of(row["broken"]) }));
+
+            static string Count(IEnumerable<ReportTable.Row> of, Func<ReportTable.Row, bool> which) => $"{of.Count(which)}";
         }
 
         static string Where(List<ReportTable.Row> rows, string column)
         {
-            string[] cases = rows.Where(row => row.Number(column) > 0).Select(row => $"{row["case"]} ({row["setting"]})").ToArray();
-            return cases.Length == 0 ? "in none" : $"in {string.Join(" and in ", cases)}";
+            int cases = rows.Count(row => row.Number(column) > 0);
+            return cases == 0 ? "in none" : $"in {cases} runs";
         }
 
-        // Figures of the others are this project's own measurements of them.
         static void WriteCounts(ReportPage page, List<ReportTable.Row> rows)
         {
             List<ReportTable.Row> plain = rows.Where(row => row["setting"] == ExtremeSetting.PlainName).ToList(), usual = rows.Except(plain).ToList();
-            page.Table(new[] { "", "worst seen of other solvers in such scenes",
-                $"here, {usual.Count} runs with the correction or the component's defaults",
-                $"here, {plain.Count} runs of plain iterations" }, new[]
+            page.Table(new[] { "", $"{usual.Count} runs with the correction or the component's defaults", $"{plain.Count} runs of plain iterations" }, new[]
             {
-                Counts("not a number", "the first at frame 1009, then all",
-                    of => $"{of.Count(row => !double.IsFinite(row.Number("speed_max")))} runs; {Sum(of, "not_finite"):0} particles " +
-                    $"that were given as such culled and counted"),
-                Counts("particles outside", "258,533", of => $"{Sum(of, "outside"):0}"),
-                Counts("coincident particles at the end", "601 pairs",
-                    of => $"{Sum(of, "coincident"):0} closer than 0.05 d to another, {Where(of, "coincident")}"),
-                Counts("beyond a cell's or list's capacity", "lost in silence",
+                Counts("not a number", of => $"{of.Count(row => !double.IsFinite(row.Number("speed_max")))} runs; {Sum(of, "not_finite"):0} " +
+                    $"particles that were given as such culled and counted"),
+                Counts("particles outside", of => $"{Sum(of, "outside"):0}"),
+                Counts("closer than 0.05 d to another at the end", of => $"{Sum(of, "coincident"):N0} particles, {Where(of, "coincident")}"),
+                Counts("beyond a cell's or list's capacity",
                     of => $"{Sum(of, "added") - Sum(of, "alive") - Sum(of, "refused") - Sum(of, "not_finite"):0} lost; at most " +
                     $"{of.Max(row => row.Number("overflow")):0} particles with full lists, reported"),
             });
 
             static double Sum(List<ReportTable.Row> of, string column) => of.Sum(row => row.Number(column));
-            string[] Counts(string what, string others, Func<List<ReportTable.Row>, string> ours) => new[] { what, others, ours(usual), ours(plain) };
+            string[] Counts(string what, Func<List<ReportTable.Row>, string> ours) => new[] { what, ours(usual), ours(plain) };
         }
     }
 }
