@@ -80,6 +80,7 @@ namespace Host.Tests
             ReportWriter.Write(new[] { Three[0] }, folders);
             string text = File.ReadAllText(folders.Page);
             Assert.That(text, Does.StartWith("# Report\n").And.Contain("a device").And.Contain("`rill report first`").And.Contain("The last is 16."));
+            Assert.That(text, Does.Contain("| commit |").And.Contain($"| {SourceCommit.Describe()} |"));
             Assert.That(text, Does.Not.Contain("quick run").IgnoreCase);
             Links_lead_somewhere(folders.Page);
         }

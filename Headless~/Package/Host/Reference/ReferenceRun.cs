@@ -69,7 +69,7 @@ namespace Host.Reference
             File.WriteAllBytes(Path.Combine(folder, "ours.png"), Png.Encode(ours, settings.Width, settings.Height));
 
             lines.Add(string.Create(CultureInfo.InvariantCulture, $"{name}, frame {settings.Frame} at 60 a second, "
-                + $"{settings.Width} x {settings.Height}, foam {(settings.Foam ? "on" : "off")}, commit {Commit()}"));
+                + $"{settings.Width} x {settings.Height}, foam {(settings.Foam ? "on" : "off")}, commit {SourceCommit.Describe()}"));
             var scene = new CyclesScene(folder);
             scene.SetPicture("reference.png", settings.Width, settings.Height, settings.Samples, settings.Seed, Clamp);
             scene.SetCamera(camera.transform.localToWorldMatrix, camera.fieldOfView, camera.nearClipPlane, camera.farClipPlane);
@@ -269,22 +269,6 @@ namespace Host.Reference
                 (rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]) = (color.r, color.g, color.b, 255);
             }
             return rgba;
-        }
-
-        static string Commit()
-        {
-            try
-            {
-                using var git = Process.Start(new ProcessStartInfo("git", new[] { "-C", Session.Root(), "describe", "--always", "--dirty" })
-                { RedirectStandardOutput = true, RedirectStandardError = true });
-                string said = git.StandardOutput.ReadToEnd().Trim();
-                git.WaitForExit();
-                return git.ExitCode == 0 ? said : "unknown";
-            }
-            catch (System.ComponentModel.Win32Exception)
-            {
-                return "unknown";
-            }
         }
     }
 }

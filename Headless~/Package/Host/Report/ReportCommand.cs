@@ -8,6 +8,7 @@ using Host.Output;
 using Host.Report.Budget;
 using Host.Report.ErrorTime;
 using Host.Report.Extremes;
+using Host.Report.Methods;
 using Host.Report.Obstacles;
 using Host.Studies.Thesis;
 
@@ -18,6 +19,7 @@ namespace Host.Report
     {
         static readonly ReportSection[] Sections =
         {
+            new MethodsSection(),
             new ErrorTimeSection(),
             new ThesisSection(),
             new TheorySection(),

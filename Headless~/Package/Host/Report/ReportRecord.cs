@@ -4,9 +4,13 @@ using System.Linq;
 
 namespace Host.Report
 {
-    /// <summary>Record of a section's measuring: device, amount and date. It lies beside the section's tables.</summary>
-    sealed record ReportRecord(string Device, bool Quick, bool InSoftware, string Date, double Seconds)
+    /// <summary>Record of a section's measuring: device, amount, date and commit. It lies beside the section's tables.</summary>
+    sealed record ReportRecord(string Device, bool Quick, bool InSoftware, string Date, double Seconds,
+        string Commit)
     {
+        /// <summary>Commit of tables from before it was recorded.</summary>
+        public const string NotRecorded = "not recorded";
+        const string CommitColumn = "commit";
         const string Scope = "of the whole section";
 
         /// <summary>Name of its table.</summary>
@@ -14,8 +18,8 @@ namespace Host.Report
 
         public static void Save(ReportRun run, ReportSection section, double seconds)
         {
-            var table = new ReportTable("quick", "date", "seconds");
-            table.Add(run.Quick, DateTime.UtcNow.ToString("yyyy-MM-dd"), Math.Round(seconds, 1));
+            var table = new ReportTable("quick", "date", "seconds", CommitColumn);
+            table.Add(run.Quick, DateTime.UtcNow.ToString("yyyy-MM-dd"), Math.Round(seconds, 1), SourceCommit.Describe());
             run.Save(Name(section), table, Scope);
         }
 
@@ -28,7 +32,7 @@ namespace Host.Report
             ReportTable table = ReportTable.Load(file);
             ReportTable.Row row = table.Rows.Single();
             return new ReportRecord(table.MeasuredOn.Replace("; " + Scope, ""), bool.Parse(row["quick"]), table.InSoftware, row["date"],
-                row.Number("seconds"));
+                row.Number("seconds"), table.Columns.Contains(CommitColumn) ? row[CommitColumn] : NotRecorded);
         }
     }
 }

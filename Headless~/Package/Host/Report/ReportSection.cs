@@ -10,6 +10,9 @@ namespace Host.Report
         /// <summary>Whether it runs only when it is named: what takes long.</summary>
         public virtual bool OnlyByName => false;
 
+        /// <summary>Whether it stands at the beginning of the page, before all overviews.</summary>
+        public virtual bool OpensPage => false;
+
         /// <summary>Runs the simulations; saves tables by <see cref="ReportRun.Save"/>.</summary>
         public abstract void Measure(ReportRun run);
 

@@ -19,9 +19,11 @@ namespace Host.Report
                     $"{string.Join(" ", missing)}\" without --write-only does.");
 
             ReportPage head = Page(), body = Page();
-            foreach (ReportSection section in sections)
+            foreach (ReportSection section in sections.Where(section => !section.OpensPage))
                 body.Section(section);
             Introduce(head, sections, records);
+            foreach (ReportSection section in sections.Where(section => section.OpensPage))
+                head.Section(section);
             foreach (ReportSection section in sections)
                 section.WriteOverview(head);
             ListFailures(head, body.Failures);
@@ -44,7 +46,7 @@ namespace Host.Report
                     $"**{(group.Key.Quick ? "A quick run" : "A run")}{(group.Key.InSoftware ? " on a CPU" : "")}** ({what}): {(group.Key.Quick ? "small scenes, few settings; it shows that everything works, not what the solver can do. " : "")}{(group.Key.InSoftware ? "Its times say nothing about a GPU." : "")}".TrimEnd());
                 page.Line();
             }
-            page.Line("Written by `rill report`. It begins with what settings cost and leave of error, and with all that fails. "
+            page.Line("Written by `rill report`. It begins with the question, what settings cost and leave of error, and all that fails. "
                 + "[What was measured on what](#what-was-measured-on-what) stands before the sections.");
         }
 
@@ -52,10 +54,10 @@ namespace Host.Report
         {
             page.Line("## What was measured on what");
             page.Line();
-            page.Table(new[] { "section", "command", "device", "date", "took" }, sections.Select((section, i) => new[]
+            page.Table(new[] { "section", "command", "device", "date", "commit", "took" }, sections.Select((section, i) => new[]
             {
                 section.Title, $"`rill report {section.Name}{(records[i].Quick ? " --quick" : "")}`", records[i].Device, records[i].Date,
-                    records[i].Seconds.ToString("0 s", CultureInfo.InvariantCulture),
+                    records[i].Commit, records[i].Seconds.ToString("0 s", CultureInfo.InvariantCulture),
             }));
             page.Line("Every table lies beside the page as CSV; its first line says what it was measured on.");
         }

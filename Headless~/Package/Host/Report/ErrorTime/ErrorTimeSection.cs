@@ -8,7 +8,8 @@ namespace Host.Report.ErrorTime
     /// time.</summary>
     sealed class ErrorTimeSection : ReportSection
     {
-        const string Sweep = "error-time", Front = "front";
+        public const string Sweep = "error-time";
+        const string Front = "front";
         const int SampleEvery = 10;
 
         readonly IReadOnlyList<ErrorTimePlan> full, quick;
@@ -51,10 +52,12 @@ namespace Host.Report.ErrorTime
         {
             List<SweepResult> results = SweepResult.All(page.Load(Sweep)).ToList();
             page.Line();
+            page.Line("## All scenes at a glance");
+            page.Line();
             page.Plot("error-time", "Error against milliseconds in all scenes: plain iterations, deep water, and the default",
                 ErrorTimeOverview.Script(results, Default), ErrorTimeOverview.Width, ErrorTimeOverview.Height);
             page.Line($"Each point is a setting that [holds](#{ReportFailures.Anchor(Title)}) its scene; lines join those that no " +
-                $"other one of their method beats.");
+                $"other one of their method beats. Lower left is better.");
         }
 
         SweepSetting? Default(SweepResult result)

@@ -88,9 +88,11 @@ namespace Host.Report.Obstacles
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
             string file = page.DataFile(Profiles);
-            ReportTable.Row[] drawn = table.Rows.GroupBy(row => row["deep"])
-                .Select(method => method.OrderBy(row => row.Number("across")).ThenBy(row => row.Number("friction"))
-                .ThenBy(row => row.Number("substeps")).Last()).ToArray();
+            // Of each method the best, and the finest with as many substeps as a scene has when nothing is set.
+            string usual = $"{SolverSettings.Default.substeps}";
+            ReportTable.Row[] drawn = table.Rows.GroupBy(row => row["deep"]).Select(method => method.OrderBy(row => row.Number("across"))
+                .ThenBy(row => row.Number("friction")).ThenBy(row => row.Number("substeps")).ToList())
+                .SelectMany(method => new[] { method.Last(), method.LastOrDefault(row => row["substeps"] == usual, method[0]) }).ToArray();
             IEnumerable<string> lines = drawn.SelectMany((row, i) =>
             {
                 string chosen = $"$1=={row["across"]} && strcol(2) eq \"{row["deep"]}\" && strcol(3) eq \"{row["start"]}\" && " +
@@ -99,13 +101,14 @@ namespace Host.Report.Obstacles
                 return new[]
                 {
                     Line(8, $"with points ls {i + 1} title 'radius {row["across"]} d, deep water {row["deep"]}, {row["substeps"]} x " +
-                        $"{row["iterations"]}'"),
-                    Line(10, $"with lines ls {i + 1} title 'theory'"),
-                    Line(11, $"with lines ls {i + 1} dt 2 title 'theory for its own turning'"),
+                        $"{row["iterations"]}{(row["substeps"] == usual ? ", default substeps" : "")}'"),
+                    Line(10, $"with lines ls {i + 1} dt 2 notitle"),
+                    Line(11, $"with lines ls {i + 1} lw 1.4 dt 3 notitle"),
                 };
-            });
-            page.Plot("obstacles-bucket", "Surface of the water in rotating buckets over the radius, with the theory's",
-                "set xlabel 'r, m'\nset ylabel 'height, m'\nplot " + string.Join(", \\\n", lines));
+            }).Append("NaN with lines lc rgb '#606060' lw 1.6 dt 2 title 'dashed: theory'")
+                .Append("NaN with lines lc rgb '#606060' lw 1.4 dt 3 title 'dotted: theory for its own turning'");
+            page.Plot("obstacles-bucket", "Surface of the water in rotating buckets over the radius, with the theory's: the best and the default's substeps",
+                "set xlabel 'r, m'\nset ylabel 'height, m'\nplot " + string.Join(", \\\n", lines), 1100, 480);
         }
     }
 }

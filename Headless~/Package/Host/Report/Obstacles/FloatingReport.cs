@@ -89,7 +89,8 @@ namespace Host.Report.Obstacles
                     $"'{file}' using ({chosen} ? $4 : NaN):6 every ::1 with lines ls {i + 1} notitle",
                 };
             });
-            page.Plot("obstacles-heave", "Height of floating bodies over time after they were let go, with the fitted cosines",
+            lines = lines.Append("NaN with lines lc rgb '#606060' title 'lines: fits'");
+            page.Plot("obstacles-heave", "Height of floating bodies over time after they were let go, with fits",
                 "set xlabel 't, s'\nset ylabel 'center of the body over the floor, m'\nplot " + string.Join(", \\\n", lines));
         }
     }

@@ -78,7 +78,8 @@ namespace Host.Report.Obstacles
                     $"'{file}' using ({chosen} ? $5 : NaN):7 every ::1 with lines ls {i + 1} notitle",
                 };
             });
-            page.Plot("obstacles-orifice", "Level over time of tanks that run out through a hole, with the fitted parabolas",
+            lines = lines.Append("NaN with lines lc rgb '#606060' title 'lines: fits'");
+            page.Plot("obstacles-orifice", "Level over time of tanks that run out through a hole, with fits",
                 "set xlabel 't, s'\nset ylabel 'level, m'\nplot " + string.Join(", \\\n", lines));
         }
     }

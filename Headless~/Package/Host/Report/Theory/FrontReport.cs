@@ -102,7 +102,7 @@ namespace Host.Report
             page.Line();
             WriteParts(page, table, experiments);
             page.Plot("experiment-front",
-                "The front of a dam break over time: experiments, inviscid flow, and the solver at several spacings",
+                "The front of a dam break over time, less that of inviscid flow: experiments, and the solver at several spacings",
                 Script(page, table, experiments));
         }
 
@@ -142,17 +142,34 @@ namespace Host.Report
 
         static string Script(ReportPage page, ReportTable table, List<FrontSeries> experiments)
         {
-            string points = page.DataFile(Points), curves = page.DataFile(Curves), inviscid = page.DataFile(Inviscid);
-            IEnumerable<string> lines = experiments.Select((series,
-                i) => $"'{points}' using (strcol(1) eq '{series.Name}' ? $2 : NaN):3 with points ls {i + 1} title '{series.Name}'")
-                .Append($"'{inviscid}' using 2:3 with lines lc rgb 'black' dt 2 lw 1.6 title 'inviscid'")
-                .Concat(table.Rows.Where(row => row["change"] == "" && row["substeps"] == "1" && row["iterations"] == "2")
-                    .Select(row => row["across"])
-                    .Select((across,
-                        i) =>
-                        $"'{curves}' using ($1=={across} && $2==1 && $3==2 ? $4 : NaN):5 with lines ls {i + 4} title 'a/d = {across}'"));
-            return "set xlabel 'T'\nset ylabel 'Z'\nset xrange [0:2.8]\nset yrange [0.9:3.6]\nset key outside right top\nplot "
-                + string.Join(", \\\n", lines);
+            FrontSeries inviscid = FrontSeries.Of(page.Load(Inviscid))[0];
+            ReportTable curves = page.Load(Curves);
+            IEnumerable<object[]> Ahead(IEnumerable<(double T, double Z)> points)
+                => points.Where(point => !double.IsNaN(inviscid.At(point.T))).Select(point => new object[] { point.T, point.Z - inviscid.At(point.T) });
+            var data = new PlotData().Add("using 1:2 with lines lc rgb 'black' dt 2 lw 1.6 title 'theory: inviscid flow'",
+                Ahead(inviscid.Points));
+            for (int i = 0; i < experiments.Count; i++)
+                data.Add($"using 1:2 with points ls {i + 1} title '{ExperimentNames.GetValueOrDefault(experiments[i].Name, experiments[i].Name)}'",
+                    Ahead(experiments[i].Points));
+            string middle = $"{table.Rows.Select(row => row.Number("across")).Where(across => across <= 40).Max()}";
+            string usual = $"{SolverSettings.Default.iterations}";
+            List<ReportTable.Row> drawn = table.Rows.Where(row => row["change"] == "" && row["substeps"] == "1"
+                && (row["iterations"] == "2" || row["iterations"] == usual && row["across"] == middle)).ToList();
+            for (int i = 0; i < drawn.Count; i++)
+            {
+                ReportTable.Row row = drawn[i];
+                bool isDefault = row["iterations"] == usual;
+                data.Add($"using 1:2 with lines {(isDefault ? "lc rgb '#101010' lw 3" : $"ls {(i + 3) % 8 + 1}")} " +
+                    $"title 'a/d = {row["across"]}, 1 x {row["iterations"]}{(isDefault ? ", the default" : "")}'",
+                    Ahead(curves.Rows.Where(point => point["across"] == row["across"] && point["substeps"] == "1"
+                        && point["iterations"] == row["iterations"]).Select(point => (point.Number("T"), point.Number("Z")))));
+            }
+            return data.Script("set xlabel 'T'\nset ylabel 'Z less that of inviscid flow'\nset xrange [0:2.8]\nset key outside right top\n");
         }
+
+        static readonly Dictionary<string, string> ExperimentNames = new()
+        {
+            ["MM1125"] = "Martin, Moyce 1952, 1.125 in", ["MM225"] = "Martin, Moyce 1952, 2.25 in", ["KO"] = "Koshizuka, Oka 1996",
+        };
     }
 }

@@ -75,7 +75,8 @@ namespace Host.Report
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
             string file = page.DataFile(Curves);
-            IEnumerable<string> lines = Drawn(table).SelectMany((row, i) =>
+            List<ReportTable.Row> drawn = Drawn(table).ToList();
+            IEnumerable<string> lines = drawn.SelectMany((row, i) =>
             {
                 string chosen = $"$1=={row["along"]} && $2=={row["depth_m"]} && $3=={row["lean_rad"]} && $4==1 && $5==2";
                 return new[]
@@ -84,16 +85,20 @@ namespace Host.Report
                         $"{Figures.Fixed(row.Number("depth_m"), 2)} m, L/d = {row["along"]}'",
                     $"'{file}' using ({chosen} ? $6 : NaN):(100*($8-0.5)) with lines ls {i + 1} notitle",
                 };
-            });
-            page.Plot("experiment-sloshing", "The center of mass of sloshing water over time at three depths, with the fitted cosines",
-                "set xlabel 't, s'\nset ylabel 'center of mass from the center, cm'\nplot " + string.Join(", \\\n", lines));
+            }).Append("NaN with lines lc rgb '#606060' title 'lines: fits'").Concat(drawn.GroupBy(row => row["depth_m"]).Select((depth, i) =>
+                System.FormattableString.Invariant($"[0:{MaxPeriod * depth.First().Number("theory_s"):0.###}] {100 * Sloshing.Offset(depth.First().Number("depth_m"), depth.First().Number("lean_rad")):0.####}") +
+                $"*(1-cos(2*pi*x/{depth.First()["theory_s"]})) with lines lc rgb 'black' dt 2 lw 0.8 " +
+                (i == 0 ? "title 'theory, without damping'" : "notitle")));
+            page.Plot("experiment-sloshing", "The center of mass of sloshing water over time at three depths, coarsest and finest, with fits and theory",
+                "set samples 400\nset yrange [0:*]\nset xlabel 't, s'\nset ylabel 'center of mass from the center, cm'\nplot " + string.Join(", \\\n", lines), 1100, 520);
         }
 
         // A fitted period that is longer than the run is not a period.
         static string IfSwings(ReportTable.Row row, string text) => row.Number("period_s") < MaxPeriod * row.Number("theory_s") ? text : "–";
 
-        // The finest of each depth.
+        // The coarsest and the finest of each depth: the coarsest misses the theory most.
         static IEnumerable<ReportTable.Row> Drawn(ReportTable table) => table.Rows.Where(row => row["substeps"] == "1" && row["iterations"] == "2")
-            .GroupBy(row => System.Math.Round(row.Number("depth_m"), 1)).Select(depth => depth.OrderBy(row => row.Number("along")).Last());
+            .GroupBy(row => (System.Math.Round(row.Number("depth_m"), 1), row["lean_rad"])).Where(depth => depth.Count() > 1)
+            .Select(depth => depth.OrderBy(row => row.Number("along"))).SelectMany(depth => new[] { depth.Last(), depth.First() });
     }
 }

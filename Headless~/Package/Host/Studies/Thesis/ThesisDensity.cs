@@ -42,7 +42,7 @@ namespace Host.Studies.Thesis
 
             page.Plot("thesis-density", "C+ while the water moves and jitter, against iterations, a line for each relaxation; runs that gained energy are crosses",
                 "set multiplot layout 1,2\n" + Panel(series, "C+, 0.2 to 2 s (%)", row => row.Number("error_moving") * 100, "set key off")
-                    + Panel(series, "jitter (m/s)", row => row.Number("jitter"), "set key outside right top") + "unset multiplot\n", 1200, 440);
+                    + Panel(series, "jitter (m/s)", row => row.Number("jitter"), "set key inside bottom right") + "unset multiplot\n", 1200, 440);
 
             page.Line(FormattableString.Invariant(
                 $"{first.Number("particles"):N0} particles, {first.Number("layers")} layers, {first["substeps"]} substep{(first["substeps"] == "1" ? "" : "s")}, ") +
