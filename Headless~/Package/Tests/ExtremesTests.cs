@@ -68,5 +68,17 @@ namespace Host.Tests
             var positions = Enumerable.Repeat(new float3(0.3f), (int)crowd).Append(new float3(0.35f, 0.3f, 0.3f)).Append(new float3(5f)).ToArray();
             Assert.That(ClosePairs.Count(positions, 0.25f), Is.EqualTo(crowd * (crowd - 1) / 2 + crowd));
         }
+
+        [Test]
+        public void A_failure_is_named_with_what_was_seen_and_its_bar()
+        {
+            var check = new ExtremeCheck();
+            check.AtMost("speed", 2, 1, "m/s");
+            check.Note("speed of sound", 7);
+            check.Exactly("closer than 0.05 d", 0, 0);
+            check.Between("volume", 2, 0.5, 1);
+            Assert.That(ExtremesSection.Failure("2 particles outside; " + check.Broken, check.Bar, check.Seen),
+                Is.EqualTo("2 particles outside; speed 2 m/s (at most 1 m/s); volume 2 (0.5 to 1)"));
+        }
     }
 }

@@ -145,6 +145,17 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Rows_that_are_left_to_the_csv_are_counted_and_those_that_fail_are_shown()
+        {
+            var page = new ReportPage(folder, folder, "images");
+            page.Table(new[] { "x", "figure", "bar" }, new[] { "yes", "yes", "**no**", "yes" }.Select((verdict, i) => new[] { $"row {i}", "1 %", verdict }),
+                i => i == 0);
+            Assert.That(page.ToString(), Does.Contain("row 0").And.Contain("row 2").And.Contain("2 of 4 rows are in the table below only"));
+            Assert.That(page.ToString(), Does.Not.Contain("row 1").And.Not.Contain("row 3"));
+            Assert.That(page.Failures.Rows.Single()[3], Is.EqualTo("1 of 4"));
+        }
+
+        [Test]
         public void A_plot_is_drawn_of_series_that_have_points_and_says_so_where_none_has()
         {
             var page = new ReportPage(folder, folder, "images");

@@ -9,7 +9,7 @@ namespace Host.Report
     sealed class ReportFailures
     {
         /// <summary>The column that tells runs with deep water from those without.</summary>
-        const string DeepWater = "deep water";
+        public const string DeepWater = "deep water";
 
         readonly List<string[]> found = new();
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -64,17 +65,30 @@ namespace Host.Report
             Line();
         }
 
-        public void Table(IEnumerable<string> columns, IEnumerable<IEnumerable<string>> rows)
+        public void Table(IEnumerable<string> columns, IEnumerable<IEnumerable<string>> rows) => Table(columns, rows, _ => true);
+
+        /// <summary>A table of what is to be seen first. Rows that fail are shown as well; the others are in the CSV alone, and counted.</summary>
+        /// <param name="isShown">By the row's index.</param>
+        public void Table(IEnumerable<string> columns, IEnumerable<IEnumerable<string>> rows, Func<int, bool> isShown)
         {
             string[] names = columns.ToArray();
-            List<string[]> cells = rows.Select(row => row.ToArray()).ToList();
+            List<string[]> cells = rows.Select(row => row.ToArray()).ToList(),
+                shown = cells.Where((row, i) => isShown(i) || row.Any(Verdict.IsFailure)).ToList();
             Line("| " + string.Join(" | ", names) + " |");
             Line("|" + string.Concat(names.Select(_ => " --- |")));
-            foreach (string[] row in cells)
+            foreach (string[] row in shown)
                 Line("| " + string.Join(" | ", row) + " |");
             Line();
+            if (shown.Count < cells.Count)
+            {
+                Line($"{cells.Count - shown.Count} of {cells.Count} rows are in the table below only; none of them misses a bar.");
+                Line();
+            }
             Failures.Add(section, heading, names, cells);
         }
+
+        /// <summary>Rows that are listed among what fails, and nowhere else on the page.</summary>
+        public void ListFailures(string[] columns, IEnumerable<string[]> rows) => Failures.Add(section, heading, columns, rows.ToList());
 
         /// <summary>Draws by gnuplot and shows the picture.</summary>
         /// <param name="name">Of the file.</param>

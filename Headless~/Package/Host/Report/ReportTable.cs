@@ -19,6 +19,8 @@ namespace Host.Report
         public string[] Columns { get; }
         /// <summary>Device and settings that hold for all rows.</summary>
         public string MeasuredOn { get; set; } = "";
+        /// <summary>The settings alone; the device of a section is in the page's table of what was measured on what.</summary>
+        public string Settings => MeasuredOn.Contains("; ") ? MeasuredOn[(MeasuredOn.IndexOf("; ", StringComparison.Ordinal) + 2)..] : MeasuredOn;
         /// <summary>Whether the device was a CPU: then times say nothing.</summary>
         public bool InSoftware => MeasuredOn.Contains("in software");
         public IEnumerable<Row> Rows => rows.Select(row => new Row(this, row));

@@ -64,6 +64,7 @@ namespace Host.Report.Budget
             ReportTable ladder = page.Load(LadderTable);
             page.Line("The settings that a [budget](../Documentation~/budget.md) climbs, and some that it leaves out because another gives less error in less time.");
             page.Line();
+            List<ReportTable.Row> steps = ladder.Rows.ToList();
             page.Table(new[] { "scene", "particles", "substeps x iterations", "chosen from", "C+ moving", "C+ settled", "jitter, m/s", "ms",
                 "ms by the cost model" },
                 ladder.Rows.Select(row => new[]
@@ -72,8 +73,8 @@ namespace Host.Report.Budget
                         Percent(row.Number("error_moving")),
                     Percent(row.Number("error_settled")), $"{row.Number("jitter_m_s"):0.000}", $"{row.Number("ms"):0.000}",
                         $"{row.Number("model_ms"):0.000}",
-                }));
-            page.Line($"({ladder.MeasuredOn}.)");
+                }), i => steps[i]["on_ladder"] == "1");
+            page.Line($"({ladder.Settings}.)");
             page.Line();
 
             ReportTable held = page.Load(LoopTable);
@@ -92,7 +93,7 @@ plot '{page.DataFile(LoopTable)}' using 1:3 skip 1 with lines ls 1 title 'steps'
             page.Table(new[] { "from, s", "steps a frame", "budget, ms", "chosen", "ms, last second",
                 "worst of 95 % after a second, of the budget", "changes after a second", "C+", "why" },
                 held.Rows.GroupBy(row => row["phase"]).Select(phase => Phase(phase.ToList())));
-            page.Line($"({held.MeasuredOn}.)");
+            page.Line($"({held.Settings}.)");
         }
 
         static string[] Phase(List<ReportTable.Row> rows)

@@ -33,7 +33,7 @@ namespace Host.Report.ErrorTime
                 FormattableString.Invariant($"water at rest (*collapses*), energy never rises above {SweepResult.MaxEnergy} of the start's (*gains energy*), in runs of ") +
                 FormattableString.Invariant($"{SweepResult.SettledAfter} s or more the volume ends below {SweepResult.MaxVolume} (*boils*), and C+ is at most ") +
                 FormattableString.Invariant($"{SweepResult.MaxError * 100:0} % (*is too dense*). The front is of those that hold: none is both cheaper and nearer to rest ") +
-                "density.");
+                "density. Its settings are in front.csv.");
             page.Line();
             if (table.InSoftware)
             {
@@ -70,18 +70,6 @@ namespace Host.Report.ErrorTime
             page.Line();
             if (front.Count == 0)
                 return;
-            page.Line("The front:");
-            page.Line();
-            page.Table(new[] { "method", "substeps x iterations", "ω", "ms moving / settled", "C+ moving / settled", "p99.9",
-                UnrestName(first) + " m/s", "volume", "coincident" },
-                front.Select(r => new[]
-                {
-                    SweepSetting.Method(r.Setting.Deep), Counts(r.Setting), FormattableString.Invariant($"{r.Setting.Relaxation:0.##}"),
-                        FormattableString.Invariant($"{r.MillisecondsMoving:0.000} / {r.MillisecondsSettled:0.000}"),
-                    FormattableString.Invariant($"{r.ErrorMoving * 100:0.00} / {r.ErrorSettled * 100:0.00} %"),
-                        FormattableString.Invariant($"{r.Error999:0.000}"), FormattableString.Invariant($"{r.Unrest:0.000}"),
-                        FormattableString.Invariant($"{r.Volume:0.000}"), FormattableString.Invariant($"{r.Coincident:0}"),
-                }));
             if (!inSoftware)
             {
                 page.Line(Winner(scene, front));

@@ -47,23 +47,31 @@ namespace Host.Report.Extremes
             ReportTable table = page.Load(Name);
             List<ReportTable.Row> rows = table.Rows.ToList();
             int failed = rows.Count(row => row["broken"].Length > 0);
-            page.Line($"`rill report {Name}`, {table.MeasuredOn}. {rows.Count} runs, of which {rows.Count - failed} hold and {failed} " +
-                $"fail. In every run no particle may be lost, outside the box or infinitely fast. *On* and *off* are the setting Deep " +
-                "Water; *default* goes through the component with its own settings. Where particles are crowded the bar on speed is " +
-                "what two steps can add: half a spacing a pass, and two spacings by the grid's density correction.");
+            page.Line($"{rows.Count} runs, of which {rows.Count - failed} hold and {failed} fail: {table.Settings}. In every run no particle " +
+                "may be lost, outside the box or infinitely fast. Where particles are crowded the bar on speed is what two steps can add.");
             page.Line();
             WriteCounts(page, rows);
             page.Table(new[] { "subject", "runs", "hold", "fail" }, rows.GroupBy(row => row["subject"]).Select(subject => new[] { subject.Key,
                 Count(subject, _ => true), Count(subject, row => row["broken"].Length == 0), Count(subject, row => row["broken"].Length > 0) }));
             if (failed == 0)
                 return;
-            page.Line("Runs that fail. Those that hold are in the table below, each with its bar and what was seen:");
+            page.Line("The runs that fail are listed with their figures and bars under [What fails](#what-fails), those that hold in the table below.");
             page.Line();
-            page.Table(new[] { "case", "setting", "bar", "seen", "" }, rows.Where(row => row["broken"].Length > 0)
-                .Select(row => new[] { row["case"], row["setting"], row["bar"], row["seen"], Verdict.Of(row["broken"]) }));
+            page.ListFailures(new[] { "case", "setting", "" }, rows.Where(row => row["broken"].Length > 0)
+                .Select(row => new[] { row["case"], row["setting"], Verdict.Of(Failure(row["broken"], row["bar"], row["seen"])) }));
 
             static string Count(IEnumerable<ReportTable.Row> of, Func<ReportTable.Row, bool> which) => $"{of.Count(which)}";
         }
+
+        /// <summary>What broke, with what was seen and the bar: "jitter 0.7745 m/s (at most 0.05 m/s)". A fault without a figure is only named.</summary>
+        public static string Failure(string broken, string bars, string seen) => string.Join("; ", broken.Split("; ").Select(name =>
+        {
+            string figure = Named(seen, name), bar = Named(bars, name);
+            return figure == null || bar == null ? name : $"{figure} ({bar[name.Length..].Trim()})";
+        }));
+
+        static string Named(string list, string name)
+            => list.Split("; ").FirstOrDefault(part => part.StartsWith(name + " ", StringComparison.Ordinal));
 
         static string Where(List<ReportTable.Row> rows, string column)
         {

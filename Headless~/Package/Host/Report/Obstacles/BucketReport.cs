@@ -85,7 +85,7 @@ namespace Host.Report.Obstacles
                     Figures.Percent(row.Number("largest_error")), Figures.Fixed(row.Number("turning"), 3),
                         Figures.Fixed(row.Number("expected_turning"), 3),
                 }));
-            page.Line($"({table.MeasuredOn}.)");
+            page.Line($"({table.Settings}.)");
             page.Line();
             string file = page.DataFile(Profiles);
             // Of each method the best, and the finest with as many substeps as a scene has when nothing is set.

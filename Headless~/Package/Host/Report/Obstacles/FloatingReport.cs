@@ -74,7 +74,7 @@ namespace Host.Report.Obstacles
                         Figures.Fixed(row.Number("damping_ratio"), 2), Figures.Percent(row.Number("misfit")),
                     };
                 }));
-            page.Line($"({table.MeasuredOn}.)");
+            page.Line($"({table.Settings}.)");
             page.Line();
             page.Line("Where the periods come from was [looked into](floating-study.md#periods-of-heave).");
             page.Line();

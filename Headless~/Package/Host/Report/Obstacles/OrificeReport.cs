@@ -63,7 +63,7 @@ namespace Host.Report.Obstacles
                     Figures.Fixed(row.Number("discharge"), 3), Figures.Percent(row.Number("discharge") / OrificeFlow.SlotCoefficient - 1),
                         Figures.Percent(row.Number("misfit")), row["leaked"],
                 }));
-            page.Line($"({table.MeasuredOn}.)");
+            page.Line($"({table.Settings}.)");
             page.Line();
             page.Line("What becomes of the missing speed was [looked into](solver-study.md#jets).");
             page.Line();

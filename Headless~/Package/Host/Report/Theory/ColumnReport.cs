@@ -44,7 +44,7 @@ namespace Host.Report
                 table.Rows.Select(row => new[] { row["layers"], $"{row["substeps"]} x {row["iterations"]}",
                     Figures.Percent(row.Number("bottom_error")), Figures.Percent(row.Number("largest_error")),
                     Figures.Fixed(row.Number("height_ratio"), 4) }));
-            page.Line($"({table.MeasuredOn}.)");
+            page.Line($"({table.Settings}.)");
             page.Line();
             string file = page.DataFile(Profiles);
             string[] layers = table.Rows.Where(row => row["substeps"] == "1" && row["iterations"] == "2").Select(row => row["layers"]).ToArray();

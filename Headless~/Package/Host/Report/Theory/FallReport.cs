@@ -34,7 +34,7 @@ namespace Host.Report
                     Figures.Fixed(row.Number("fallen_m"), 4), Figures.Fixed(row.Number("theory_m"), 4),
                     Figures.Percent(row.Number("error"), 2), Figures.Percent(row.Number("discrete_error"), 4),
                     Figures.Fixed(row.Number("radius_ratio"), 5) }));
-            page.Line($"({table.MeasuredOn}.)");
+            page.Line($"({table.Settings}.)");
             page.Line();
         }
     }

@@ -90,14 +90,15 @@ namespace Host.Report
                 "without a surface or curved walls. Tank: water that turns in a round tank. For both, what was lost over what a " +
                 "first-order step takes. Wave: water that sloshes in its first mode, 4 d high. Noise: jitter of a still column.");
             page.Line();
+            List<ReportTable.Row> all = front.Rows.ToList();
             page.Table(new[] { "numerical damping", "substeps", "vortex", "tank", "wave: period", "wave: damping, 1/s", "noise, m/s" },
                 front.Rows.Select(row => new[]
             {
                 row["damping"], row["substeps"], Figures.Fixed(row.Number("vortex"), 2), Figures.Fixed(row.Number("tank"), 2),
                     Figures.Percent(row.Number("period_error")), Figures.Fixed(row.Number("wave_damping_per_s"), 3),
                     Figures.Fixed(row.Number("jitter"), 3),
-            }));
-            page.Line($"({front.MeasuredOn}.)");
+            }), i => all[i]["substeps"] == "1");
+            page.Line($"({front.Settings}.)");
             page.Line();
             page.Line("Part of the wave's damping falls as the substeps rise, the step's, and part does not. Fitted as left + by step / substeps:");
             page.Line();

@@ -71,7 +71,7 @@ namespace Host.Report
                     return new[] { $"{Figures.Fixed(seen.Average(), 3)} ± {Figures.Fixed(ReflectedWaves.Deviation(seen), 3)}",
                         Figures.Percent(error), Verdict.Of(System.Math.Abs(error) <= ReflectedWaves.Allowed(finest[turn])) };
                 }))));
-            page.Line($"({table.MeasuredOn}.)");
+            page.Line($"({table.Settings}.)");
             page.Line();
             string file = page.DataFile(Curves);
             IEnumerable<string> lines = groups.Select((group, i) => $"'{file}' using ($1=={group.Key.Across} && " +

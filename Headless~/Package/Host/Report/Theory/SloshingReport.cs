@@ -61,6 +61,8 @@ namespace Host.Report
                 "surface as it should). Damping: of the amplitude a period, as −ln. Water that creeps to its level without a " +
                 "swing has no period (–): waves of half a spacing can.");
             page.Line();
+            List<ReportTable.Row> all = table.Rows.ToList();
+            string lean = all[0]["lean_rad"];
             page.Table(new[] { "depth H, m", "L/d", "layers", "wave, d", "substeps x iterations", "period, s", "theory, s", "error",
                 "offset", "damping a period", "misfit of the cosine" },
                 table.Rows.Select(row => new[]
@@ -71,8 +73,8 @@ namespace Host.Report
                     IfSwings(row, Figures.Fixed(row.Number("period_s"), 3)), Figures.Fixed(row.Number("theory_s"), 3),
                         IfSwings(row, Figures.Percent(row.Number("error"))), Figures.Fixed(row.Number("offset_ratio"), 2),
                         IfSwings(row, Figures.Fixed(row.Number("damping_per_period"), 2)), Figures.Percent(row.Number("misfit")),
-                }));
-            page.Line($"({table.MeasuredOn}.)");
+                }), i => all[i]["substeps"] == "1" && all[i]["iterations"] == "2" && all[i]["lean_rad"] == lean);
+            page.Line($"({table.Settings}.)");
             page.Line();
             string file = page.DataFile(Curves);
             List<ReportTable.Row> drawn = Drawn(table).ToList();

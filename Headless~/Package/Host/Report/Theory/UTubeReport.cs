@@ -63,6 +63,7 @@ namespace Host.Report
                 "squares (a potential flow; the same number is the resistance of a bent conducting sheet, Hall 1967). First order: " +
                 "what a first-order step alone takes, ω² Δt / 2. Water loses more, as a flow around a sharp edge comes off it.");
             page.Line();
+            List<ReportTable.Row> all = table.Rows.ToList();
             page.Table(new[] { "width, d", "numerical damping", "substeps", "period, s", "theory, s", "error", "center line alone",
                 "damping, 1/s", "first order, 1/s", "swings about, d", "misfit of the cosine" }, table.Rows.Select(row => new[]
             {
@@ -71,8 +72,8 @@ namespace Host.Report
                     Figures.Percent(row.Number("period_s") / row.Number("middle_line_s") - 1),
                 Figures.Fixed(row.Number("damping_per_s"), 3), Figures.Fixed(row.Number("first_order_per_s"), 3),
                     Figures.Fixed(row.Number("offset_d"), 2), Figures.Percent(row.Number("misfit")),
-            }));
-            page.Line($"({table.MeasuredOn}.)");
+            }), i => all[i]["substeps"] == "1");
+            page.Line($"({table.Settings}.)");
             page.Line();
             string file = page.DataFile(Curves), finest = table.Rows.Last()["across"];
             IEnumerable<string> lines = table.Rows.Where(row => row["across"] == finest && row["substeps"] == "1").SelectMany((row, i) =>

@@ -47,7 +47,7 @@ namespace Host.Report
                 Figures.Fixed(row.Number("theory"), 3), Figures.Percent(row.Number("ratio") / row.Number("theory") - 1),
                 Figures.Percent(row.Number("speed") - 1),
             }));
-            page.Line($"({table.MeasuredOn}.)");
+            page.Line($"({table.Settings}.)");
             page.Line();
         }
     }

@@ -1,3 +1,6 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
 using Host.Experiments;
 using Host.Report;
 using Host.Report.ErrorTime;
@@ -21,5 +24,10 @@ namespace Host.Studies.Thesis
 
         /// <summary>Whether a run kept its energy. Otherwise it exploded, and is not comparable with the thesis's water.</summary>
         protected static bool IsComparable(ReportTable.Row row) => row.Number("energy") <= MaxEnergy;
+
+        /// <summary>Puts the runs that gained energy among what fails.</summary>
+        protected static void ListFailures(ReportPage page, IEnumerable<bool> kept) => page.ListFailures(
+            new[] { "run", ReportFailures.DeepWater, "energy", FormattableString.Invariant($"at most {MaxEnergy} of the start's") },
+            kept.Select((held, i) => new[] { $"{i}", "off", held ? "" : Verdict.NotComparable, Verdict.Of(held) }));
     }
 }

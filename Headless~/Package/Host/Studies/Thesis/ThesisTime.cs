@@ -47,7 +47,7 @@ namespace Host.Studies.Thesis
                 plot.Script(LogAxis.Script("y", table.Rows.Select(row => row.Number("error") * 100)) +
                     "set xlabel 'time (s)'\nset ylabel 'C+ (%)'\nset format y '%g'\n"));
 
-            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, {end:0.#} s ({table.MeasuredOn}):"));
+            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, {end:0.#} s ({table.Settings}):"));
             page.Line();
             page.Table(new[] { "ω", "C+, second half", "its spread", "highest C+", "highest energy / start's", "the thesis's water" }, series.Select(s =>
             {
@@ -58,6 +58,7 @@ namespace Host.Studies.Thesis
                     $"{Figures.Three(s.Rows.Max(row => row.Number("error")) * 100)} %",
                     FormattableString.Invariant($"{s.Rows.Max(row => row.Number("energy")):0.000}"), KeptEnergy(s.Rows) ? "comparable" : Verdict.NotComparable };
             }));
+            ListFailures(page, series.Select(s => KeptEnergy(s.Rows)));
             var kept = series.Where(s => KeptEnergy(s.Rows)).ToList();
             page.Line("That density falls towards that at rest with ω, the thesis's finding, is held against the second half of each run. "
                 + Agreement(kept.Select(s => (s.Relaxation, s.Rows.Where(row => row.Number("time_s") > end / 2).Average(row => row.Number("error"))))
