@@ -38,7 +38,8 @@ namespace Host.Tests
 
         [Test]
         public void What_holds_no_deep_scene_alone_is_no_answer()
-            => Assert.That(First(), Does.Contain("Not by another iteration alone").And.Contain("holds the tank only").And.Contain("two coarse solves a step hold all"));
+            => Assert.That(First(), Does.Contain("Not by another iteration alone").And.Contain("holds the tank only").And.Contain("two " +
+                "coarse solves a step hold all"));
 
         [Test]
         public void An_iteration_that_holds_every_scene_in_time_is_the_answer()
@@ -64,7 +65,8 @@ namespace Host.Tests
         [Test]
         public void Jacobi_is_the_relaxation_of_the_default_and_single_substeps()
         {
-            List<MethodRun> runs = Runs(Run("omega", Grid, "dam", 0.1, 1), Run("substeps", Grid, "dam", 0.1, 1), Run("substeps", Grid, "dam", 0.1, 1, substeps: 2),
+            List<MethodRun> runs = Runs(Run("omega", Grid, "dam", 0.1, 1), Run("substeps", Grid, "dam", 0.1, 1), Run("substeps", Grid,
+                "dam", 0.1, 1, substeps: 2),
                 Run("iterations", Grid, "dam", 0.1, 1), Run("cell-size", Grid, "dam", 0.1, 1));
             Assert.That(runs.Select(run => run.Method), Is.EqualTo(new[] { MethodRun.Jacobi, MethodRun.Jacobi, MethodRun.Substeps }));
         }

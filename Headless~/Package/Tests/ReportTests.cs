@@ -148,11 +148,20 @@ namespace Host.Tests
         public void Rows_that_are_left_to_the_csv_are_counted_and_those_that_fail_are_shown()
         {
             var page = new ReportPage(folder, folder, "images");
-            page.Table(new[] { "x", "figure", "bar" }, new[] { "yes", "yes", "**no**", "yes" }.Select((verdict, i) => new[] { $"row {i}", "1 %", verdict }),
+            page.Table(new[] { "x", "figure", "bar" }, new[] { "yes", "yes", "**no**", "yes" }.Select((verdict, i) => new[] { $"row {i}",
+                "1 %", verdict }),
                 i => i == 0);
             Assert.That(page.ToString(), Does.Contain("row 0").And.Contain("row 2").And.Contain("2 of 4 rows are in the table below only"));
             Assert.That(page.ToString(), Does.Not.Contain("row 1").And.Not.Contain("row 3"));
             Assert.That(page.Failures.Rows.Single()[3], Is.EqualTo("1 of 4"));
+        }
+
+        [Test]
+        public void The_report_of_the_repository_is_short()
+        {
+            string page = File.ReadAllText(Path.Combine(Session.Root(), "Research~", "report.md"));
+            // Words, not the bars between the cells of its tables.
+            Assert.That(page.Split(' ', '\n', '|').Count(word => word.Any(char.IsLetterOrDigit)), Is.InRange(1_000, 9_000));
         }
 
         [Test]

@@ -53,9 +53,7 @@ namespace Host.Report.ErrorTime
                 from deep in new[] { false, true }
                 select new[] { Title(scene[0]),
                     SweepSetting.Method(deep) }.Concat(Targets.Select(target => Cheapest(scene, deep, target) is { } best
-                    ? FormattableString.Invariant(
-                    $"{best.Milliseconds:0.000} ") +
-                    FormattableString.Invariant($"({Counts(best.Setting)}{(best.Setting.Relaxation == SweepSetting.UsualRelaxation ? "" : FormattableString.Invariant($", ω {best.Setting.Relaxation}"))})") : "–")));
+                    ? FormattableString.Invariant($"{best.Milliseconds:0.000} ({Short(best.Setting)})") : "–")));
         }
 
         static void WriteScene(ReportPage page, List<SweepResult> scene, bool inSoftware)
@@ -83,7 +81,11 @@ namespace Host.Report.ErrorTime
             string text = $"{scene.Count(r => r.Holds)} of {scene.Count} settings hold: " +
                 $"{string.Join(" and ", new[] { false, true }.Select(deep => $"{scene.Count(r => r.Holds && r.Setting.Deep == deep)} of {scene.Count(r => r.Setting.Deep == deep)} {SweepSetting.Method(deep)}"))}.";
             foreach (IGrouping<string, SweepResult> fault in scene.Where(r => !r.Holds).GroupBy(r => r.Fault))
-                text += $" What {fault.Key}: {string.Join("; ", fault.Select(r => r.Setting.ToString()))}.";
+            {
+                IEnumerable<string> methods = from method in fault.GroupBy(r => r.Setting.Deep)
+                                              select $"{SweepSetting.Method(method.Key)} {string.Join(", ", method.Select(r => Short(r.Setting)))}";
+                text += $" What {fault.Key}: {string.Join("; ", methods)}.";
+            }
             SweepResult cut = scene.Find(r => r.Seconds < scene.Max(other => other.Seconds) - 0.1);
             if (cut != null)
                 text += FormattableString.Invariant(
@@ -135,6 +137,8 @@ namespace Host.Report.ErrorTime
 
         static string UnrestName(SweepResult r) => r.IsStill ? "noise" : "jitter";
 
-        static string Counts(SweepSetting setting) => $"{setting.Substeps} x {setting.Iterations}";
+        // "1 x 4 ω 1.2"; without ω where it is the usual one.
+        static string Short(SweepSetting setting) => $"{setting.Substeps} x {setting.Iterations}" +
+            (setting.Relaxation == SweepSetting.UsualRelaxation ? "" : FormattableString.Invariant($" ω {setting.Relaxation}"));
     }
 }

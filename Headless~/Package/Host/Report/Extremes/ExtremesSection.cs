@@ -55,7 +55,8 @@ namespace Host.Report.Extremes
                 Count(subject, _ => true), Count(subject, row => row["broken"].Length == 0), Count(subject, row => row["broken"].Length > 0) }));
             if (failed == 0)
                 return;
-            page.Line("The runs that fail are listed with their figures and bars under [What fails](#what-fails), those that hold in the table below.");
+            page.Line("The runs that fail are listed with their figures and bars under [What fails](#what-fails), those that hold in " +
+                "the table below.");
             page.Line();
             page.ListFailures(new[] { "case", "setting", "" }, rows.Where(row => row["broken"].Length > 0)
                 .Select(row => new[] { row["case"], row["setting"], Verdict.Of(Failure(row["broken"], row["bar"], row["seen"])) }));
@@ -63,7 +64,8 @@ namespace Host.Report.Extremes
             static string Count(IEnumerable<ReportTable.Row> of, Func<ReportTable.Row, bool> which) => $"{of.Count(which)}";
         }
 
-        /// <summary>What broke, with what was seen and the bar: "jitter 0.7745 m/s (at most 0.05 m/s)". A fault without a figure is only named.</summary>
+        /// <summary>Returns what broke, with what was seen and the bar: "jitter 0.7745 m/s (at most 0.05 m/s)". A fault without a figure is only
+        /// named.</summary>
         public static string Failure(string broken, string bars, string seen) => string.Join("; ", broken.Split("; ").Select(name =>
         {
             string figure = Named(seen, name), bar = Named(bars, name);
@@ -82,12 +84,13 @@ namespace Host.Report.Extremes
         static void WriteCounts(ReportPage page, List<ReportTable.Row> rows)
         {
             List<ReportTable.Row> plain = rows.Where(row => row["setting"] == ExtremeSetting.PlainName).ToList(), usual = rows.Except(plain).ToList();
-            page.Table(new[] { "", $"{usual.Count} runs with the correction or the component's defaults", $"{plain.Count} runs of plain iterations" }, new[]
+            page.Table(new[] { "", $"{usual.Count} runs with the correction or the component's defaults",
+                $"{plain.Count} runs of plain iterations" }, new[]
             {
                 Counts("not a number", of => $"{of.Count(row => !double.IsFinite(row.Number("speed_max")))} runs; {Sum(of, "not_finite"):0} " +
                     $"particles that were given as such culled and counted"),
                 Counts("particles outside", of => $"{Sum(of, "outside"):0}"),
-                Counts("closer than 0.05 d to another at the end", of => $"{Sum(of, "coincident"):N0} particles, {Where(of, "coincident")}"),
+                Counts("closer than 0.05 d to another at the end", of => FormattableString.Invariant($"{Sum(of, "coincident"):N0} particles, {Where(of, "coincident")}")),
                 Counts("beyond a cell's or list's capacity",
                     of => $"{Sum(of, "added") - Sum(of, "alive") - Sum(of, "refused") - Sum(of, "not_finite"):0} lost; at most " +
                     $"{of.Max(row => row.Number("overflow")):0} particles with full lists, reported"),

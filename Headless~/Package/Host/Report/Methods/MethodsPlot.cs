@@ -22,7 +22,8 @@ namespace Host.Report.Methods
             for (int i = 0; i < scenes.Count; i++)
             {
                 double left = Left + i * width;
-                string place = FormattableString.Invariant($"set lmargin at screen {left:0.####}\nset rmargin at screen {left + width - Gap:0.####}\n");
+                string place = FormattableString.Invariant($"set lmargin at screen {left:0.####}\nset rmargin at screen ") +
+                    FormattableString.Invariant($"{left + width - Gap:0.####}\n");
                 script += Panel(scenes[i].ToList(), isDefault, slowest, i == 0, x + place +
                     $"set title \"{MethodsSection.SceneTitle(scenes[i].Key, runs)}\" noenhanced\n" +
                     (i == 0 ? "set ylabel 'C+ (%)'\nset key at screen 0.995,0.93 right top vertical noenhanced\n" : "set ylabel ''\nset key off\n"));
@@ -36,7 +37,8 @@ namespace Host.Report.Methods
                                                                        where !double.IsNaN(run.Milliseconds)
                                                                        select new object[] { Math.Min(run.Milliseconds, slowest),
                                                                            double.IsNaN(run.Error) ? High : Math.Clamp(run.Error * 100, Low, High) };
-            var data = new PlotData().Add("using 1:2 with points pt 2 ps 0.7 lc rgb '#b0b0b0' title 'does not hold'", Points(runs.Where(run => !run.Holds)));
+            var data = new PlotData().Add("using 1:2 with points pt 2 ps 0.7 lc rgb '#b0b0b0' title 'does not hold'", Points(runs
+                .Where(run => !run.Holds)));
             string[] methods = MethodRun.Methods.ToArray();
             for (int i = 0; i < methods.Length; i++)
                 foreach (bool grid in new[] { false, true })
@@ -47,9 +49,12 @@ namespace Host.Report.Methods
             string key = !hasKey ? "" : ", NaN with points pt 7 lc rgb '#606060' title 'filled: two coarse solves'" +
                 ", NaN with points pt 6 lc rgb '#606060' title 'open: without'" +
                 string.Concat(methods.Select((method, i) => $", NaN with points ls {i + 1} pt 7 title \"{method}\""));
-            return data.Script(FormattableString.Invariant($"set logscale y\nset yrange [{Low}:{High}]\nset ytics ({Low}, 0.01, 0.1, 1, 10, {High})\n") +
-                FormattableString.Invariant($"set xlabel 'ms a step'\nset object 1 rectangle from {MethodsSection.MinTime},graph 0 to {MethodsSection.MaxTime},graph 1 ") +
-                "fc rgb '#f3ecd8' fs solid noborder behind\nset label 1 '2 to 3 ms' at 2.45,graph 0.03 rotate by 90 left font ',8' tc rgb '#907840'\n" +
+            return data.Script(FormattableString.Invariant($"set logscale y\nset yrange [{Low}:{High}]\nset ytics ({Low}, 0.01, 0.1, ") +
+                FormattableString.Invariant($"1, 10, {High})\n") +
+                FormattableString.Invariant($"set xlabel 'ms a step'\nset object 1 rectangle from {MethodsSection.MinTime},graph 0 to ") +
+                    FormattableString.Invariant($"{MethodsSection.MaxTime},graph 1 ") +
+                "fc rgb '#f3ecd8' fs solid noborder behind\nset label 1 '2 to 3 ms' at 2.45,graph 0.03 rotate by 90 left font ',8' tc " +
+                    "rgb '#907840'\n" +
                 before).TrimEnd('\n') + key + "\n";
         }
     }

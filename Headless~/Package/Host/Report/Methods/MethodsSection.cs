@@ -35,7 +35,8 @@ namespace Host.Report.Methods
             page.Line();
             page.Plot("methods", "C+ against milliseconds for each method in three scenes; runs that do not hold are crosses, the default is a star",
                 MethodsPlot.Script(runs, IsDefault), MethodsPlot.Width, MethodsPlot.Height);
-            page.Line("Lower left is better. Filled circles have the two coarse solves. What leaves more than 100 % or less than 0.001 %, or takes longer than the axis, lies on the edge.");
+            page.Line("Lower left is better. Filled circles have the two coarse solves. What leaves more than 100 % or less than 0.001 " +
+                "%, or takes longer than the axis, lies on the edge.");
             page.Line();
             WriteTable(page, runs);
         }
@@ -53,13 +54,15 @@ namespace Host.Report.Methods
             var lines = new List<string>
             {
                 $"**{Conclude(scenes, heldAlone, heldByGrid)}{OnTop(runs)}{BySubsteps(substeps, withGrid, scenes)}**",
-                $"One substep without the grid, by ω, the neighbors' mean, Chebyshev, scheduled relaxation, Nesterov or Gauss-Seidel: {Held(alone, scenes)}.",
+                $"One substep without the grid, by ω, the neighbors' mean, Chebyshev, scheduled relaxation, Nesterov or Gauss-Seidel: " +
+                    $"{Held(alone, scenes)}.",
                 $"Substeps without the grid: {Held(substeps, scenes)}.",
                 $"Two coarse solves and Jacobi passes: {Held(withGrid, scenes)}.",
             };
             List<string> gains = scenes.Select(scene => Gains(runs, scene)).Where(text => text.Length > 0).ToList();
             if (gains.Count > 0)
-                lines.Add("On top of the grid at equal passes, C+ and noise of Jacobi, then of the iteration that saves most: " + string.Join("; ", gains) + ".");
+                lines.Add("On top of the grid at equal passes, C+ and noise of Jacobi, then of the iteration that saves most: " +
+                    string.Join("; ", gains) + ".");
             return lines;
         }
 
@@ -88,20 +91,24 @@ namespace Host.Report.Methods
         static string OnTop(List<MethodRun> runs)
         {
             double[] gains = OnGrid(runs).Select(pair => pair.Jacobi.Error - pair.Other.Error).ToArray();
-            return gains.Length == 0 ? "" : $" On top of them another iteration saves at most {Figures.Fixed(gains.Max() * 100, 2)} percentage points of C+.";
+            return gains.Length == 0 ? "" : $" On top of them another iteration saves at most {Figures.Fixed(gains.Max() * 100, 2)} " +
+                $"percentage points of C+.";
         }
 
         // "dam, column and tank".
-        static string List(IEnumerable<string> names) => string.Join(", ", names.SkipLast(1)) + (names.Skip(1).Any() ? " and " : "") + names.LastOrDefault();
+        static string List(IEnumerable<string> names) => string.Join(", ", names.SkipLast(1)) + (names.Skip(1).Any() ? " and " : "") +
+            names.LastOrDefault();
 
         // "dam 0 of 62; tank 20 of 62, best 0.03 % at 0.385 ms, noise 0.07 m/s".
         static string Held(List<MethodRun> runs, string[] scenes) => string.Join("; ", scenes.Select(scene =>
         {
             List<MethodRun> here = runs.Where(run => run.Scene == scene).ToList();
-            return $"{here.Count(run => run.Holds)} of {here.Count} hold the {scene}" + (Best(here) is { } best ? $", best {Text(best)} ({best.Setting})" : "");
+            return $"{here.Count(run => run.Holds)} of {here.Count} hold the {scene}" + (Best(here) is { } best
+                ? $", best {Text(best)} ({best.Setting})" : "");
         }));
 
-        static string Text(MethodRun run) => $"{Figures.Fixed(run.Error * 100, 2)} % with {Figures.Three(run.Noise)} m/s at {Figures.Three(run.Milliseconds)} ms";
+        static string Text(MethodRun run) => $"{Figures.Fixed(run.Error * 100, 2)} % with {Figures.Three(run.Noise)} m/s at " +
+            $"{Figures.Three(run.Milliseconds)} ms";
 
         static MethodRun Best(IEnumerable<MethodRun> runs) => runs.Where(run => run.Holds && run.Milliseconds <= MaxTime).MinBy(run => run.Error);
 
@@ -136,25 +143,30 @@ namespace Host.Report.Methods
             if (all.Count == 0)
                 yield break;
             string largest = all.MaxBy(result => result.Particles).SceneId;
-            List<SweepResult> scene = all.Where(result => result.SceneId == largest).ToList(), plain = scene.Where(result => !result.Setting.Deep).ToList();
+            List<SweepResult> scene = all.Where(result => result.SceneId == largest).ToList(), plain = scene.Where(result
+                => !result.Setting.Deep).ToList();
             string held = string.Join("; ", new[] { 2, SolverSettings.Default.iterations }
                 .Select(k => scene.Find(r => r.Holds && r.Setting.Equals(new SweepSetting(true, 1, k)))).Where(r => r != null)
                 .Select(r => $"{r.Setting.Substeps} x {r.Setting.Iterations} leave {Figures.Fixed(r.ErrorMoving * 100, 2)} % moving and " +
-                $"{Figures.Fixed(r.ErrorSettled * 100, 2)} % settled in {Figures.Fixed(r.MillisecondsMoving, 2)} and {Figures.Fixed(r.MillisecondsSettled, 2)} ms"));
+                $"{Figures.Fixed(r.ErrorSettled * 100, 2)} % settled in {Figures.Fixed(r.MillisecondsMoving, 2)} and " +
+                    $"{Figures.Fixed(r.MillisecondsSettled, 2)} ms"));
             yield return $"{ErrorTimePage.Title(scene[0])}: with the grid {(held.Length > 0 ? held : "no such run holds")}; without it " +
-                $"{plain.Count(r => r.Holds)} of {plain.Count} runs hold ({Device(sweep)}; [its table](#{ReportFailures.Anchor(ErrorTimePage.Title(scene[0]))})).";
+                $"{plain.Count(r => r.Holds)} of {plain.Count} runs hold ({Device(sweep)}; [its " +
+                    $"table](#{ReportFailures.Anchor(ErrorTimePage.Title(scene[0]))})).";
         }
 
         static string Device(ReportTable table) => table.MeasuredOn.Split(';')[0];
 
         static string Measured(ReportTable table) => $"The other figures: {Device(table)}, commit {LastCommit}, in the scenes of " +
-            "[Methods](methods.md), which has every study and how to repeat it. A run *holds* if it neither diverged, collapsed nor boiled and its energy " +
+            "[Methods](methods.md), which has every study and how to repeat it. A run *holds* if it neither diverged, collapsed nor " +
+                "boiled and its energy " +
             $"never rose above {Figures.Fixed(SweepResult.MaxEnergy, 2)} of the start's. Both cards are of data centers.";
 
         static void WriteTable(ReportPage page, List<MethodRun> runs)
         {
             string[] scenes = runs.Select(run => run.Scene).Distinct().ToArray();
-            page.Line($"The best of each method within {MaxTime:0} ms, by C+: C+, noise, ms a step (substeps x iterations, setting), and how many of its runs hold.");
+            page.Line($"The best of each method within {MaxTime:0} ms, by C+: C+, noise, ms a step (substeps x iterations, setting), " +
+                $"and how many of its runs hold.");
             page.Line();
             page.Table(new[] { "method", "grid" }.Concat(scenes.Select(scene => SceneTitle(scene, runs))),
                 from grid in new[] { false, true }
@@ -167,7 +179,8 @@ namespace Host.Report.Methods
         static string Cell(List<MethodRun> runs)
         {
             string held = $"{runs.Count(run => run.Holds)} of {runs.Count}";
-            return Best(runs) is { } best ? $"{Figures.Fixed(best.Error * 100, 2)} %, {Figures.Three(best.Noise)} m/s, {Figures.Three(best.Milliseconds)} ms ({best.Setting}); {held}"
+            return Best(runs) is { } best ? $"{Figures.Fixed(best.Error * 100, 2)} %, {Figures.Three(best.Noise)} m/s, " +
+                $"{Figures.Three(best.Milliseconds)} ms ({best.Setting}); {held}"
                 : runs.Any(run => run.Holds) ? $"over {MaxTime:0} ms; {held}" : $"**none**; {held}";
         }
 

@@ -107,7 +107,8 @@ namespace Host.Report.Obstacles
                 };
             }).Append("NaN with lines lc rgb '#606060' lw 1.6 dt 2 title 'dashed: theory'")
                 .Append("NaN with lines lc rgb '#606060' lw 1.4 dt 3 title 'dotted: theory for its own turning'");
-            page.Plot("obstacles-bucket", "Surface of the water in rotating buckets over the radius, with the theory's: the best and the default's substeps",
+            page.Plot("obstacles-bucket", "Surface of the water in rotating buckets over the radius, with the theory's: the best and " +
+                "the default's substeps",
                 "set xlabel 'r, m'\nset ylabel 'height, m'\nplot " + string.Join(", \\\n", lines), 1100, 480);
         }
     }

@@ -139,13 +139,14 @@ namespace Host.Report
             FrontSeries inviscid = FrontSeries.Of(page.Load(Inviscid))[0];
             ReportTable curves = page.Load(Curves);
             IEnumerable<object[]> Ahead(IEnumerable<(double T, double Z)> points)
-                => points.Where(point => !double.IsNaN(inviscid.At(point.T))).Select(point => new object[] { point.T, point.Z - inviscid.At(point.T) });
+                => points.Where(point => !double.IsNaN(inviscid.At(point.T))).Select(point => new object[] { point.T,
+                    point.Z - inviscid.At(point.T) });
             var data = new PlotData().Add("using 1:2 with lines lc rgb 'black' dt 2 lw 1.6 title 'theory: inviscid flow'",
                 Ahead(inviscid.Points));
             for (int i = 0; i < experiments.Count; i++)
                 data.Add($"using 1:2 with points ls {i + 1} title '{ExperimentNames.GetValueOrDefault(experiments[i].Name, experiments[i].Name)}'",
                     Ahead(experiments[i].Points));
-            string middle = $"{table.Rows.Select(row => row.Number("across")).Where(across => across <= 40).Max()}";
+            string middle = table.Rows.Where(row => row.Number("across") <= 40).MaxBy(row => row.Number("across"))["across"];
             string usual = $"{SolverSettings.Default.iterations}";
             List<ReportTable.Row> drawn = table.Rows.Where(row => row["change"] == "" && row["substeps"] == "1"
                 && (row["iterations"] == "2" || row["iterations"] == usual && row["across"] == middle)).ToList();

@@ -87,12 +87,20 @@ namespace Host.Report
                         $"{Figures.Fixed(row.Number("depth_m"), 2)} m, L/d = {row["along"]}'",
                     $"'{file}' using ({chosen} ? $6 : NaN):(100*($8-0.5)) with lines ls {i + 1} notitle",
                 };
-            }).Append("NaN with lines lc rgb '#606060' title 'lines: fits'").Concat(drawn.GroupBy(row => row["depth_m"]).Select((depth, i) =>
-                System.FormattableString.Invariant($"[0:{MaxPeriod * depth.First().Number("theory_s"):0.###}] {100 * Sloshing.Offset(depth.First().Number("depth_m"), depth.First().Number("lean_rad")):0.####}") +
-                $"*(1-cos(2*pi*x/{depth.First()["theory_s"]})) with lines lc rgb 'black' dt 2 lw 0.8 " +
-                (i == 0 ? "title 'theory, without damping'" : "notitle")));
-            page.Plot("experiment-sloshing", "The center of mass of sloshing water over time at three depths, coarsest and finest, with fits and theory",
-                "set samples 400\nset yrange [0:*]\nset xlabel 't, s'\nset ylabel 'center of mass from the center, cm'\nplot " + string.Join(", \\\n", lines), 1100, 520);
+            }).Append("NaN with lines lc rgb '#606060' title 'lines: fits'")
+                .Concat(drawn.GroupBy(row => row["depth_m"]).Select((depth, i) => Theory(depth.First(), i == 0)));
+            page.Plot("experiment-sloshing", "The center of mass of sloshing water over time at three depths, coarsest and finest, " +
+                "with fits and theory",
+                "set samples 400\nset yrange [0:*]\nset xlabel 't, s'\nset ylabel 'center of mass from the center, cm'\nplot " +
+                    string.Join(", \\\n", lines), 1100, 520);
+        }
+
+        // From rest about the level surface, for as long as is played.
+        static string Theory(ReportTable.Row row, bool isNamed)
+        {
+            double period = row.Number("theory_s"), offset = 100 * Sloshing.Offset(row.Number("depth_m"), row.Number("lean_rad"));
+            return System.FormattableString.Invariant($"[0:{MaxPeriod * period:0.###}] {offset:0.####}*(1-cos(2*pi*x/{period})) ") +
+                "with lines lc rgb 'black' dt 2 lw 0.8 " + (isNamed ? "title 'theory, without damping'" : "notitle");
         }
 
         // A fitted period that is longer than the run is not a period.

@@ -81,13 +81,15 @@ namespace Host.Report
                 string chosen = $"$1=={finest} && $2=={row["damping"]} && $3==1";
                 return new[]
                 {
-                    $"'{file}' using ({chosen} ? $4 : NaN):(100*$5) with points ls {i + 1} ps 0.5 title 'numerical damping {row["damping"]}{(row.Number("damping") == SolverSettings.Default.numericalDamping ? ", the default" : "")}'",
+                    $"'{file}' using ({chosen} ? $4 : NaN):(100*$5) with points ls {i + 1} ps 0.5 title 'numerical damping " +
+                        $"{row["damping"]}{(row.Number("damping") == SolverSettings.Default.numericalDamping ? ", the default" : "")}'",
                     $"'{file}' using ({chosen} ? $4 : NaN):(100*$6) with lines ls {i + 1} notitle",
                 };
             });
             ReportTable.Row theory = table.Rows.Last();
-            lines = lines.Append("NaN with lines lc rgb '#606060' title 'lines: fits'").Append(System.FormattableString.Invariant(
-                $"{-100 * Height:0.##}*cos(2*pi*x/{theory.Number("theory_s")}) with lines lc rgb 'black' dt 2 lw 1.2 title 'theory, without damping'"));
+            string swing = System.FormattableString.Invariant($"{-100 * Height:0.##}*cos(2*pi*x/{theory.Number("theory_s")})");
+            lines = lines.Append("NaN with lines lc rgb '#606060' title 'lines: fits'")
+                .Append(swing + " with lines lc rgb 'black' dt 2 lw 1.2 title 'theory, without damping'");
             page.Plot("damping-utube", "The level in a leg of a U-tube over time for three numerical dampings, with fits and theory",
                 "set samples 400\nset xlabel 't, s'\nset ylabel 'level above rest, cm'\nplot " + string.Join(", \\\n", lines));
         }

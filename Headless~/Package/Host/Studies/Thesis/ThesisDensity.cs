@@ -40,15 +40,16 @@ namespace Host.Studies.Thesis
             var series = table.Rows.GroupBy(row => row.Number("relaxation")).OrderBy(group => group.Key)
                 .Select(group => (Relaxation: group.Key, Rows: group.OrderBy(row => row.Number("iterations")).ToArray())).ToList();
 
-            page.Plot("thesis-density", "C+ while the water moves and jitter, against iterations, a line for each relaxation; runs that gained energy are crosses",
+            page.Plot("thesis-density", "C+ while the water moves and jitter, against iterations, a line for each relaxation; runs " +
+                "that gained energy are crosses",
                 "set multiplot layout 1,2\n" + Panel(series, "C+, 0.2 to 2 s (%)", row => row.Number("error_moving") * 100, "set key off")
                     + Panel(series, "jitter (m/s)", row => row.Number("jitter"), "set key inside bottom right") + "unset multiplot\n", 1200, 440);
 
-            page.Line(FormattableString.Invariant(
-                $"{first.Number("particles"):N0} particles, {first.Number("layers")} layers, {first["substeps"]} substep{(first["substeps"] == "1" ? "" : "s")}, ") +
-                FormattableString.Invariant($"{first.Number("seconds"):0.#} s. C+ (mean of max(0, ρ/ρ0 − 1): how far the water is denser than at rest) over ") +
-                $"0.2 to 2 s, and jitter over the last 2 s, m/s. A run whose energy rises above {Text(MaxEnergy)} of the start's is " +
-                $"*{Verdict.NotComparable}* (crosses in the plot):");
+            string substeps = first["substeps"] + (first["substeps"] == "1" ? " substep" : " substeps");
+            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {first.Number("layers")} layers, {substeps}, ") +
+                FormattableString.Invariant($"{first.Number("seconds"):0.#} s. C+ (mean of max(0, ρ/ρ0 − 1): how far the water is denser ") +
+                $"than at rest) over 0.2 to 2 s, and jitter over the last 2 s, m/s. A run whose energy rises above {Text(MaxEnergy)} of the " +
+                $"start's is *{Verdict.NotComparable}* (crosses in the plot):");
             page.Line();
             double[] shown = { series[0].Relaxation, series[^1].Relaxation };
             var columns = series.Where(s => shown.Contains(s.Relaxation)).ToList();
@@ -88,17 +89,22 @@ namespace Host.Studies.Thesis
         static string Agreement((int falls, int pairs) count, string what) => count.pairs == 0
             ? $"{Verdict.NotComparable}, as no two runs that follow each other kept their energy."
             : $"C+ falls in {count.falls} of {count.pairs} steps from one {what} to the next. " + (count.falls == count.pairs ? "Agrees."
-                : count.falls >= 0.9 * count.pairs ? "Agrees but for those." : count.falls > 0.5 * count.pairs ? "Agrees in part." : "Does not agree.");
+                : count.falls >= 0.9 * count.pairs ? "Agrees but for those." : count.falls > 0.5 * count.pairs ? "Agrees in part."
+                    : "Does not agree.");
 
         static string Convergence(List<(double Relaxation, ReportTable.Row[] Rows)> series)
         {
-            var fitted = series.Select(s => (s.Relaxation, Rows: s.Rows.Where(IsComparable).ToArray())).Where(s => s.Rows.Length >= LeastToFit).ToList();
+            var fitted = series.Select(s => (s.Relaxation, Rows: s.Rows.Where(IsComparable).ToArray())).Where(s
+                => s.Rows.Length >= LeastToFit).ToList();
             if (fitted.Count < 2)
                 return $"{Verdict.NotComparable}, as a rate needs {LeastToFit} runs of a ω that kept their energy, for two ω.";
             double slow = Rate(fitted[0].Rows), fast = Rate(fitted[^1].Rows);
-            return FormattableString.Invariant($"C+ falls as the iterations to the power {slow:0.00} at ω {fitted[0].Relaxation} and {fast:0.00} at ω ") +
-                $"{Text(fitted[^1].Relaxation)} (fits). " + (Math.Abs(fast / slow - 1) <= SameRate ? "Agrees: ω lowers the curve and does not make it steeper."
-                : fast < slow ? "Does not agree: here the curve of the larger ω is steeper." : "Agrees, and more: the curve of the larger ω is flatter.");
+            return FormattableString.Invariant($"C+ falls as the iterations to the power {slow:0.00} at ω {fitted[0].Relaxation} and ") +
+                FormattableString.Invariant($"{fast:0.00} at ω ") +
+                $"{Text(fitted[^1].Relaxation)} (fits). " + (Math.Abs(fast / slow - 1) <= SameRate
+                    ? "Agrees: ω lowers the curve and does not make it steeper."
+                : fast < slow ? "Does not agree: here the curve of the larger ω is steeper."
+                    : "Agrees, and more: the curve of the larger ω is flatter.");
         }
 
         static (int falls, int pairs) Falls(ReportTable.Row[][] lines)

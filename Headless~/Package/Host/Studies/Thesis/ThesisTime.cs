@@ -42,21 +42,25 @@ namespace Host.Studies.Thesis
             for (int i = 0; i < series.Count; i++)
                 plot.Add(FormattableString.Invariant($"using 1:2 with lines ls {i + 1}{(KeptEnergy(series[i].Rows) ? "" : " lw 0.8")} title ") +
                     FormattableString.Invariant($"'ω {series[i].Relaxation}{(KeptEnergy(series[i].Rows) ? "" : ", " + Verdict.NotComparable)}'"),
-                    series[i].Rows.Where(row => row.Number("error") > 0).Select(row => new object[] { row.Number("time_s"), row.Number("error") * 100 }));
+                    series[i].Rows.Where(row => row.Number("error") > 0).Select(row => new object[] { row.Number("time_s"),
+                        row.Number("error") * 100 }));
             page.Plot("thesis-time", "C+ over time on a logarithmic axis, a line for each relaxation",
                 plot.Script(LogAxis.Script("y", table.Rows.Select(row => row.Number("error") * 100)) +
                     "set xlabel 'time (s)'\nset ylabel 'C+ (%)'\nset format y '%g'\n"));
 
-            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, {end:0.#} s ({table.Settings}):"));
+            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, {end:0.#} s ") +
+                FormattableString.Invariant($"({table.Settings}):"));
             page.Line();
-            page.Table(new[] { "ω", "C+, second half", "its spread", "highest C+", "highest energy / start's", "the thesis's water" }, series.Select(s =>
+            page.Table(new[] { "ω", "C+, second half", "its spread", "highest C+", "highest energy / start's", "the thesis's water" },
+                series.Select(s =>
             {
                 double[] late = s.Rows.Where(row => row.Number("time_s") > end / 2).Select(row => row.Number("error")).ToArray();
                 double mean = late.Average();
                 return new[] { FormattableString.Invariant($"{s.Relaxation}"), $"{Figures.Three(mean * 100)} %",
                     $"± {Figures.Three(Math.Sqrt(late.Average(e => (e - mean) * (e - mean))) * 100)} %",
                     $"{Figures.Three(s.Rows.Max(row => row.Number("error")) * 100)} %",
-                    FormattableString.Invariant($"{s.Rows.Max(row => row.Number("energy")):0.000}"), KeptEnergy(s.Rows) ? "comparable" : Verdict.NotComparable };
+                    FormattableString.Invariant($"{s.Rows.Max(row => row.Number("energy")):0.000}"), KeptEnergy(s.Rows) ? "comparable"
+                        : Verdict.NotComparable };
             }));
             ListFailures(page, series.Select(s => KeptEnergy(s.Rows)));
             var kept = series.Where(s => KeptEnergy(s.Rows)).ToList();
@@ -71,7 +75,8 @@ namespace Host.Studies.Thesis
         static string Agreement((double Relaxation, double Error)[] runs)
         {
             if (runs.Length < 2)
-                return FormattableString.Invariant($"It is {Verdict.NotComparable}: {runs.Length} of the runs kept their energy within {MaxEnergy} of the start's.");
+                return FormattableString.Invariant($"It is {Verdict.NotComparable}: {runs.Length} of the runs kept their energy within ") +
+                    FormattableString.Invariant($"{MaxEnergy} of the start's.");
             return runs.Zip(runs.Skip(1), (before, next) => next.Error < before.Error).All(fell => fell) ? "It agrees: each larger ω leaves less."
                 : FormattableString.Invariant($"It does not agree throughout: the least is left by ω {runs.MinBy(run => run.Error).Relaxation}.");
         }
