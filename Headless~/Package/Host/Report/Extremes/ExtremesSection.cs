@@ -90,7 +90,8 @@ namespace Host.Report.Extremes
                 Counts("not a number", of => $"{of.Count(row => !double.IsFinite(row.Number("speed_max")))} runs; {Sum(of, "not_finite"):0} " +
                     $"particles that were given as such culled and counted"),
                 Counts("particles outside", of => $"{Sum(of, "outside"):0}"),
-                Counts("closer than 0.05 d to another at the end", of => FormattableString.Invariant($"{Sum(of, "coincident"):N0} particles, {Where(of, "coincident")}")),
+                Counts("closer than 0.05 d to another at the end",
+                    of => FormattableString.Invariant($"{Sum(of, "coincident"):N0} particles, {Where(of, "coincident")}")),
                 Counts("beyond a cell's or list's capacity",
                     of => $"{Sum(of, "added") - Sum(of, "alive") - Sum(of, "refused") - Sum(of, "not_finite"):0} lost; at most " +
                     $"{of.Max(row => row.Number("overflow")):0} particles with full lists, reported"),
