@@ -105,7 +105,8 @@ namespace Rill
                         Invariant($"{fluid.transform.position}, and were left out. ") +
                         $"{ScaleBetween(volume)}Move or shrink the volume, or enlarge the domain.", volume);
                 if (inside > 0)
-                    Upload(positions.GetSubArray(0, inside), volume.Velocity, low, high, fluid.Solver.TagFor(fluid.Phases.PhaseOf(volume.Material), 0));
+                    Upload(positions.GetSubArray(0, inside), volume.Velocity, low, high,
+                        fluid.Solver.TagFor(fluid.Phases.PhaseOf(volume.Material), 0));
                 return inside;
             }
             catch (ArgumentException problem)

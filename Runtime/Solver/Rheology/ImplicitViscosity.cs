@@ -105,7 +105,8 @@ namespace Rill
             }
 
             double strength = Strength(step.Input, step.Layout);
-            cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * StrengthOfHeaviest(step.Input, step.Layout)));
+            double unit = StrengthOfHeaviest(step.Input, step.Layout);
+            cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * unit));
             cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
             cmd.SetComputeVectorParam(shader, Ids.Surface,
                 new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));

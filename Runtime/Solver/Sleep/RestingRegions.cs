@@ -190,7 +190,8 @@ namespace Rill
                 restored = null;
             }
             bool changed = math.distance(input.gravity, last.gravity) > GravityChange * math.length(last.gravity) || input.timeStep != last.timeStep
-                || !StructBytes.AreSame(input.settings, last.settings) || !StructBytes.AreSame(input.material, last.material);
+                || !StructBytes.AreSame(input.settings, last.settings) || !StructBytes.AreSame(input.material, last.material)
+                || !StructBytes.AreSame(input.phases, last.phases);
             if (changed)
                 last = input;
             return changed;

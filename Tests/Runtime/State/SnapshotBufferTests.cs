@@ -104,8 +104,8 @@ namespace Rill.Tests
 
         static SnapshotCase AllStages => new SnapshotCase
         {
-            name = "all stages", density = 500f, deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f, dynamicViscosity = 0.5f,
-            colliders = true, emitter = true, drain = true,
+            name = "all stages", density = 500f, deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f,
+            dynamicViscosity = 0.5f, colliders = true, emitter = true, drain = true,
             field = true, moves = true, sleepSpeed = 0.02f, draws = true,
         };
 

@@ -18,8 +18,9 @@ namespace Rill.Tests
         [Test]
         public void What_takes_more_than_256_threads_or_16_KB_has_a_small_stand_in_of_the_same_name()
         {
-            KernelNeed[] large = KernelNeeds.OfKernels.Where(need => need.Threads > SmallThreads
-                || need.GroupsharedBytes > SmallGroupshared).ToArray();
+            // But for several materials, which the gate leaves out on a smaller device.
+            KernelNeed[] large = KernelNeeds.OfKernels.Where(need => (need.Threads > SmallThreads
+                || need.GroupsharedBytes > SmallGroupshared) && !Features.Of(need).Has(Features.Materials)).ToArray();
             Assert.That(large, Is.Not.Empty);
             foreach (KernelNeed need in large)
             {

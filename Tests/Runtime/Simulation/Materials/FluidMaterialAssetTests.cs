@@ -85,8 +85,8 @@ namespace Rill.Tests
             {
                 for (int i = 1; i < PhaseMaterials.Phases; i++)
                     Assert.That(scene.Fluid.PhaseOf(Material($"Liquid {i}", 800f + i)), Is.EqualTo(i));
-                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': it has no phase left for the material 'Lava', and uses its own " +
-                    "instead: a fluid holds 7 materials besides its own, and has 'Liquid 1', 'Liquid 2'"));
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': it has no phase left for the material 'Lava', and uses " +
+                    "its own instead: a fluid holds 7 materials besides its own, and has 'Liquid 1', 'Liquid 2'"));
                 FluidMaterialAsset lava = Material("Lava", 2500f);
                 Assert.That(scene.Fluid.PhaseOf(lava), Is.Zero);
                 Assert.That(scene.Fluid.PhaseOf(lava), Is.Zero);      // and is logged once

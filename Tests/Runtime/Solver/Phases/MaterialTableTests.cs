@@ -158,7 +158,8 @@ namespace Rill.Tests
         public void Layers_at_rest_stay_so_and_apart(float ratio, double maxSpeed)
         {
             const int side = 16, height = 16;
-            using (TestFluid fluid = Fluid(new float3(side, 24f, side), new int3(side, height, side), 1000f / ratio, p => p.y > 0.5f * height, Settings))
+            using (TestFluid fluid = Fluid(new float3(side, 24f, side), new int3(side, height, side), 1000f / ratio,
+                p => p.y > 0.5f * height, Settings))
             {
                 (float3 position, float3 velocity, bool isOther)[] particles = Particles(fluid.Step(180));
                 double speed = Math.Sqrt(particles.Average(p => math.lengthsq(p.velocity)));

@@ -307,6 +307,9 @@ namespace Rill.Tests
                 case int number: return number + 1;
                 case float3 vector: return vector + new float3(0f, 1f, 0f);
                 case DeepWater mode: return mode == DeepWater.On ? DeepWater.Off : DeepWater.On;
+                case PhaseMaterials phases:
+                    phases.Set(1, 500f, 0f);
+                    return phases;
                 default: throw new System.NotSupportedException($"a change of a {value.GetType()}");
             }
         }
