@@ -69,7 +69,7 @@ namespace Rill
                 return Invariant($"its surface tension of {tension:G4} N/m does not act with {input.settings.iterations} iteration. Take ") +
                     Invariant($"{SurfaceTension.MinIterations} iterations or more, or set Surface Tension to 0.");
             if (problem == Problem.ReplacesOthers)
-                return "its artificial pressure and allowed tension do not act beside its surface tension, which takes their place. Set both " +
+                return "its artificial pressure and allowed tension do not act beside its surface tension, which replaces them. Set both " +
                     "to 0, or Surface Tension to 0.";
             double limit = Limit;
             int substeps = SurfaceTension.Substeps(tension, limit, input.settings.substeps);

@@ -7,7 +7,7 @@ static const uint kMaxPhase = 7;    // largest phase of a particle
 // Materials of the phases, for the kernels that weigh particles.
 cbuffer RillPhases
 {
-    float4 _Phases[8];    // x: mass of a particle, relative to one of the heaviest phase; y: its inverse; z: dynamic viscosity, relative to the largest; w: 0
+    float4 _Phases[8];    // x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, relative to the largest
 };
 
 #endif

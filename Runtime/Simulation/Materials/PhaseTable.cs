@@ -17,7 +17,7 @@ namespace Rill
 
         public PhaseTable(FluidSimulation fluid) => this.fluid = fluid;
 
-        /// <summary>What is wrong with the materials; null for nothing.</summary>
+        /// <summary>Problem of the materials; null for none.</summary>
         public string Problem => tooMany ?? TooLightProblem;
 
         /// <summary>Forgets what was added, as the fluid begins.</summary>
@@ -59,8 +59,8 @@ namespace Rill
                 return phase;
             }
             tooMany = $"it has no phase left for the material '{material.name}', and uses its own instead: a fluid holds " +
-                Invariant($"{PhaseMaterials.Phases - 1} materials besides its own, and has {Names()}. Let some share a material, or put the liquid ") +
-                "into a fluid of its own.";
+                Invariant($"{PhaseMaterials.Phases - 1} materials besides its own, and has {Names()}. Let two liquids have ") +
+                "one material, or put this one into a fluid of its own.";
             if (log.ShouldLog(TooMany))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {tooMany}", fluid);
             return own;

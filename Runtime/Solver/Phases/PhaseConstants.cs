@@ -8,8 +8,7 @@ namespace Rill
     [StructLayout(LayoutKind.Sequential)]
     struct PhaseConstants
     {
-        /// <summary>x: mass of a particle, relative to one of the heaviest phase; y: its inverse; z: dynamic viscosity, relative to the largest;
-        /// w: 0</summary>
+        /// <summary>x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, relative to the largest</summary>
         public PhaseRows phases;
 
         /// <summary>largest phase of a particle</summary>
@@ -19,11 +18,11 @@ namespace Rill
         {
             FluidMaterial own = input.material;
             PhaseMaterials phases = input.phases;
-            float heaviest = phases.Heaviest(own), mostViscous = math.max(phases.MaxViscosity(own), 1e-12f);
+            float heaviest = phases.Heaviest(own), maxViscosity = math.max(phases.MaxViscosity(own), 1e-12f);
             float4 Row(int phase)
             {
                 float mass = math.max(phases.Density(phase, own) / heaviest, 1f / PhaseMaterials.MaxRatio);
-                return new float4(mass, 1f / mass, phases.Viscosity(phase, own) / mostViscous, 0f);
+                return new float4(mass, 1f / mass, phases.Viscosity(phase, own) / maxViscosity, 0f);
             }
             return new PhaseConstants
             {

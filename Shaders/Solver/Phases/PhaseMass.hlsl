@@ -34,7 +34,7 @@ float OwnViscosity(uint i)
     return row.z * row.y;
 }
 
-// The same by another particle: layers of both that shear in series, as at an interface.
+// Viscosity with which another particle brakes it, over its mass: layers of both that shear in series, as at an interface.
 float PairViscosity(uint i, uint j)
 {
     float4 row = PhaseRow(i);

@@ -287,7 +287,7 @@ namespace Rill.Tests
             {
                 "its surface tension of 0.1 N/m does not act with 1 iteration. Take 2 iterations or more, or set Surface Tension to 0.",
                 "N/m: more is not stable at this spacing and substep. Take 2 substeps or a particle spacing of",
-                "its artificial pressure and allowed tension do not act beside its surface tension, which takes their place. Set both to 0,",
+                "its artificial pressure and allowed tension do not act beside its surface tension, which replaces them. Set both to 0,",
             }[fault];
             LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidSimulation 'Dam': .*" + Regex.Escape(expected)));
             FluidSimulation fluid = Dam(f =>
@@ -304,9 +304,9 @@ namespace Rill.Tests
             LogAssert.NoUnexpectedReceived();
             Assert.That(Problems(), Has.Count.EqualTo(1).And.Some.Contains(expected));
 
-            FluidMaterial mended = fluid.Material;
-            mended.allowedTension = 0f;
-            fluid.Material = mended;
+            FluidMaterial corrected = fluid.Material;
+            corrected.allowedTension = 0f;
+            fluid.Material = corrected;
             fluid.Iterations = 4;
             fluid.Substeps = 2;
             yield return Frames(2);

@@ -112,7 +112,7 @@ namespace Rill.Tests
             Assert.That((material.surfaceTension, material.contactAngle), Is.EqualTo(name == "Mercury" ? (0.485f, 140f) : (0f, 90f)));
         }
 
-        // Of Σ = σ Δt² / (ρ d³), which is 3.6 N/m at 1 cm and 1/60 s.
+        // Fractions of ρ d³ / Δt², which is 3.6 N/m at 1 cm and 1/60 s.
         [TestCase(1, true, 0.0)]
         [TestCase(2, false, 0.02)]
         [TestCase(2, true, 0.05)]

@@ -39,8 +39,8 @@ namespace Host.Bench
                 DefaultValueFactory = _ => FluidMaterial.Water.dynamicViscosity };
             var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.",
                 DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
-            var densityRatio = new Option<float>("--density-ratio") { Description = "The upper half is a liquid that is lighter by this factor; 1 for one " +
-                "liquid.", DefaultValueFactory = _ => 1f };
+            var densityRatio = new Option<float>("--density-ratio") {
+                Description = "The upper half is a liquid that is lighter by this factor; 1 for one liquid.", DefaultValueFactory = _ => 1f };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.",
                 DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
@@ -117,8 +117,8 @@ namespace Host.Bench
                 $"x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), " +
                 $"{input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, " +
                 $"velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear " +
-                $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, density ratio {input.phases.Ratio(input.material)}, {input.settings.neighborCapacity} " +
-                $"list entries");
+                $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, density ratio " +
+                $"{input.phases.Ratio(input.material)}, {input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)

@@ -128,7 +128,7 @@ namespace Rill.Tests
             settings.relaxation = 0.9f;
             using (var stages = Listed(ParticleState.Random(count, seed: count + 6), settings, material, iterations: 2))
             {
-                // Of the second pass both the positions before and after it are left.
+                // The second pass leaves the positions before and after it.
                 float4[] before = stages.Multipliers, after = stages.Predicted;
                 double3[] points = Compare.Points(before);
                 double[] multipliers = before.Select(p => (double)p.w).ToArray();

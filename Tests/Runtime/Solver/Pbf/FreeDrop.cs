@@ -14,7 +14,7 @@ namespace Rill.Tests
         public static float Tension(double strength, float timeStep = TimeStep)
             => (float)(strength * 1000.0 * Math.Pow(Spacing, 3.0) / ((double)timeStep * timeStep));
 
-        /// <summary>Makes a fluid without gravity of the points of a lattice of which a shape is true; 0 is the middle of the box.</summary>
+        /// <summary>Makes a fluid without gravity of the points of a lattice of which a shape is true; 0 is the center of the box.</summary>
         /// <param name="strength">Σ of a substep.</param>
         /// <param name="floor">Height above which the shape stands, 0 of which is there then; below 0 for none.</param>
         public static TestFluid Make(float3 box, Func<float3, bool> isIn, double strength, int iterations, float contactAngle = 90f,
