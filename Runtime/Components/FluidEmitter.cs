@@ -255,7 +255,7 @@ namespace Rill
 
         // The drains' stage removes particles when their lifetime is over.
         private protected override FeatureSet UsedFeatures => ((FeatureSet)Features.Emitters).With(Features.Drains, lifetime > 0f)
-            .With(Features.Materials, material != null).With(Features.Viscosity, material != null && material.DynamicViscosity > 0f);
+            | (material != null ? material.UsedFeatures : FeatureSet.None);
 
         private protected override string ValidateValues()
         {

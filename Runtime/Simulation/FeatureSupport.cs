@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Rill
@@ -9,6 +10,7 @@ namespace Rill
         static bool noGraphicsIsLogged;
 
         readonly FluidSimulation fluid;
+        readonly List<FluidVolume> volumes = new List<FluidVolume>();
         FeatureGate gate;
         FeatureSet wanted;       // of the steps of this frame
 
@@ -34,6 +36,11 @@ namespace Rill
                     .With(Features.Statistics, fluid.StatisticsInterval > 0);
                 foreach (Feature feature in Features.OfSettings)
                     used = used.With(feature, feature.IsAsked(null, stored));
+                fluid.GetComponentsInChildren(true, volumes);
+                foreach (FluidVolume volume in volumes)
+                    if (volume.Material != null)
+                        used |= volume.Material.UsedFeatures;
+                volumes.Clear();
                 return used;
             }
         }

@@ -40,6 +40,9 @@ namespace Rill
             return material;
         }
 
+        /// <summary>Features of a fluid that has it besides its own material.</summary>
+        internal FeatureSet UsedFeatures => ((FeatureSet)Features.Materials).With(Features.Viscosity, dynamicViscosity > 0f);
+
         void OnValidate() => ChangedSettings.ApplyLater(this);
 
         void IAppliesSettings.CheckSettings()

@@ -95,6 +95,21 @@ namespace Rill.Tests
             }
         }
 
+        [Test]
+        public void A_build_has_what_the_materials_of_volumes_and_emitters_need()
+        {
+            bool HasViscosity(IUsesFeatures part) => part.UsedFeatures.HasAll(Features.Materials | Features.Viscosity);
+            using (var scene = new SourceScene(Box, Spacing, 100))
+            {
+                FluidEmitter emitter = scene.Add<FluidEmitter>(Vector3.zero, Vector3.down);
+                Assert.That(HasViscosity(scene.Fluid) || HasViscosity(emitter), Is.False);
+                emitter.Material = Material("Oil", 900f, 0.08f);
+                AddVolume(scene, Vector3.one, Vector3.zero, emitter.Material);
+                Assert.That(HasViscosity(emitter));
+                Assert.That(HasViscosity(scene.Fluid));
+            }
+        }
+
         static List<string> ProblemsOf(FluidSimulation fluid)
         {
             var problems = new List<string>();
