@@ -36,6 +36,13 @@ namespace Host.Tests
                 WithMaterial((ref FluidMaterial m) => m.surfaceTension = 1f)), false, false),
             ("surface tension of deep water that sleeps", Both(WithDeepWater((ref SolverSettings s) => s.sleepSpeed = 0.02f),
                 WithMaterial((ref FluidMaterial m) => m.surfaceTension = 1f)), false, false),
+            ("two liquids", s => s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Oil", 500f) }, false, false),
+            ("two viscous liquids in deep water that sleeps",
+                Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }),
+                s => s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Oil", 20f, 1f) }), false, false),
+            ("two liquids with surface tension, less damping",
+                Both(s => s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Oil", 500f) },
+                Both(s => s.Settings = WithDamping(s.Settings), WithMaterial((ref FluidMaterial m) => m.surfaceTension = 1f))), false, false),
             ("three substeps of one iteration", s => s.Settings = WithCounts(s.Settings, substeps: 3, iterations: 1), false, false),
             ("deep water", WithDeepWater((ref SolverSettings s) => { }), false, false),
             ("deep water, one iteration", WithDeepWater((ref SolverSettings s) => s.iterations = 1), false, false),
@@ -90,7 +97,7 @@ namespace Host.Tests
             List<StageDescription> off = simulation.Results.Describe().Where(stage => !stage.IsUsed).ToList();
             Assert.That(off.Select(stage => stage.Name),
                 Is.EquivalentTo(new[] { "Particle access", "Drains", "Transfer", "Resting regions", "Force fields", "Coarse correction", "Colliders",
-                "Particle tags", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam",
+                "Particle tags", "Materials", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam",
                 "Emitters", "Queries", "Query batches", "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);

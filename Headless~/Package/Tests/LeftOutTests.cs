@@ -75,6 +75,14 @@ namespace Host.Tests
                 Material((ref FluidMaterial v) => v.surfaceTension = 1f),
                 Instead(Iterations - 1, "DensityConstraint.compute ApplyDeltaP", "WithTension")
                 .Concat(Instead(1, "DensityConstraint.compute ApplyDeltaPDeep", "WithTension")).ToArray()),
+            ("a second material", null, s => s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Oil", 500f) },
+                new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.TagsA *", "+1 Rill.TagsB *", "+1 Rill.Slips *", "+1 Rill.Phases *",
+                $"-{Iterations} DensityConstraint.compute ApplyDeltaP",
+                $"+{Iterations} DensityConstraint.compute ApplyDeltaP {MaterialTable.Keyword}",
+                $"-{Iterations - 1} DensityConstraint.compute SolveLambda",
+                $"+{Iterations - 1} DensityConstraint.compute SolveLambda {MaterialTable.Keyword}" }
+                .Concat(InVariant(MaterialTable.Keyword, "DensityConstraint.compute BuildList", "VelocityUpdate.compute UpdateVelocityViscous"))
+                .ToArray()),
             ("sleep", null, Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f),
                 new[] { "+1 RestingRegions.compute MeasureMotion", "+1 RestingRegions.compute CountQuiet",
                 "+1 RestingRegions.compute Spread", "+1 Rill.Regions.*" }
@@ -239,6 +247,7 @@ namespace Host.Tests
                 emitter.Lifetime = 0f;
             simulation.BeforeStep -= Nothing;
             simulation.TrackPhases = false;
+            simulation.PhaseMaterials = null;
             if (simulation.Solver.Tags != null)
                 simulation.Restart();       // until then there may be particles with tags
             simulation.Settings = settings;
