@@ -184,6 +184,10 @@ namespace Rill.Editor
                 InspectorRows.Text("Elastic",
                     PresetText.ElasticityText(Simulation.Material, Simulation.ParticleSpacing,
                     Simulation.FixedStep / Simulation.Settings.substeps));
+            PhaseMaterials phases = Simulation.Phases.ForStep();
+            if (phases.Differ(Simulation.Material))
+                InspectorRows.Text("Liquids", Invariant($"densities up to a factor of {phases.Ratio(Simulation.Material):0.##} apart; ") +
+                    Invariant($"to {PhaseMaterials.MaxRatio:0} is possible, and to 20 costs least"));
             if (Simulation.Material.surfaceTension > 0f)
                 InspectorRows.Text("Surface tension",
                     PresetText.TensionText(Simulation.Material, Simulation.Settings, Simulation.ParticleSpacing,

@@ -89,6 +89,15 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void SeveralLiquids(FluidSimulation simulation)
+        {
+            #region Several liquids (materials.md)
+            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", density: 910f, dynamicViscosity: 0.08f);
+            simulation.PhaseMaterials = new[] { oil };
+            simulation.Fill(FluidShape.Box(new Vector3(0f, 0.5f, 0f), Vector3.one * 0.2f), Vector3.zero, oil);
+            #endregion
+        }
+
         static void FollowATarget(FluidSimulation fluid, Transform target, Transform lake)
         {
             #region Follow a target

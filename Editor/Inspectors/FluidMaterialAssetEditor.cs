@@ -1,0 +1,20 @@
+using UnityEditor;
+
+namespace Rill.Editor
+{
+    [CustomEditor(typeof(FluidMaterialAsset))]
+    [CanEditMultipleObjects]
+    sealed class FluidMaterialAssetEditor : RillEditor
+    {
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection("Material", true,
+                new InspectorField("density", "kg/m³"),
+                new InspectorField("dynamicViscosity", "Pa s")),
+        };
+
+        internal override InspectorSection[] Sections => AllSections;
+
+        public override bool RequiresConstantRepaint() => false;
+    }
+}
