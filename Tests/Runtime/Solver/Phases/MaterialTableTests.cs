@@ -89,7 +89,8 @@ namespace Rill.Tests
                 }
                 Assert.That(times.Count, Is.GreaterThan(1), "the wave does not grow");
                 double rate = Slope(times, exponents);
-                TestContext.Out.WriteLine($"ratio {ratio}, {stepRate} Hz, d {spacing}: growth {rate:0.00}/s, theory {expected:0.00}/s, {rate / expected:0.00} of it");
+                TestContext.Out.WriteLine($"ratio {ratio}, {stepRate} Hz, d {spacing}: growth {rate:0.00}/s, theory {expected:0.00}/s, " +
+                    $"{rate / expected:0.00} of it");
                 Assert.That(rate / expected, Is.InRange(0.75, 1.1));
             }
         }
@@ -173,7 +174,8 @@ namespace Rill.Tests
                 double wrong = particles.Count(p => p.isOther != p.position.y > 0.5f * height && math.abs(p.position.y - 0.5f * height) > 0.5f)
                     / (double)particles.Length;
                 FluidStatistics statistics = fluid.Measure();
-                TestContext.Out.WriteLine($"ratio {ratio}, {stepRate} Hz, d {spacing}: {speed:0.00} d/s, at most {limit:0.00}; {100.0 * wrong:0.00} % on the wrong side; " +
+                TestContext.Out.WriteLine($"ratio {ratio}, {stepRate} Hz, d {spacing}: {speed:0.00} d/s, at most {limit:0.00}; " +
+                    $"{100.0 * wrong:0.00} % on the wrong side; " +
                     $"C+ {100f * statistics.densityError:0.00} %, volume {statistics.volumeRatio:0.000}");
                 Assert.That(speed, Is.LessThan(limit));
                 Assert.That(wrong, Is.LessThan(0.01));
