@@ -7,7 +7,7 @@ namespace Host
     {
         public const string Unknown = "unknown";
 
-        /// <summary>Returns its name, "-dirty" behind it where files differ; unknown outside a git repository.</summary>
+        /// <summary>Returns its name, with "-dirty" at the end where files differ; unknown outside a git repository.</summary>
         public static string Describe()
         {
             try

@@ -53,7 +53,7 @@ namespace Rill
             });
 
         public static readonly Feature Materials = new Feature("several materials", "give its phases one material",
-            defines: new[] { MaterialTable.Keyword, "MATERIALS" },
+            defines: new[] { MaterialTable.Keyword },
             asked: (PbfSolver solver, in StepInput step) => MaterialTable.IsNeeded(step),
             turnOff: (ref StepInput step) => step.phases = default,
             make: (PbfSolver solver, in StepInput step) => new MaterialTable(solver.Layout.Capacity),

@@ -15,7 +15,7 @@ namespace Rill
     /// </remarks>
     sealed class MaterialTable : Stage
     {
-        /// <summary>Keyword of the kernels that weigh particles.</summary>
+        /// <summary>Keyword, or define, of the kernels that weigh particles.</summary>
         public const string Keyword = "RILL_MATERIALS";
 
         // Ratios of densities up to which one and two V-cycles solve for the pressure; with fewer the lighter liquid sloshes for ever.

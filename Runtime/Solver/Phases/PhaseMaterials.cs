@@ -18,13 +18,18 @@ namespace Rill
             public float viscosity;     // Pa s
         }
 
+        int last;       // phase with a material of its own; 0 for none
         Row row1, row2, row3, row4, row5, row6, row7;
 
         /// <summary>Gives a phase a material of its own.</summary>
         /// <param name="phase">1 to 7.</param>
         /// <param name="density">kg/m³, above 0.</param>
         /// <param name="viscosity">Dynamic viscosity, Pa s.</param>
-        public void Set(int phase, float density, float viscosity) => RowOf(ref this, phase) = new Row { density = density, viscosity = viscosity };
+        public void Set(int phase, float density, float viscosity)
+        {
+            RowOf(ref this, phase) = new Row { density = density, viscosity = viscosity };
+            last = math.max(last, phase);
+        }
 
         /// <summary>Returns the density of a phase, kg/m³.</summary>
         /// <param name="own">The fluid's own material.</param>
@@ -38,7 +43,7 @@ namespace Rill
         public float Heaviest(in FluidMaterial own)
         {
             float heaviest = own.density;
-            for (int phase = 1; phase < Phases; phase++)
+            for (int phase = 1; phase <= last; phase++)
                 heaviest = math.max(heaviest, Density(phase, own));
             return heaviest;
         }
@@ -47,7 +52,7 @@ namespace Rill
         public float Ratio(in FluidMaterial own)
         {
             float lightest = own.density;
-            for (int phase = 1; phase < Phases; phase++)
+            for (int phase = 1; phase <= last; phase++)
                 lightest = math.min(lightest, Density(phase, own));
             return Heaviest(own) / lightest;
         }
@@ -56,7 +61,7 @@ namespace Rill
         public float MaxViscosity(in FluidMaterial own)
         {
             float most = own.dynamicViscosity;
-            for (int phase = 1; phase < Phases; phase++)
+            for (int phase = 1; phase <= last; phase++)
                 most = math.max(most, Viscosity(phase, own));
             return most;
         }
@@ -65,7 +70,7 @@ namespace Rill
         public double MaxKinematicViscosity(in FluidMaterial own)
         {
             double most = 0.0;
-            for (int phase = 0; phase < Phases; phase++)
+            for (int phase = 0; phase <= last; phase++)
                 most = math.max(most, Viscosity(phase, own) / (double)Density(phase, own));
             return most;
         }
@@ -74,7 +79,7 @@ namespace Rill
         public bool Differ(in FluidMaterial own)
         {
             bool differ = false;
-            for (int phase = 1; phase < Phases; phase++)
+            for (int phase = 1; phase <= last; phase++)
                 differ |= Density(phase, own) != own.density || Viscosity(phase, own) != own.dynamicViscosity;
             return differ;
         }
@@ -83,12 +88,12 @@ namespace Rill
         public PhaseMaterials WithoutViscosity()
         {
             PhaseMaterials thin = this;
-            for (int phase = 1; phase < Phases; phase++)
+            for (int phase = 1; phase <= last; phase++)
                 RowOf(ref thin, phase).viscosity = 0f;
             return thin;
         }
 
-        bool Has(int phase) => phase > 0 && RowOf(ref this, phase).density > 0f;
+        bool Has(int phase) => phase > 0 && phase <= last && RowOf(ref this, phase).density > 0f;
 
         static ref Row RowOf(ref PhaseMaterials of, int phase)
         {

@@ -3,7 +3,7 @@
 #ifndef RILL_COARSE_SLIP_INCLUDED
 #define RILL_COARSE_SLIP_INCLUDED
 
-#if defined(MATERIALS) || defined(RILL_MATERIALS)
+#ifdef RILL_MATERIALS
 
 StructuredBuffer<float> _Slips;     // [kMoved], see PhaseSlip.hlsl
 

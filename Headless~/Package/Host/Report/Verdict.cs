@@ -4,7 +4,7 @@ namespace Host.Report
     static class Verdict
     {
         public const string Yes = "yes", No = "**no**", None = "–";
-        /// <summary>Of a run that gained energy: it is no water, so nothing about water follows from it.</summary>
+        /// <summary>Verdict on a run that gained energy: nothing about water follows from it.</summary>
         public const string NotComparable = "not comparable";
         const string Broken = "**FAILS**: ";
 

@@ -10,7 +10,7 @@ namespace Host.Report.Methods
     {
         public const string Jacobi = "Jacobi", Substeps = "substeps";
 
-        // The study's names, in the page's order. Those of the grid's own settings are no other method.
+        // The study's names, in the page's order. Settings of the grid itself are left out.
         static readonly (string Study, string Method)[] Studies =
         {
             ("omega", "relaxation ω"), ("neighbor-mean", "neighbors' mean (eq. 4.14)"), ("chebyshev", "Chebyshev"), ("srj", "scheduled relaxation"),
@@ -46,7 +46,7 @@ namespace Host.Report.Methods
         public bool HasGrid => row["two_level"] == "1";
         public int SubstepCount => (int)row.Number("substeps");
         public int Iterations => (int)row.Number("iterations");
-        // Of the dam while it moves, of still water at the end.
+        // The dam is judged while it moves, still water at the end.
         bool Moves => Scene == "dam";
         /// <summary>C+; NaN where the run left no number.</summary>
         public double Error => row.Number(Moves ? "error_moving" : "error_settled");

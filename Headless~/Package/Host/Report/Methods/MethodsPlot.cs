@@ -22,9 +22,9 @@ namespace Host.Report.Methods
             for (int i = 0; i < scenes.Count; i++)
             {
                 double left = Left + i * width;
-                string place = FormattableString.Invariant($"set lmargin at screen {left:0.####}\nset rmargin at screen ") +
+                string margins = FormattableString.Invariant($"set lmargin at screen {left:0.####}\nset rmargin at screen ") +
                     FormattableString.Invariant($"{left + width - Gap:0.####}\n");
-                script += Panel(scenes[i].ToList(), isDefault, slowest, i == 0, x + place +
+                script += Panel(scenes[i].ToList(), isDefault, slowest, i == 0, x + margins +
                     $"set title \"{MethodsSection.SceneTitle(scenes[i].Key, runs)}\" noenhanced\n" +
                     (i == 0 ? "set ylabel 'C+ (%)'\nset key at screen 0.995,0.93 right top vertical noenhanced\n" : "set ylabel ''\nset key off\n"));
             }

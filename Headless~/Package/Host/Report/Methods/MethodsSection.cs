@@ -76,7 +76,7 @@ namespace Host.Report.Methods
             return $"{alone}; {grid}, in less than {MaxTime:0} ms.";
         }
 
-        // Substeps cost their time, but they are no other iteration.
+        // Substeps cost time, but the iteration is the same.
         static string BySubsteps(List<MethodRun> substeps, List<MethodRun> withGrid, string[] scenes)
         {
             var held = (from scene in scenes

@@ -88,7 +88,7 @@ namespace Host.Report.Obstacles
             page.Line($"({table.Settings}.)");
             page.Line();
             string file = page.DataFile(Profiles);
-            // Of each method the best, and the finest with as many substeps as a scene has when nothing is set.
+            // The best of each method, and the finest with as many substeps as a scene has when nothing is set.
             string usual = $"{SolverSettings.Default.substeps}";
             ReportTable.Row[] drawn = table.Rows.GroupBy(row => row["deep"]).Select(method => method.OrderBy(row => row.Number("across"))
                 .ThenBy(row => row.Number("friction")).ThenBy(row => row.Number("substeps")).ToList())

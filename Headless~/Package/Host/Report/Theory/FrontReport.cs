@@ -146,10 +146,10 @@ namespace Host.Report
             for (int i = 0; i < experiments.Count; i++)
                 data.Add($"using 1:2 with points ls {i + 1} title '{ExperimentNames.GetValueOrDefault(experiments[i].Name, experiments[i].Name)}'",
                     Ahead(experiments[i].Points));
-            string middle = table.Rows.Where(row => row.Number("across") <= 40).MaxBy(row => row.Number("across"))["across"];
+            string typical = table.Rows.Where(row => row.Number("across") <= 40).MaxBy(row => row.Number("across"))["across"];
             string usual = $"{SolverSettings.Default.iterations}";
             List<ReportTable.Row> drawn = table.Rows.Where(row => row["change"] == "" && row["substeps"] == "1"
-                && (row["iterations"] == "2" || row["iterations"] == usual && row["across"] == middle)).ToList();
+                && (row["iterations"] == "2" || row["iterations"] == usual && row["across"] == typical)).ToList();
             for (int i = 0; i < drawn.Count; i++)
             {
                 ReportTable.Row row = drawn[i];

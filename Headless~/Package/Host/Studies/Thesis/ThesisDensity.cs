@@ -13,7 +13,7 @@ namespace Host.Studies.Thesis
         const string TableName = "thesis-density";
         // Rates that differ by less count as the same.
         const double SameRate = 0.15;
-        const int LeastToFit = 3;
+        const int MinPointsToFit = 3;
 
         public override string Title => "Density against iterations and relaxation (figures 5.3, 5.5, 5.6)";
 
@@ -95,9 +95,9 @@ namespace Host.Studies.Thesis
         static string Convergence(List<(double Relaxation, ReportTable.Row[] Rows)> series)
         {
             var fitted = series.Select(s => (s.Relaxation, Rows: s.Rows.Where(IsComparable).ToArray())).Where(s
-                => s.Rows.Length >= LeastToFit).ToList();
+                => s.Rows.Length >= MinPointsToFit).ToList();
             if (fitted.Count < 2)
-                return $"{Verdict.NotComparable}, as a rate needs {LeastToFit} runs of a ω that kept their energy, for two ω.";
+                return $"{Verdict.NotComparable}, as a rate needs {MinPointsToFit} runs of a ω that kept their energy, for two ω.";
             double slow = Rate(fitted[0].Rows), fast = Rate(fitted[^1].Rows);
             return FormattableString.Invariant($"C+ falls as the iterations to the power {slow:0.00} at ω {fitted[0].Relaxation} and ") +
                 FormattableString.Invariant($"{fast:0.00} at ω ") +

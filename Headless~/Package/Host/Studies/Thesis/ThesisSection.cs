@@ -27,7 +27,7 @@ namespace Host.Studies.Thesis
                 "with a relaxation ω. " +
                 "Here its figures are measured on this solver with *Deep Water* off, on a breaking dam, and set beside what the thesis found. " +
                 "Hardware, scene and code are others, so shapes are compared, not milliseconds. A run that gains more than 1 % of energy " +
-                $"is no water and *{Verdict.NotComparable}*.");
+                $"is *{Verdict.NotComparable}*.");
             page.Line();
             foreach (ThesisFigure figure in figures)
             {
