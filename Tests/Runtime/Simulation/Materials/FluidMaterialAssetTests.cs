@@ -103,10 +103,10 @@ namespace Rill.Tests
             {
                 FluidEmitter emitter = scene.Add<FluidEmitter>(Vector3.zero, Vector3.down);
                 Assert.That(HasViscosity(scene.Fluid) || HasViscosity(emitter), Is.False);
-                emitter.Material = Material("Oil", 900f, 0.08f);
-                AddVolume(scene, Vector3.one, Vector3.zero, emitter.Material);
-                Assert.That(HasViscosity(emitter));
+                AddVolume(scene, Vector3.one, Vector3.zero, Material("Honey", 1400f, 10f));
                 Assert.That(HasViscosity(scene.Fluid));
+                emitter.Material = Material("Oil", 900f, 0.08f);
+                Assert.That(HasViscosity(emitter));
             }
         }
 
