@@ -28,7 +28,8 @@ namespace Rill.Tests
                 deepWater = DeepWater.On, depth = 0.6f
             };
             yield return new SnapshotCase { name = "emitter with phase and lifetime", emitter = true, steps = 20 };
-            yield return new SnapshotCase {
+            yield return new SnapshotCase
+            {
                 name = "two liquids", emitter = true, density = 500f, deepWater = DeepWater.On, depth = 0.6f, steps = 20
             };
             yield return new SnapshotCase { name = "drain that recycles", emitter = true, drain = true, steps = 20, frameSteps = 0.7f };
