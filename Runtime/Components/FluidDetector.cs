@@ -268,12 +268,13 @@ namespace Rill
             {
                 double volume = queries.DetectorSum(slot, index, 3 + phase);
                 latest.phases[phase] = (float)(volume * particle);
+                latest.masses[phase] = latest.phases[phase] * Simulation.Phases.Density(phase, frame.density);
+                latest.mass += latest.masses[phase];
                 count += volume;
             }
             var sum = new double3(queries.DetectorSum(slot, index, 0), queries.DetectorSum(slot, index, 1), queries.DetectorSum(slot, index, 2));
             latest.volume = (float)(count * particle);
             latest.fill = math.saturate(latest.volume / pose.volume);
-            latest.mass = latest.volume * frame.density;
             latest.hasVelocity = count > 0.0;
             if (!latest.hasVelocity)
                 return;

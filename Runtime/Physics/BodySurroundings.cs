@@ -33,6 +33,9 @@ namespace Rill
 
         public FluidSimulation Fluid => fluid;
 
+        /// <summary>Density of the liquid around the body, kg/m³: of several, the mean of those beside it.</summary>
+        public float Density => water != null && water.Density > 0f ? water.Density : fluid.Material.density;
+
         /// <summary>Looks around the body.</summary>
         /// <param name="center">Center of mass, world space, m.</param>
         /// <param name="touches">Whether the fluid presses on it.</param>
@@ -41,10 +44,13 @@ namespace Rill
         /// <returns>All 0 where what was measured needs nothing beside it.</returns>
         public StillWater Look(List<BodyPart> parts, float mass, Vector3 center, bool touches, float time, float knownLevel)
         {
+            bool isMixed = touches && fluid.Phases.Differ;
+            if (isMixed)
+                water?.Read();
             Vector3 gravity = fluid.Gravity;
             float g = gravity.magnitude, weight = g > 0f ? Weight(parts, mass, gravity / -g) : 0f;
             bool isNear = (touches || weight > 0f) && g > 0f && FindSolids(parts);
-            if (!isNear && !(weight > 0f))
+            if (!isNear && !(weight > 0f) && !(isMixed && g > 0f))
             {
                 unneeded += time;
                 if (unneeded > Patience)
@@ -61,7 +67,7 @@ namespace Rill
             samples.Clear();
             foreach (BodyPart part in parts)
                 SurfaceSamples.Append(samples, part.shape, part.field, fluid.ParticleSpacing);
-            return Sum(center, up, fluid.Material.density * g, isNear, weight);
+            return Sum(center, up, Density * g, isNear, weight);
         }
 
         /// <summary>Puts what was asked into a snapshot.</summary>
@@ -103,9 +109,9 @@ namespace Rill
                 high = math.max(high, center + half);
                 volume += part.volume;
             }
-            if (fluid.Clock.DropsTime && mass < fluid.Material.density * volume)
+            if (fluid.Clock.DropsTime && mass < Density * volume)
                 return 1f;
-            float draft = mass / (fluid.Material.density * volume) * (high - low) / fluid.ParticleSpacing;
+            float draft = mass / (Density * volume) * (high - low) / fluid.ParticleSpacing;
             return math.saturate((HeavyDraft - draft) / (HeavyDraft - LightDraft));
         }
 

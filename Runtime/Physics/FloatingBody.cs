@@ -59,9 +59,10 @@ namespace Rill
         {
             if (parts.Count > 0)
             {
-                StillWater still = SurroundingsIn(fluid).Look(parts, mass, center, touches, step.Time, response.Level);
+                BodySurroundings around = SurroundingsIn(fluid);
+                StillWater still = around.Look(parts, mass, center, touches, step.Time, response.Level);
                 waits |= still.isPending;
-                response.EndFluid(fluid.Material.density, fluid.Gravity, still);
+                response.EndFluid(around.Density, fluid.Gravity, still);
             }
             touches = false;
         }

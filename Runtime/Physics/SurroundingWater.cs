@@ -41,6 +41,9 @@ namespace Rill
         /// <summary>Mean velocity of the surface there relative to the fluid's box, m/s.</summary>
         public Vector3 Velocity { get; private set; }
 
+        /// <summary>Mean density of the water where there is some beside the points, kg/m³; 0 where none is known.</summary>
+        public float Density { get; private set; }
+
         /// <summary>Begins the points of the next question.</summary>
         public void Clear() => asked = 0;
 
@@ -51,13 +54,26 @@ namespace Rill
         public void Update()
         {
             batch.SetPoints(points, 0, asked);
+            Read();
+        }
+
+        /// <summary>Takes the newest answer.</summary>
+        public void Read()
+        {
             wet = dry = 0;
             Level = 0f;
             Velocity = Vector3.zero;
+            float density = 0f;
+            int weighed = 0;
             for (int i = 0; i < MaxPoints; i++)
             {
                 if (!batch.TryGetSample(i, out FluidProbeSample sample))
                     continue;
+                if (sample.hasVelocity)
+                {
+                    density += Fluid.Phases.Density(sample.phase, Fluid.Material.density);
+                    weighed++;
+                }
                 if (!sample.hasSurface)
                 {
                     dry++;
@@ -69,6 +85,7 @@ namespace Rill
             }
             Level /= Math.Max(wet, 1);
             Velocity /= Math.Max(wet, 1);
+            Density = weighed > 0 ? density / weighed : Density;
         }
 
         /// <summary>Puts the answers, and those that are pending, into a snapshot.</summary>

@@ -202,7 +202,7 @@ namespace Rill
             result = default;
             if (Statistics == null || !Statistics.HasResult)
                 return false;
-            result = FluidStatistics.From(Statistics.Latest, Layout, input.material.density, input.gravity, input.timeStep);
+            result = FluidStatistics.From(Statistics.Latest, Layout, input);
             if (!Rill.ImplicitViscosity.IsNeeded(input))
                 result.viscosityChange = 0f;
             return true;

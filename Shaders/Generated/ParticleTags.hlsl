@@ -4,5 +4,6 @@
 
 static const uint kTagStepMask = 0x00FFFFFFu;    // bits of a tag that hold a step
 static const uint kTagPhaseShift = 24;    // above them, the phase
+static const uint kTagPhaseBits = 3;    // bits of a phase
 
 #endif

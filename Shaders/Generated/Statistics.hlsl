@@ -3,6 +3,15 @@
 #define RILL_GENERATED_STATISTICS_INCLUDED
 
 static const uint kQuantityCount = 22;    // words that Quantity numbers
+static const uint kPhaseQuantityCount = 8;    // words that PhaseQuantity numbers
+static const uint kPhaseSums = 64;    // words of all phases in _Statistics
+static const uint kFirstPhaseSum = 42;    // first of them
+
+// Sums over the particles of a phase.
+static const uint kPhaseCount = 0;
+static const uint kPhaseSpeedSquared = 1;
+static const uint kPhasePosition = 2;    // and 3, 4
+static const uint kPhaseVelocity = 5;    // and 6, 7
 
 // Measured quantities: sums, then maxima.
 static const uint kCount = 0;

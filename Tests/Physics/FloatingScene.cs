@@ -29,10 +29,11 @@ namespace Rill.Tests
 
         /// <param name="size">Sides of a box, m; of a ball its diameter.</param>
         /// <param name="layers">Of water.</param>
+        /// <param name="liquid">Material of the liquid in the tank; null for the fluid's own.</param>
         /// <param name="byLayer">A collider of Unity's physics that the fluid takes by layer, instead of a Fluid Collider with a Fluid
         /// Buoyancy.</param>
         public FloatingScene(ColliderShape shape, Vector3 size, float densityRatio, float height, int layers = 12, int side = 26,
-            DeepWater deepWater = DeepWater.On, bool byLayer = false)
+            DeepWater deepWater = DeepWater.On, bool byLayer = false, FluidMaterialAsset liquid = null)
         {
             Side = side * Spacing;
             var tank = new Vector3(Side, 40 * Spacing, Side);
@@ -47,7 +48,9 @@ namespace Rill.Tests
             GameObject water = Make("Water");
             water.transform.SetParent(fluid.transform, false);
             water.transform.localPosition = new Vector3(0f, (layers * Spacing - tank.y) / 2f, 0f);
-            water.AddComponent<FluidVolume>().Size = new Vector3(Side, layers * Spacing, Side);
+            FluidVolume volume = water.AddComponent<FluidVolume>();
+            volume.Size = new Vector3(Side, layers * Spacing, Side);
+            volume.Material = liquid;
 
             GameObject body = Make("Body");
             body.transform.position = new Vector3(0f, height, 0f);

@@ -55,6 +55,20 @@ namespace Rill.Tests
             Assert.That(scene.Speeds.Last(), Is.LessThan(0.1f));
         }
 
+        [UnityTest]
+        public IEnumerator A_light_body_floats_in_a_lighter_liquid_at_the_draft_that_it_has_there()
+        {
+            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 0.5f * FloatingScene.Density);
+            var size = new Vector3(0.5f, 0.3f, 0.5f);
+            scene = new FloatingScene(ColliderShape.Box, size, 0.1f, 0.6f + 0.5f * size.y, side: 22, liquid: oil);
+            yield return scene.Play(4f);
+            float draft = scene.Level - (scene.Heights.Skip(scene.Heights.Count - 60).Average() - 0.5f * size.y);
+            TestContext.Out.WriteLine($"draft {draft:0.000} m for {0.2f * size.y:0.000}, {scene.Buoyancy.SubmergedFraction:0.00} under water");
+            Assert.That(draft, Is.EqualTo(0.2f * size.y).Within(0.4f * FloatingScene.Spacing));
+            Assert.That(scene.Buoyancy.SubmergedFraction, Is.EqualTo(0.2f).Within(0.06f));
+            Object.Destroy(oil);
+        }
+
         // Draft of a prism; for a ball whose cap of the depth x, as a fraction of its diameter, has the fraction 3x² - 2x³.
         static float Draft(ColliderShape shape, float height, float density)
         {

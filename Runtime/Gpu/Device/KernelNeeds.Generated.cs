@@ -405,6 +405,8 @@ namespace Rill
             new KernelNeed("Statistics", "Measure", "", 128, 11264, 7, 2, 0),
             new KernelNeed("Statistics", "MeasureWithColliders", "WITH_COLLIDERS", 128, 11264, 9, 2, 0),
             new KernelNeed("Statistics", "Reduce", "REDUCE", 256, 2048, 4, 2, 0),
+            new KernelNeed("Statistics", "MeasurePhases", "PHASES", 128, 4608, 6, 1, 0),
+            new KernelNeed("Statistics", "ReducePhases", "REDUCE_PHASES", 256, 1024, 3, 1, 0),
             new KernelNeed("ImplicitViscosity", "ApplyProjection", "DEEP", 128, 0, 4, 2, 0),
             new KernelNeed("ImplicitViscosity", "ApplyProjection", "DEEP RILL_MATERIALS", 128, 0, 5, 2, 0),
             new KernelNeed("ImplicitViscosity", "ApplyProjection", "DEEP RILL_SLEEP", 128, 0, 4, 2, 0),

@@ -90,7 +90,12 @@ namespace Rill
         }
 
         /// <summary>Region whose particles go to one of the fluids, where water can flow.</summary>
-        internal TransferRegion RegionTo(FluidSimulation fluid) => state.RegionTo(fluid == attachedFirst);
+        internal TransferRegion RegionTo(FluidSimulation fluid)
+        {
+            TransferRegion region = state.RegionTo(fluid == attachedFirst);
+            region.phaseChanges = fluid.Phases.ChangesFrom(Other(fluid).Phases);
+            return region;
+        }
 
         /// <summary>The fluid at the other end.</summary>
         internal FluidSimulation Other(FluidSimulation fluid) => fluid == attachedFirst ? attachedSecond : attachedFirst;

@@ -66,6 +66,29 @@ namespace Rill
             return own;
         }
 
+        /// <summary>Whether the phases of the last steps differed in density or viscosity.</summary>
+        public bool Differ => fluid.Input.phases.Differ(fluid.Material);
+
+        /// <summary>Returns the density with which the particles of a phase move, kg/m³.</summary>
+        /// <param name="phase">0 to 7.</param>
+        /// <param name="own">Density of the fluid's own material.</param>
+        public float Density(int phase, float own) => (fluid.StepCount > 0 ? fluid.Input.phases : ForStep()).Density(phase, own);
+
+        /// <summary>Finds phases for the materials of a connected fluid, whose particles come with them.</summary>
+        /// <returns><see cref="ParticleTags.PhaseBits"/> for each phase of the other fluid, from phase 0 on: the bits that differ in the number
+        /// that it has here. A phase without a material keeps its number, or becomes phase 0 where a material has the number.</returns>
+        public uint ChangesFrom(PhaseTable other)
+        {
+            uint changes = 0;
+            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
+            {
+                FluidMaterialAsset material = other[phase];
+                int here = material != null ? PhaseOf(material) : this[phase] == null ? phase : 0;
+                changes |= (uint)(phase ^ here) << ParticleTags.PhaseBits * phase;
+            }
+            return changes;
+        }
+
         /// <summary>Returns the materials for a step, within what a fluid can hold together.</summary>
         public PhaseMaterials ForStep()
         {

@@ -27,59 +27,24 @@ namespace Rill
         public bool hasVelocity;
         /// <summary>Mean velocity of the water relative to the box, m/s; 0 where <see cref="hasVelocity"/> is false.</summary>
         public Vector3 velocity;
-        /// <summary>Momentum of the water relative to the box, kg m/s.</summary>
+        /// <summary>Momentum of the water relative to the box, kg m/s: mass times mean velocity, which is an estimate where liquids of different
+        /// densities pass each other.</summary>
         public Vector3 momentum;
 
-        internal PhaseVolumes phases;
+        internal PhaseValues phases, masses;
 
         /// <summary>Volume of the water of one phase in the shape, m³.</summary>
         /// <param name="phase">As an emitter gives it, 0 to 7.</param>
         /// <exception cref="System.ArgumentOutOfRangeException">No phase has this number.</exception>
         public float VolumeOf(int phase) => phases[phase];
 
+        /// <summary>Mass of the water of one phase in the shape, kg: its volume times the density of its material.</summary>
+        /// <param name="phase">As an emitter gives it, 0 to 7.</param>
+        /// <exception cref="System.ArgumentOutOfRangeException">No phase has this number.</exception>
+        public float MassOf(int phase) => masses[phase];
+
         /// <summary>Returns what was found in one line, with units.</summary>
         public override string ToString() => !valid ? "not measured"
             : Invariant($"{volume:0.#####} m³, {fill:P0} full, velocity {velocity:0.00} m/s, step {step}, {age:0.000} s old");
-    }
-
-    /// <summary>A volume for each phase, m³: an array that is not an object.</summary>
-    struct PhaseVolumes
-    {
-        float v0, v1, v2, v3, v4, v5, v6, v7;
-
-        public float this[int phase]
-        {
-            get
-            {
-                switch (phase)
-                {
-                    case 0: return v0;
-                    case 1: return v1;
-                    case 2: return v2;
-                    case 3: return v3;
-                    case 4: return v4;
-                    case 5: return v5;
-                    case 6: return v6;
-                    case 7: return v7;
-                    default:
-                        throw Limit.OutOfRange(nameof(phase), phase,
-                        Invariant($"Phase {phase}: phases are 0 to {Queries.Phases - 1}."));
-                }
-            }
-            set
-            {
-                switch (phase)
-                {
-                    case 0: v0 = value; break;
-                    case 1: v1 = value; break;
-                    case 2: v2 = value; break;
-                    case 3: v3 = value; break;
-                    case 4: v4 = value; break;
-                    case 5: v5 = value; break;
-                    case 6: v6 = value; break;
-                    case 7: v7 = value; break;
-                }
-            }
-        }
     }
 }

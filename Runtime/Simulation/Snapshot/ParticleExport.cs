@@ -16,13 +16,18 @@ namespace Rill
                 throw new InvalidOperationException($"FluidSimulation '{fluid.name}' is not running: enable it before you export particles.");
             fluid.GetPose(out _, out Quaternion rotation);
             DomainFrame frame = fluid.Box.Frame;
-            float spacing = fluid.ParticleSpacing, density = fluid.Material.density;
+            float spacing = fluid.ParticleSpacing;
+            var restDensities = new float[PhaseMaterials.Phases];
+            for (int phase = 0; phase < restDensities.Length; phase++)
+                restDensities[phase] = fluid.Phases.Density(phase, fluid.Material.density);
             double time = fluid.FluidTime;
             fluid.Solver.CaptureParticles().Request((contents, problem) => done(contents != null
-                ? FrameOf(contents, frame, rotation, spacing, density, time) : null, problem));
+                ? FrameOf(contents, frame, rotation, spacing, restDensities, time) : null, problem));
         }
 
-        static ParticleFrame FrameOf(SnapshotContents contents, in DomainFrame frame, Quaternion rotation, float spacing, float density, double time)
+        // Rest densities are by phase.
+        static ParticleFrame FrameOf(SnapshotContents contents, in DomainFrame frame, Quaternion rotation, float spacing, float[] restDensities,
+            double time)
         {
             ReadOnlySpan<float4> from = contents.Values<float4>(SnapshotSection.Positions),
                 moving = contents.Values<float4>(SnapshotSection.Velocities);
@@ -42,8 +47,8 @@ namespace Rill
                     continue;
                 positions[to] = frame.World(new RigidPose(from[i].xyz, quaternion.identity)).position;
                 velocities[to] = rotation * (Vector3)(moving[i].xyz * spacing);
-                densities[to] = moving[i].w * density;
                 phases[to] = tags.Length > 0 ? (byte)(tags[i] >> ParticleTags.PhaseShift) : (byte)0;
+                densities[to] = moving[i].w * restDensities[phases[to]];
                 ids[to++] = named[i];
             }
             return new ParticleFrame(positions, velocities, densities, phases, ids, time);

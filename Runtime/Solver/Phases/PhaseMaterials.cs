@@ -33,7 +33,11 @@ namespace Rill
 
         /// <summary>Returns the density of a phase, kg/m³.</summary>
         /// <param name="own">The fluid's own material.</param>
-        public float Density(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).density : own.density;
+        public float Density(int phase, in FluidMaterial own) => Density(phase, own.density);
+
+        /// <summary>Returns the density of a phase, kg/m³.</summary>
+        /// <param name="own">Density of the fluid's own material.</param>
+        public float Density(int phase, float own) => Has(phase) ? RowOf(ref this, phase).density : own;
 
         /// <summary>Returns the dynamic viscosity of a phase, Pa s.</summary>
         /// <param name="own">The fluid's own material.</param>

@@ -21,9 +21,10 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
         readonly KernelVariants measure;        // with colliders
-        readonly Kernel reduce;
+        readonly Kernel reduce, measurePhases, reducePhases;
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize));
-        GraphicsBuffer partials, histogram;
+        readonly int groups;
+        GraphicsBuffer partials, histogram, phasePartials;
 
         /// <param name="errors">Learns of results that the device did not give; may be null.</param>
         public StatisticsPass(int capacity, ReadbackErrors errors = null)
@@ -32,7 +33,9 @@ namespace Rill
             readback.Lost = readback.Invalidate;        // an older one would be taken for new
             measure = new KernelVariants(shader, "Measure", "MeasureWithColliders");
             reduce = new Kernel(shader, "Reduce");
-            int groups = ParticleBuffers.Groups(capacity);
+            measurePhases = new Kernel(shader, "MeasurePhases");
+            reducePhases = new Kernel(shader, "ReducePhases");
+            groups = ParticleBuffers.Groups(capacity);
             partials = Buffers.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
             histogram = Buffers.Structured<uint>("Rill.Statistics.Histogram", Bins);
             Buffers.AddShared("Rill.Statistics.Results", readback.Buffer, "_Statistics");
@@ -72,8 +75,28 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, reduce, ParticleIds.Counters, particles.Counters);
             Buffers.Bind(cmd, shader, reduce);
             cmd.DispatchCompute(shader, reduce, 1, 1, 1);
+            if (MeasuresPhases(step.Input))
+                RecordPhases(step);
             cmd.EndSample(Marker);
         }
+
+        // After the reduction, which clears the sums of the phases.
+        void RecordPhases(in StepContext step)
+        {
+            CommandBuffer cmd = step.Commands;
+            phasePartials ??= Buffers.Structured<float>("Rill.Statistics.PhasePartials", (long)groups * FluidStatistics.PhaseSums);
+            step.Particles.Bind(cmd, shader, measurePhases);
+            cmd.SetComputeBufferParam(shader, measurePhases, ParticleIds.Order, step.Search.CellOrder);
+            cmd.SetComputeBufferParam(shader, measurePhases, ParticleTags.Ids.Tags, step.Tags);
+            Buffers.Bind(cmd, shader, measurePhases);
+            cmd.DispatchCompute(shader, measurePhases, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+
+            cmd.SetComputeBufferParam(shader, reducePhases, ParticleIds.Counters, step.Particles.Counters);
+            Buffers.Bind(cmd, shader, reducePhases);
+            cmd.DispatchCompute(shader, reducePhases, FluidStatistics.PhaseSums, 1, 1);
+        }
+
+        static bool MeasuresPhases(in StepInput input) => input.tracksPhases || MaterialTable.IsNeeded(input);
 
         /// <summary>Asks for what was recorded, after its command buffer was executed. Nothing while a result is pending.</summary>
         public void Request() => readback.Request();
@@ -108,6 +131,11 @@ namespace Rill
                 description.Kernel(step.Colliders.FindBoundary, 0);
             description.Kernel(stage.measure.For(step.Colliders != null), 0);
             description.Kernel(stage.reduce, 0);
+            if (MeasuresPhases(step.Input))
+            {
+                description.Kernel(stage.measurePhases, 0);
+                description.Kernel(stage.reducePhases, 0);
+            }
             stage.Buffers.Describe(description);
             return description;
         }

@@ -13,7 +13,16 @@ namespace Rill
         /// <summary>words that <see cref="Quantity"/> numbers</summary>
         [GenerateHlsl("Statistics")] internal const int QuantityCount = 22;
 
-        internal const int BlockSize = QuantityCount + 2 + ParticleBuffers.CounterCount;
+        /// <summary>words that PhaseQuantity numbers</summary>
+        [GenerateHlsl("Statistics")] internal const int PhaseQuantityCount = 8;
+
+        /// <summary>words of all phases in _Statistics</summary>
+        [GenerateHlsl("Statistics")] internal const int PhaseSums = PhaseMaterials.Phases * PhaseQuantityCount;
+
+        /// <summary>first of them</summary>
+        [GenerateHlsl("Statistics")] internal const int FirstPhaseSum = QuantityCount + 2 + ParticleBuffers.CounterCount;
+
+        internal const int BlockSize = FirstPhaseSum + PhaseSums;
 
         /// <summary>Measured quantities: sums, then maxima.</summary>
         [GenerateHlsl("Statistics")]
@@ -47,6 +56,18 @@ namespace Rill
             Furthest,
             /// <summary>most neighbors of a particle</summary>
             NeighborsMax = Furthest + 3,
+        }
+
+        /// <summary>Sums over the particles of a phase.</summary>
+        [GenerateHlsl("Statistics", Prefix = "Phase")]
+        enum PhaseQuantity
+        {
+            Count,
+            SpeedSquared,
+            /// <summary>and 3, 4</summary>
+            Position,
+            /// <summary>and 6, 7</summary>
+            Velocity = Position + 3,
         }
 
         /// <summary>Fixed step since the last reset that was measured; 0 is the state before the first.</summary>
@@ -105,6 +126,8 @@ namespace Rill
         public float neighborsMean;
         /// <summary>Largest number of neighbors of a particle, within the support radius.</summary>
         public int neighborsMax;
+        /// <summary>Mass of all particles, kg.</summary>
+        public float mass;
         /// <summary>Center of mass in the domain's frame, m.</summary>
         public float3 centerOfMass;
         /// <summary>Largest coordinate of a particle along each axis, m.</summary>
@@ -129,6 +152,14 @@ namespace Rill
         /// <summary>Fluid time that the catch-up cap dropped since the reset, s.</summary>
         public double droppedTime;
 
+        internal PhaseValues phases;
+
+        /// <summary>Returns the volume at rest of the particles of one phase, m³. Where neither materials nor
+        /// <see cref="FluidSimulation.TrackPhases"/> asks for phases, all particles count as phase 0.</summary>
+        /// <param name="phase">0 to 7.</param>
+        /// <exception cref="System.ArgumentOutOfRangeException">No phase has this number.</exception>
+        public float VolumeOf(int phase) => phases[phase];
+
         /// <summary>Kinetic and potential energy together; what an elastic fluid has stored in its stretch is not counted.</summary>
         public float Energy => kineticEnergy + potentialEnergy;
 
@@ -138,14 +169,12 @@ namespace Rill
             Invariant($"speed rms {speed:0.000}, jitter {jitter:0.000}, max {speedMax:0.000} m/s");
 
         /// <param name="block">As Statistics.compute writes it.</param>
-        internal static FluidStatistics From(NativeArray<uint> block, SolverLayout layout, float density, float3 gravity, float fixedStep)
+        internal static FluidStatistics From(NativeArray<uint> block, SolverLayout layout, in StepInput input)
         {
             float d = layout.Spacing;
             float count = Value(block, Quantity.Count);
             float perParticle = 1f / math.max(count, 1f);
-            float mass = density * d * d * d;
-            float3 meanPosition = Vector(block, Quantity.Position) * perParticle * d;
-            float3 meanVelocity = Vector(block, Quantity.Velocity) * perParticle * d;
+            float3 meanPosition = Vector(block, (int)Quantity.Position) * perParticle * d;
             float3 box = layout.DomainSize * d;
             var statistics = new FluidStatistics
             {
@@ -176,24 +205,57 @@ namespace Rill
                 speedMax = d * math.sqrt(Value(block, Quantity.MaxSpeedSquared)),
                 neighborsMean = Value(block, Quantity.Neighbors) * perParticle,
                 neighborsMax = (int)Value(block, Quantity.NeighborsMax),
-                centerOfMass = meanPosition,
-                furthest = Vector(block, Quantity.Furthest) * d,
-                momentum = meanVelocity * (count * mass),
-                kineticEnergy = 0.5f * mass * Value(block, Quantity.SpeedSquared) * d * d,
+                furthest = Vector(block, (int)Quantity.Furthest) * d,
                 viscosityChange = d * math.asfloat((uint)Counter(block, ParticleCounter.ViscosityChange)),
-                potentialEnergy = -mass * count * math.dot(gravity, meanPosition),
             };
-            statistics.time = statistics.step * (double)fixedStep;
+            statistics.time = statistics.step * (double)input.timeStep;
+            statistics.Weigh(block, d, input);
             return statistics;
         }
 
+        // Mass and what it moves with, by phase where phases were measured.
+        void Weigh(NativeArray<uint> block, float d, in StepInput input)
+        {
+            float measured = 0f, volume = d * d * d;
+            for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
+                measured += math.asfloat(block[PhaseSum(phase, PhaseQuantity.Count)]);
+            if (measured > 0f)
+            {
+                for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
+                {
+                    float count = math.asfloat(block[PhaseSum(phase, PhaseQuantity.Count)]);
+                    phases[phase] = count * volume;
+                    AddMass(input.phases.Density(phase, input.material) * volume, d, count,
+                        math.asfloat(block[PhaseSum(phase, PhaseQuantity.SpeedSquared)]),
+                        Vector(block, PhaseSum(phase, PhaseQuantity.Position)), Vector(block, PhaseSum(phase, PhaseQuantity.Velocity)));
+                }
+            }
+            else
+            {
+                float count = Value(block, Quantity.Count);
+                phases[0] = count * volume;
+                AddMass(input.material.density * volume, d, count, Value(block, Quantity.SpeedSquared),
+                    Vector(block, (int)Quantity.Position), Vector(block, (int)Quantity.Velocity));
+            }
+            centerOfMass /= math.max(mass, 1e-30f);
+            potentialEnergy = -mass * math.dot(input.gravity, centerOfMass);
+        }
+
+        // Leaves the sum of mass times position in centerOfMass.
+        void AddMass(float particle, float d, float count, float speedSquared, float3 positions, float3 velocities)
+        {
+            mass += particle * count;
+            centerOfMass += positions * (particle * d);
+            momentum += velocities * (particle * d);
+            kineticEnergy += 0.5f * particle * speedSquared * d * d;
+        }
+
+        static int PhaseSum(int phase, PhaseQuantity quantity) => FirstPhaseSum + phase * PhaseQuantityCount + (int)quantity;
+
         static float Value(NativeArray<uint> block, Quantity quantity) => math.asfloat(block[(int)quantity]);
 
-        static float3 Vector(NativeArray<uint> block, Quantity first)
-        {
-            int i = (int)first;
-            return new float3(math.asfloat(block[i]), math.asfloat(block[i + 1]), math.asfloat(block[i + 2]));
-        }
+        static float3 Vector(NativeArray<uint> block, int first)
+            => new float3(math.asfloat(block[first]), math.asfloat(block[first + 1]), math.asfloat(block[first + 2]));
 
         static int Counter(NativeArray<uint> block, ParticleCounter counter) => (int)block[QuantityCount + 2 + (int)counter];
     }

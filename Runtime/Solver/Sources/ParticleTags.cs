@@ -20,6 +20,9 @@ namespace Rill
         /// <summary>above them, the phase</summary>
         [GenerateHlsl("ParticleTags", Prefix = "Tag")] public const int PhaseShift = 24;
 
+        /// <summary>bits of a phase</summary>
+        [GenerateHlsl("ParticleTags", Prefix = "Tag")] public const int PhaseBits = 3;
+
         /// <summary>Keyword of the kernels that write tags, and of the shader that draws them.</summary>
         public const string Keyword = "RILL_TAGS";
 

@@ -115,6 +115,9 @@ namespace Rill
         public uint stepsAhead;
         /// <summary>End of the box of the fluid that takes which that of the other covers, see StepInput.openFaces; 0 for none.</summary>
         public uint openFaces;
+        /// <summary>Phases that particles get in the set that takes, PhaseBits for each phase, from phase 0 on: the bits
+        /// of its number that change. 0 where all keep theirs.</summary>
+        public uint phaseChanges;
         /// <summary>Number of the words of this transfer, below <see cref="ParticleTransfer.MaxTransfers"/>.</summary>
         public int number;
     }
@@ -262,6 +265,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.StatesAt, region.number * Words);
             cmd.SetComputeIntParam(shader, Ids.GhostIds, (int)(FirstGhost | (uint)region.number << GhostNumberShift));
             cmd.SetComputeIntParam(shader, Ids.StepsAhead, (int)region.stepsAhead);
+            cmd.SetComputeIntParam(shader, Ids.PhaseChanges, (int)region.phaseChanges);
         }
 
         void RecordWrites(CommandBuffer cmd, in ParticleSet from, in ParticleSet to)
@@ -325,6 +329,7 @@ namespace Rill
             public static readonly int StatesAt = Shader.PropertyToID("_StatesAt");
             public static readonly int GhostIds = Shader.PropertyToID("_GhostIds");
             public static readonly int StepsAhead = Shader.PropertyToID("_StepsAhead");
+            public static readonly int PhaseChanges = Shader.PropertyToID("_PhaseChanges");
         }
     }
 }

@@ -97,6 +97,36 @@ namespace Rill.Tests
             Assert.That(Sleeps(right), Is.False, "which has no sleep speed");
         }
 
+        // Oil is phase 1 of one fluid; in the other that is the mercury.
+        [UnityTest]
+        public IEnumerator A_liquid_keeps_its_material_in_a_fluid_that_numbers_its_phases_otherwise()
+        {
+            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 900f), mercury = FluidMaterialAsset.Create("Mercury", 13500f);
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.2f, 0.8f, 0.5f), Vector3.zero, DeepWater.On,
+                fluid => fluid.PhaseMaterials = new[] { fluid.name == "Left" ? oil : mercury });
+            left.GetComponentInChildren<FluidVolume>().Material = oil;
+            left.Restart();
+            Connect(left, right);
+            yield return Frames(60);
+            Assert.That((left.PhaseOf(oil), left.PhaseOf(mercury)), Is.EqualTo((1, 2)));
+            Assert.That((right.PhaseOf(mercury), right.PhaseOf(oil)), Is.EqualTo((1, 2)));
+            Assert.That(PhasesOf(left).Distinct(), Is.EqualTo(new[] { 1u }));
+            uint[] arrived = PhasesOf(right);
+            Assert.That(arrived.Length, Is.GreaterThan(20), "oil crossed");
+            Assert.That(arrived.Distinct(), Is.EqualTo(new[] { 2u }), "and is oil there");
+            Assert.That(left.Input.phases.Heaviest(left.Material), Is.EqualTo(right.Input.phases.Heaviest(right.Material)),
+                "both weigh against the same");
+            UnityEngine.Object.Destroy(oil);
+            UnityEngine.Object.Destroy(mercury);
+        }
+
+        static uint[] PhasesOf(FluidSimulation fluid)
+        {
+            ParticleState state = TestFluid.Read(fluid.Solver);
+            return GpuTest.Read<uint>(fluid.Solver.Tags, state.Count).Where((tag, i) => math.all(math.isfinite(state.positions[i].xyz)))
+                .Select(tag => tag >> ParticleTags.PhaseShift).ToArray();
+        }
+
         static bool Sleeps(FluidSimulation fluid) => fluid.Results.Describe().Single(stage => stage.Name == "Resting regions").IsUsed;
 
         [UnityTest]

@@ -198,5 +198,92 @@ namespace Rill.Tests
                 }
             }
         }
+
+        [Test]
+        public void Statistics_weigh_each_particle_by_its_material()
+        {
+            FluidMaterialAsset oil = Material("Oil", 500f), brine = Material("Brine", 1500f);
+            using (var scene = new SourceScene(Box, Spacing, 6000, DeepWater.On))
+            {
+                AddVolume(scene, new Vector3(0.4f, 0.3f, 0.6f), new Vector3(-0.3f, -0.35f, 0f), oil);
+                AddVolume(scene, new Vector3(0.3f, 0.5f, 0.5f), new Vector3(0.2f, -0.2f, 0.1f), brine);
+                AddVolume(scene, new Vector3(0.2f, 0.2f, 0.2f), new Vector3(-0.3f, 0.2f, -0.3f), null);
+                scene.Fluid.Restart();
+                scene.Step(20);
+                FluidStatistics measured = scene.Measure();
+                ParticleState state = scene.Read();
+                uint[] phases = Phases(scene);
+                var density = new[] { 1000.0, 500.0, 1500.0 };
+                double mass = 0.0, energy = 0.0;
+                double3 center = 0.0, momentum = 0.0;
+                for (int i = 0; i < state.Count; i++)
+                {
+                    double particle = density[phases[i]] * Spacing * Spacing * Spacing;
+                    double3 v = (double3)state.velocities[i].xyz * Spacing;
+                    mass += particle;
+                    energy += 0.5 * particle * math.dot(v, v);
+                    momentum += particle * v;
+                    center += particle * Spacing * (double3)state.positions[i].xyz;
+                }
+                center /= mass;
+                Assert.That(measured.mass, Is.EqualTo(mass).Within(1e-5 * mass));
+                Assert.That(measured.kineticEnergy, Is.EqualTo(energy).Within(1e-4 * energy));
+                Assert.That(math.distance(measured.momentum, momentum), Is.LessThan(1e-4 * math.length(momentum)));
+                Assert.That(math.distance(measured.centerOfMass, center), Is.LessThan(1e-5));
+                Assert.That(measured.potentialEnergy, Is.EqualTo(mass * 9.81 * center.y).Within(1e-4 * mass));
+                for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
+                    Assert.That(measured.VolumeOf(phase), Is.EqualTo(phases.Count(p => p == phase) * scene.ParticleVolume).Within(1e-6));
+            }
+        }
+
+        [Test]
+        public void Statistics_of_one_liquid_count_all_of_it_as_phase_0()
+        {
+            using (SourceScene scene = new SourceScene(Box, Spacing, 4000).Fill(0.2f))
+            {
+                FluidStatistics measured = scene.Step(5).Measure();
+                Assert.That(measured.VolumeOf(0), Is.EqualTo(1600 * scene.ParticleVolume).Within(1e-5));
+                Assert.That(measured.VolumeOf(1), Is.Zero);
+                Assert.That(measured.mass, Is.EqualTo(1600 * 1000f * scene.ParticleVolume).Within(1e-2));
+            }
+        }
+
+        [Test]
+        public void A_detector_weighs_each_liquid_by_its_material()
+        {
+            FluidMaterialAsset oil = Material("Oil", 500f);
+            using (var scene = new SourceScene(Box, Spacing, 4000))
+            {
+                AddVolume(scene, new Vector3(0.5f, 0.2f, 0.5f), new Vector3(-0.25f, -0.4f, 0f), oil);
+                AddVolume(scene, new Vector3(0.25f, 0.2f, 0.5f), new Vector3(0.2f, -0.4f, 0f), null);
+                scene.Fluid.Restart();
+                FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d => d.Size = Box);
+                scene.Step();
+                FluidDetectorSample sample = detector.MeasureNow();
+                Assert.That(sample.MassOf(1), Is.EqualTo(500f * 0.05f).Within(0.01f));
+                Assert.That(sample.MassOf(0), Is.EqualTo(1000f * 0.025f).Within(0.01f));
+                Assert.That(sample.mass, Is.EqualTo(50f).Within(0.02f));
+                Assert.That(() => sample.MassOf(8), Throws.TypeOf<ArgumentOutOfRangeException>());
+            }
+        }
+
+        [Test]
+        public void Exported_particles_have_the_density_of_their_material()
+        {
+            FluidMaterialAsset oil = Material("Oil", 500f);
+            using (var scene = new SourceScene(Box, Spacing, 4000))
+            {
+                AddVolume(scene, new Vector3(0.4f, 0.4f, 0.4f), new Vector3(-0.3f, -0.3f, 0f), oil);
+                AddVolume(scene, new Vector3(0.4f, 0.4f, 0.4f), new Vector3(0.3f, -0.3f, 0f), null);
+                scene.Fluid.Restart();
+                scene.Step(2);
+                ParticleFrame frame = null;
+                ParticleExport.Request(scene.Fluid, (got, problem) => frame = got);
+                UnityEngine.Rendering.AsyncGPUReadback.WaitAllRequests();
+                Assert.That(frame, Is.Not.Null);
+                float Mean(int phase) => frame.Densities.Where((density, i) => frame.Phases[i] == phase).Average();
+                Assert.That(Mean(1) / Mean(0), Is.EqualTo(0.5f).Within(0.02f), "of equal cubes");
+            }
+        }
     }
 }

@@ -255,7 +255,10 @@ namespace Rill.Tests
                 GpuTest.Run(cmd => pass.Record(stages.Context(cmd)));
                 pass.Request();
                 AsyncGPUReadback.WaitAllRequests();
-                return FluidStatistics.From(pass.Latest, stages.Layout, 1000f, new float3(0f, -9.81f, 0f), 1f / 60f);
+                return FluidStatistics.From(pass.Latest, stages.Layout, new StepInput
+                {
+                    material = FluidMaterial.Water, gravity = new float3(0f, -9.81f, 0f), timeStep = 1f / 60f,
+                });
             }
         }
 
