@@ -4,7 +4,7 @@ namespace Rill
 {
     /// <summary>
     /// The settings that a budget climbs, from the cheapest that keeps a scene stable to the best: each costs more than the one
-    /// before and leaves less density error. Measured figures and their commands: Documentation~/budget.md.
+    /// before and leaves less density error. Measured figures and their commands: Research~/budget-study.md.
     /// </summary>
     sealed class BudgetLadder
     {

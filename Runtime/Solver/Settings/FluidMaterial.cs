@@ -124,7 +124,7 @@ namespace Rill
 
         /// <summary>Surface tension that the setting acts like at most, N/m: a stronger one would outrun what the passes of a substep can
         /// follow.</summary>
-        /// <remarks>See <see cref="SolverSettings"/> for both; Documentation~/solver.md has the measurements.</remarks>
+        /// <remarks>See <see cref="SolverSettings"/> for both; Research~/solver-study.md has the measurements.</remarks>
         /// <param name="spacing">Particle spacing, m.</param>
         /// <param name="substep">Length of a substep, s.</param>
         /// <param name="iterations">Iterations of a substep; with fewer than 2 none acts.</param>

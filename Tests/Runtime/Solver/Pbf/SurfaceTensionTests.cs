@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>Drops against theory and against what particles can do of it; Documentation~/solver.md has the figures.</summary>
+    /// <summary>Drops against theory and against what particles can do of it; Research~/solver-study.md has the figures.</summary>
     public class SurfaceTensionTests
     {
         const double MaxStrength = 0.05, MaxStrengthOfTwo = 0.02;       // of Σ; with two iterations
