@@ -10,7 +10,9 @@ namespace Rill.Editor
         {
             new InspectorSection("Material", true,
                 new InspectorField("density", "kg/m³"),
-                new InspectorField("dynamicViscosity", "Pa s")),
+                new InspectorField("dynamicViscosity", "Pa s"),
+                new InspectorField("surfaceTension", "N/m"),
+                new InspectorField("contactAngle", "degrees", When.IsPositive("surfaceTension"))),
         };
 
         internal override InspectorSection[] Sections => AllSections;

@@ -18,7 +18,7 @@ namespace Rill
             PrepareSources(input);
             PrepareConnections(input);
             UpdateStages(cmd, input);
-            Materials?.Upload(cmd, input);
+            Materials?.Upload(cmd, input, Layout.Spacing, Coarse != null);
             StepContext step = Context(cmd, input);
             RecordKills(step);
             RecordDrains(step);

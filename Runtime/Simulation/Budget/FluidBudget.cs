@@ -52,7 +52,7 @@ namespace Rill
                 asked = settings,
                 deepWater = solver.IsDeep(still),
                 elastic = Viscoelasticity.IsNeeded(still),
-                hasTension = fluid.Material.surfaceTension > 0f,
+                hasTension = fluid.Phases.ForStep().HaveTension(fluid.Material),
                 gravityStep = fluid.Steps.GravityStep,
                 particles = isMeasured ? statistics.particles : fluid.Capacity,
                 densityError = isMeasured ? statistics.densityError : float.NaN,

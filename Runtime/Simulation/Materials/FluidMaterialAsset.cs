@@ -19,6 +19,15 @@ namespace Rill
             "and the solver itself damp.")]
         [SerializeField] float dynamicViscosity;
 
+        [Tooltip("Surface tension σ, N/m: drops become round, films draw in. 0 (off) to 1000; water 0.072, olive oil 0.032, mercury 0.485. " +
+            "Between two liquids acts the difference of theirs.")]
+        [SerializeField] float surfaceTension;
+
+        [Tooltip("Angle at which the surface meets walls and colliders, degrees. 0 to 180: above 90 it forms beads, below it spreads. An angle " +
+            "below 90 is approximate.")]
+        [Range(0f, 180f)]
+        [SerializeField] float contactAngle = 90f;
+
         [NonSerialized] ClampedSettings clamped;
 
         /// <summary>Rest density, kg/m³, 0.001 to 1e6. Out-of-range values are clamped with a warning.</summary>
@@ -26,6 +35,15 @@ namespace Rill
 
         /// <summary>Dynamic viscosity, Pa s, 0 to 1e6. Out-of-range values are clamped with a warning.</summary>
         public float DynamicViscosity { get => dynamicViscosity; set { dynamicViscosity = value; ChangedSettings.Apply(this); } }
+
+        /// <summary>Surface tension σ, N/m, 0 (off) to 1000. Out-of-range values are clamped with a warning.</summary>
+        /// <remarks>It acts as <see cref="FluidMaterial.surfaceTension"/> does, up to the same limit. Between two liquids acts the difference
+        /// of their tensions (Antonow 1907).</remarks>
+        public float SurfaceTension { get => surfaceTension; set { surfaceTension = value; ChangedSettings.Apply(this); } }
+
+        /// <summary>Angle at which the surface meets walls and colliders, degrees, 0 to 180. Out-of-range values are clamped with a
+        /// warning.</summary>
+        public float ContactAngle { get => contactAngle; set { contactAngle = value; ChangedSettings.Apply(this); } }
 
         /// <summary>Returns a new material, for scripts.</summary>
         /// <param name="name">Name, for messages.</param>
@@ -50,6 +68,8 @@ namespace Rill
             string problem = null;
             Limit.Clamp("density", ref density, 1e-3f, 1e6f, 1000f, ref problem);
             Limit.Clamp("dynamic viscosity", ref dynamicViscosity, 0f, 1e6f, 0f, ref problem);
+            Limit.Clamp("surface tension", ref surfaceTension, 0f, FluidMaterial.MaxTension, 0f, ref problem);
+            Limit.Clamp("contact angle", ref contactAngle, 0f, 180f, 90f, ref problem);
             clamped.Set(problem);
         }
 

@@ -25,7 +25,7 @@ namespace Rill
 
         /// <summary>Whether a step has any; it takes the place of the artificial pressure and of the allowed tension then, which are tensions
         /// without a unit.</summary>
-        public static bool IsNeeded(in StepInput input) => input.material.surfaceTension > 0f && input.settings.iterations >= MinIterations;
+        public static bool IsNeeded(in StepInput input) => input.settings.iterations >= MinIterations && input.phases.HaveTension(input.material);
 
         /// <summary>Largest stable Σ.</summary>
         public static double MaxStrength(int iterations, bool deepWater)
@@ -35,12 +35,21 @@ namespace Rill
         public static double UnitTension(float density, float spacing, float substep)
             => density * Math.Pow(spacing, 3.0) / ((double)substep * substep);
 
-        /// <summary>Σ of a step as it acts on the heaviest liquid. The lightest has the largest, which is limited.</summary>
+        /// <summary>Σ of the phase with the largest surface tension, as it acts on particles of the heaviest phase.</summary>
         public static double Strength(in StepInput input, float spacing, bool deepWater)
         {
-            float heaviest = input.phases.Heaviest(input.material), ratio = input.phases.Ratio(input.material);
-            return Math.Min(input.material.surfaceTension / UnitTension(heaviest / ratio, spacing, input.SubstepTime),
-                MaxStrength(input.settings.iterations, deepWater)) / ratio;
+            double strongest = 0.0;
+            for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
+                strongest = Math.Max(strongest, Strength(input, phase, spacing, deepWater));
+            return strongest;
+        }
+
+        /// <summary>Σ of a phase, limited by its own density, as it acts on particles of the heaviest phase.</summary>
+        public static double Strength(in StepInput input, int phase, float spacing, bool deepWater)
+        {
+            float density = input.phases.Density(phase, input.material);
+            double own = input.phases.Tension(phase, input.material) / UnitTension(density, spacing, input.SubstepTime);
+            return Math.Min(own, MaxStrength(input.settings.iterations, deepWater)) * (density / input.phases.Heaviest(input.material));
         }
 
         /// <summary>Attraction of a wall over that of as much of the fluid itself.</summary>
@@ -69,8 +78,10 @@ namespace Rill
         public static string Describe(in StepContext step)
         {
             StepInput input = step.Input;
-            if (input.material.surfaceTension <= 0f)
+            if (!input.phases.HaveTension(input.material))
                 return "surface tension is 0";
+            if (input.phases.Differ(input.material))
+                return Invariant($"surface tension by phase, Σ up to {Strength(input, step.Layout.Spacing, step.Coarse != null):G2}");
             return "surface tension " + Text(input.material, input.settings, step.Layout.Spacing, input.SubstepTime, step.Coarse != null);
         }
 

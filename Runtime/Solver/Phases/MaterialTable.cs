@@ -45,9 +45,9 @@ namespace Rill
         public override void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Slips, slips, StateExtent.Moved));
 
         /// <summary>Records the materials of this step.</summary>
-        public void Upload(CommandBuffer cmd, in StepInput input)
+        public void Upload(CommandBuffer cmd, in StepInput input, float spacing, bool deepWater)
         {
-            upload[0] = PhaseConstants.For(input);
+            upload[0] = PhaseConstants.For(input, spacing, deepWater);
             cmd.SetBufferData(constants, upload);
         }
 

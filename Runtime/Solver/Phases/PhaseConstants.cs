@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.InteropServices;
 using Unity.Mathematics;
 
@@ -8,36 +9,33 @@ namespace Rill
     [StructLayout(LayoutKind.Sequential)]
     struct PhaseConstants
     {
-        /// <summary>x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, relative to the largest</summary>
+        /// <summary>x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, w: surface tension, both relative
+        /// to the largest</summary>
         public PhaseRows phases;
+
+        /// <summary>x: attraction by walls, relative to that of a pair with the largest surface tension</summary>
+        public PhaseRows walls;
 
         /// <summary>largest phase of a particle</summary>
         [GenerateHlsl("Phases")] public const int MaxPhase = ParticleTags.MaxPhase;
 
-        public static PhaseConstants For(in StepInput input)
+        /// <param name="spacing">m.</param>
+        /// <param name="deepWater">Whether the coarse grid acts.</param>
+        public static PhaseConstants For(in StepInput input, float spacing, bool deepWater)
         {
             FluidMaterial own = input.material;
-            PhaseMaterials phases = input.phases;
-            float heaviest = phases.Heaviest(own), maxViscosity = math.max(phases.MaxViscosity(own), 1e-12f);
-            float4 Row(int phase)
+            float heaviest = input.phases.Heaviest(own), maxViscosity = math.max(input.phases.MaxViscosity(own), 1e-12f);
+            double maxTension = math.max(SurfaceTension.Strength(input, spacing, deepWater), 1e-30);
+            var constants = new PhaseConstants();
+            for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
             {
-                float mass = math.max(phases.Density(phase, own) / heaviest, 1f / PhaseMaterials.MaxRatio);
-                return new float4(mass, 1f / mass, phases.Viscosity(phase, own) / maxViscosity, 0f);
+                float mass = math.max(input.phases.Density(phase, own) / heaviest, 1f / PhaseMaterials.MaxRatio);
+                float tension = (float)(SurfaceTension.Strength(input, phase, spacing, deepWater) / maxTension);
+                double wall = SurfaceTension.WallFraction(input.phases.Angle(phase, own));
+                constants.phases[phase] = new float4(mass, 1f / mass, input.phases.Viscosity(phase, own) / maxViscosity, tension);
+                constants.walls[phase] = new float4((float)(tension * wall), 0f, 0f, 0f);
             }
-            return new PhaseConstants
-            {
-                phases = new PhaseRows
-                {
-                    phase0 = Row(0),
-                    phase1 = Row(1),
-                    phase2 = Row(2),
-                    phase3 = Row(3),
-                    phase4 = Row(4),
-                    phase5 = Row(5),
-                    phase6 = Row(6),
-                    phase7 = Row(7),
-                },
-            };
+            return constants;
         }
     }
 
@@ -45,5 +43,24 @@ namespace Rill
     struct PhaseRows
     {
         public float4 phase0, phase1, phase2, phase3, phase4, phase5, phase6, phase7;
+
+        public float4 this[int phase]
+        {
+            set
+            {
+                switch (phase)
+                {
+                    case 0: phase0 = value; break;
+                    case 1: phase1 = value; break;
+                    case 2: phase2 = value; break;
+                    case 3: phase3 = value; break;
+                    case 4: phase4 = value; break;
+                    case 5: phase5 = value; break;
+                    case 6: phase6 = value; break;
+                    case 7: phase7 = value; break;
+                    default: throw new ArgumentOutOfRangeException(nameof(phase));
+                }
+            }
+        }
     }
 }

@@ -3,7 +3,8 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>Densities and viscosities of the phases of a fluid. A phase without a material of its own has the fluid's.</summary>
+    /// <summary>Densities, viscosities and surface tensions of the phases of a fluid. A phase without a material of its own has the
+    /// fluid's.</summary>
     struct PhaseMaterials
     {
         /// <summary>Number of phases that a fluid can have.</summary>
@@ -16,6 +17,8 @@ namespace Rill
         {
             public float density;       // kg/m³; 0 for a phase without a material of its own
             public float viscosity;     // Pa s
+            public float tension;       // N/m
+            public float angle;         // degrees
         }
 
         int last;       // phase with a material of its own; 0 for none
@@ -25,9 +28,11 @@ namespace Rill
         /// <param name="phase">1 to 7.</param>
         /// <param name="density">kg/m³, above 0.</param>
         /// <param name="viscosity">Dynamic viscosity, Pa s.</param>
-        public void Set(int phase, float density, float viscosity)
+        /// <param name="tension">Surface tension, N/m.</param>
+        /// <param name="angle">Contact angle, degrees.</param>
+        public void Set(int phase, float density, float viscosity, float tension = 0f, float angle = 90f)
         {
-            RowOf(ref this, phase) = new Row { density = density, viscosity = viscosity };
+            RowOf(ref this, phase) = new Row { density = density, viscosity = viscosity, tension = tension, angle = angle };
             last = math.max(last, phase);
         }
 
@@ -42,6 +47,23 @@ namespace Rill
         /// <summary>Returns the dynamic viscosity of a phase, Pa s.</summary>
         /// <param name="own">The fluid's own material.</param>
         public float Viscosity(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).viscosity : own.dynamicViscosity;
+
+        /// <summary>Returns the surface tension of a phase, N/m.</summary>
+        /// <param name="own">The fluid's own material.</param>
+        public float Tension(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).tension : own.surfaceTension;
+
+        /// <summary>Returns the contact angle of a phase, degrees.</summary>
+        /// <param name="own">The fluid's own material.</param>
+        public float Angle(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).angle : own.contactAngle;
+
+        /// <summary>Returns whether any phase has surface tension.</summary>
+        public bool HaveTension(in FluidMaterial own)
+        {
+            bool any = own.surfaceTension > 0f;
+            for (int phase = 1; phase <= last; phase++)
+                any |= Tension(phase, own) > 0f;
+            return any;
+        }
 
         /// <summary>Returns the density of the heaviest phase, kg/m³.</summary>
         public float Heaviest(in FluidMaterial own)
@@ -84,7 +106,8 @@ namespace Rill
         {
             bool differ = false;
             for (int phase = 1; phase <= last; phase++)
-                differ |= Density(phase, own) != own.density || Viscosity(phase, own) != own.dynamicViscosity;
+                differ |= Density(phase, own) != own.density || Viscosity(phase, own) != own.dynamicViscosity
+                    || Tension(phase, own) != own.surfaceTension || Tension(phase, own) > 0f && Angle(phase, own) != own.contactAngle;
             return differ;
         }
 

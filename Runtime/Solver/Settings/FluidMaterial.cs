@@ -72,7 +72,7 @@ namespace Rill
             "forms beads, below it spreads. An angle below 90 is approximate.")]
         [Range(0f, 180f)] public float contactAngle;
 
-        const float MaxTension = 1000f;
+        internal const float MaxTension = 1000f;
 
         /// <summary>Water: 1000 kg/m³, with as much smoothing as keeps it calm.</summary>
         public static FluidMaterial Water => new FluidMaterial

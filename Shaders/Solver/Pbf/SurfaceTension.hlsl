@@ -1,10 +1,38 @@
 // Surface tension as an attraction of pairs within each pass of the density constraint, and that of walls: what lies behind one attracts
-// like the fluid itself, times the fraction that the contact angle leaves (Young-Dupre). Include after Solver.hlsl.
+// like the fluid itself, times the fraction that the contact angle leaves (Young-Dupre). Where phases have tensions of their own, two liquids
+// attract each other by the smaller one, so that the difference acts between them. Include after Solver.hlsl and PhaseMass.hlsl.
 #ifndef RILL_SURFACE_TENSION_INCLUDED
 #define RILL_SURFACE_TENSION_INCLUDED
 
-float _PairAttraction;      // c_f sigma dt^2 / (rho d^3) of a pass: displacement of a pair by f = 1, d
-float _WallAttraction;      // the same of a wall: times (1 + cos theta) / 2
+float _PairAttraction;      // c_f sigma dt^2 / (rho d^3) of a pass: displacement of a pair by f = 1, d; of phases, with the largest sigma
+float _WallAttraction;      // the same of a wall: times what the contact angle leaves; of the fluid's own material
+
+#ifdef RILL_MATERIALS
+
+// Surface tension between two particles, relative to the largest.
+float RelativeTension(uint i, uint j)
+{
+    return min(PhaseRow(i).w, PhaseRow(j).w);
+}
+
+float WallAttraction(uint i)
+{
+    return _PairAttraction * _Walls[min(_Tags[i] >> kTagPhaseShift, kMaxPhase)].x;
+}
+
+#else
+
+float RelativeTension(uint i, uint j)
+{
+    return 1.0;
+}
+
+float WallAttraction(uint i)
+{
+    return _WallAttraction;
+}
+
+#endif
 
 // f(r) = r^3 (1 - r/h)^2 over r, for a pair that is 1/'inverse' apart; 0 from the support on and for a pair at one position.
 float PairAttraction(float distanceSquared, float inverse)
@@ -22,10 +50,10 @@ float PlaneAttraction(float s)
 }
 
 // Displacement by the domain's walls in a pass, d. Of a plane acts what does not lie behind another one too, as in WallDensity.
-float3 DomainAttraction(float3 p)
+float3 DomainAttraction(float3 p, float wallAttraction)
 {
     float3 above = _DomainSize - p;
-    if (_WallAttraction == 0.0 || all(p >= kSupport) && all(above >= kSupport))
+    if (wallAttraction == 0.0 || all(p >= kSupport) && all(above >= kSupport))
         return 0.0;
     float3 pull, free;
     [unroll]
@@ -37,7 +65,7 @@ float3 DomainAttraction(float3 p)
         free[axis] = (1.0 - low) * (1.0 - high);
         pull[axis] = PlaneAttraction(above[axis]) - PlaneAttraction(p[axis]);
     }
-    return _WallAttraction * pull * float3(free.y * free.z, free.x * free.z, free.x * free.y);
+    return wallAttraction * pull * float3(free.y * free.z, free.x * free.z, free.x * free.y);
 }
 
 #endif

@@ -131,12 +131,36 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_tension_that_is_too_strong_is_logged_by_the_name_of_its_material()
+        {
+            using (SourceScene scene = new SourceScene(Box, Spacing, 2000, DeepWater.On).Fill(0.2f))
+            {
+                FluidMaterialAsset mercury = Material("Mercury", 13500f);
+                mercury.SurfaceTension = 900f;
+                scene.Fluid.PhaseMaterials = new[] { mercury };
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': the surface tension of its material 'Mercury', 900 N/m, acts like " +
+                    "304 N/m: more is not stable at this spacing and substep. Take 2 substeps"));
+                scene.Step(2);
+                Assert.That(ProblemsOf(scene.Fluid), Has.Some.Contains("'Mercury'"));
+                mercury.SurfaceTension = 200f;
+                scene.Step();
+                Assert.That(ProblemsOf(scene.Fluid), Is.Empty);
+            }
+        }
+
+        [Test]
         public void Values_out_of_range_are_clamped_and_said()
         {
             FluidMaterialAsset oil = Material("Oil", 900f);
             LogAssert.Expect(LogType.Warning, new Regex("FluidMaterialAsset 'Oil'.*density"));
             oil.Density = -5f;
             Assert.That(oil.Density, Is.EqualTo(1e-3f));
+            LogAssert.Expect(LogType.Warning, new Regex("FluidMaterialAsset 'Oil'.*surface tension"));
+            oil.SurfaceTension = 2000f;
+            Assert.That(oil.SurfaceTension, Is.EqualTo(1000f));
+            LogAssert.Expect(LogType.Warning, new Regex("FluidMaterialAsset 'Oil'.*contact angle"));
+            oil.ContactAngle = 200f;
+            Assert.That(oil.ContactAngle, Is.EqualTo(180f));
         }
 
         static float MeanHeight(SourceScene scene, uint phase)

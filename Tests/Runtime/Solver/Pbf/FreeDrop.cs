@@ -41,7 +41,7 @@ namespace Rill.Tests
                         if (isIn(p))
                             points.Add((center + p + random.NextFloat3(-jitter, jitter)) * Spacing);
                     }
-            var fluid = new TestFluid(box * Spacing, Spacing, Math.Max(points.Count, 1), settings);
+            var fluid = new TestFluid(box * Spacing, Spacing, Math.Max(points.Count, 2), settings);
             fluid.Input.timeStep = TimeStep;
             fluid.Input.gravity = 0f;
             fluid.Input.material.surfaceTension = Tension(strength);

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine.Rendering;
 
@@ -42,6 +43,63 @@ namespace Rill.Tests
                 if (wall == Wall.Reacting)
                     Assert.That(TakeReaction(fluid).y, Is.EqualTo(height - Height).Within(2e-4));
             }
+        }
+
+        // Phase 1 is half as heavy as phase 2 and moves twice as far. Two liquids attract each other by the smaller tension, each limited by its
+        // own density: the 1 of the light one is 0.02 of its own density, and 0.01 of the heavy one's.
+        [TestCase(0.005, 0.01, 0.005)]
+        [TestCase(0.01, 0.004, 0.004)]
+        [TestCase(0.0, 0.01, 0.0)]
+        [TestCase(1.0, 0.02, 0.01)]
+        public void Particles_of_two_liquids_attract_each_other_by_the_smaller_tension(double light, double heavy, double acting)
+        {
+            using (TestFluid fluid = FreeDrop.Make(24f, p => false, 0.0, 2))
+            {
+                fluid.Input.phases.Set(1, 500f, 0f, FreeDrop.Tension(light));
+                fluid.Input.phases.Set(2, 1000f, 0f, FreeDrop.Tension(heavy));
+                AddTagged(fluid, 1, new float3(11.2f, 12f, 12f));
+                AddTagged(fluid, 2, new float3(12.8f, 12f, 12f));
+                fluid.Step();
+                double left = 11.2f, right = 12.8f;
+                for (int i = 0; i < 2; i++)
+                {
+                    double pull = 2.6 * acting / 2.0 * Reference.Tension.Pair(right - left);
+                    left += 2.0 * pull;
+                    right -= pull;
+                }
+                float[] x = fluid.Read().positions.Select(p => p.x).OrderBy(p => p).ToArray();
+                Assert.That(acting == 0.0 || left > 11.2f + 1e-3, "the case");
+                Assert.That(x[0], Is.EqualTo(left).Within(2e-5));
+                Assert.That(x[1], Is.EqualTo(right).Within(2e-5));
+            }
+        }
+
+        [Test]
+        public void A_wall_draws_each_liquid_by_its_own_contact_angle([Values(60f, 120f)] float angle)
+        {
+            const float Height = 0.9f;
+            using (TestFluid fluid = FreeDrop.Make(24f, p => false, 0.0, 2))
+            {
+                fluid.Input.phases.Set(1, 1000f, 0f, FreeDrop.Tension(0.02), angle);
+                fluid.Input.phases.Set(2, 1000f, 0f, FreeDrop.Tension(0.0));
+                AddTagged(fluid, 1, new float3(6f, Height, 12f));
+                AddTagged(fluid, 2, new float3(18f, Height, 12f));
+                fluid.Step();
+                double pass = 2.6 * 0.02 / 2.0 * (angle == 60f ? 1.25 : 0.35355339), height = Height;      // of WallFraction
+                for (int i = 0; i < 2; i++)
+                    height -= pass * Reference.Tension.Plane(height);
+                float4[] ends = fluid.Read().positions.OrderBy(p => p.x).ToArray();
+                Assert.That(height, Is.LessThan(Height - 0.005), "the case");
+                Assert.That(ends[0].y, Is.EqualTo(height).Within(1e-4));
+                Assert.That(ends[1].y, Is.EqualTo(Height).Within(1e-6));
+            }
+        }
+
+        static void AddTagged(TestFluid fluid, int phase, float3 position)
+        {
+            using (var positions = new NativeArray<float4>(new[] { new float4(position, 0f) }, Allocator.Persistent))
+            using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
+                fluid.Solver.AddInSpacings(positions, velocity, 0f, 24f, fluid.Solver.TagFor(phase, 0));
         }
 
         [Test]
