@@ -35,7 +35,7 @@ cbuffer RillSurfaceView
     float4 _ShadowReceived;    // x the stamp of this camera and frame, y cascades, z 1 where they are spheres; w unused
     float4 _ShadowLight;    // xyz towards the light whose shadow it is
     float _ReceiveShadows;    // 1 or 0
-    float _HasPhases;    // 1 where each phase has a look of its own, else 0: a keyword would double the variants
+    float _HasPhases;    // 1 where each phase has a look of its own, 2 where they are of several materials too and have sharp borders, else 0: a keyword would double the variants
     float _ReflectionStrength;    // factor of what is mirrored
     float _SurfacePadding;    // fills the last 16 bytes
 };

@@ -1,5 +1,5 @@
 // Which phases the water is of, for its mesh: WaterPhases.compute adds up the particles around the nodes of a coarse grid over the fluid's box. All
-// in the frame of the mesh's field, d. Include after MeshField.hlsl.
+// in the frame of the mesh's field, d. Include after MeshField.hlsl and Generated/SurfaceView.hlsl.
 //
 //   _PhaseGrid     in  Texture3D, a texel for each node: particles of phases 1 to 3 around it, and of all
 #ifndef RILL_PHASE_GRID_INCLUDED
@@ -16,16 +16,46 @@ float4 PhasesAround(float3 p)
     return _PhaseGrid.SampleLevel(rill_field_linear_clamp_sampler, (p / _PhaseGridSize.w + 0.5) / _PhaseGridSize.xyz, 0);
 }
 
-// Adds a straight stretch of a ray. sums: fractions of phases 1 to 3 times the length, and the length where they are known.
+// Returns how far each phase leads before the largest of the others, -1 to 1: phases 1 to 3, and phase 0 in w.
+float4 Leads(float4 around)
+{
+    float4 f = float4(around.xyz, around.w - dot(around.xyz, 1.0)) / around.w;
+    float4 others = max(max(f.yzwx, f.zwxy), f.wxyz);
+    return f - others;
+}
+
+// Returns the parts of a stretch in which a phase leads, of leads that change evenly from one end to the other.
+float4 LeadingParts(float4 start, float4 end)
+{
+    float4 high = max(start, end);
+    float4 parts = saturate(high / max(high - min(start, end), 1e-6));
+    return parts / max(dot(parts, 1.0), 1e-6);
+}
+
+// Adds a straight stretch of a ray. sums: fractions of phases 1 to 3 times the length, and the length where they are known. Phases that do not
+// mix have sharp borders: each point is of the phase with the most particles around it.
 void AddPhases(float3 from, float3 along, float reach, inout float4 sums)
 {
     float steps = clamp(ceil(reach / _PhaseGridSize.w), kMinPhaseSteps, kMaxPhaseSteps), each = max(reach, 0.0) / steps;
-    [loop]
-    for (float i = 0.5; i < steps; i += 1.0)
+    if (_HasPhases < 1.5)
     {
-        float4 around = PhasesAround(from + along * (i * each));
-        if (around.w > 0.0)
-            sums += each * float4(around.xyz / around.w, 1.0);
+        [loop]
+        for (float i = 0.5; i < steps; i += 1.0)
+        {
+            float4 around = PhasesAround(from + along * (i * each));
+            if (around.w > 0.0)
+                sums += each * float4(around.xyz / around.w, 1.0);
+        }
+        return;
+    }
+    float4 last = PhasesAround(from);
+    [loop]
+    for (float k = 1.0; k <= steps; k += 1.0)
+    {
+        float4 next = PhasesAround(from + along * (k * each));
+        if (last.w > 0.0 && next.w > 0.0)
+            sums += each * float4(LeadingParts(Leads(last), Leads(next)).xyz, 1.0);
+        last = next;
     }
 }
 

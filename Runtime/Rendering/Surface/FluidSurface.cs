@@ -419,7 +419,7 @@ namespace Rill
             constants.absorption = look.Absorption;
             constants.scattering = ScatteringOf(look);
             bool showsPhases = phaseGrid != null;
-            constants.hasPhases = showsPhases ? 1f : 0f;
+            constants.hasPhases = !showsPhases ? 0f : Simulation.Phases.Differ ? 2f : 1f;
             for (int phase = 0; phase < PhaseGrid.MaxPhases && showsPhases; phase++)
             {
                 SurfaceLook own = phase == 0 || phaseLooks.Length == 0 ? look : phaseLooks[Mathf.Min(phase, phaseLooks.Length) - 1];

@@ -53,7 +53,8 @@ namespace Rill
         public Vector4 shadowLight;
         /// <summary>1 or 0</summary>
         public float receiveShadows;
-        /// <summary>1 where each phase has a look of its own, else 0: a keyword would double the variants</summary>
+        /// <summary>1 where each phase has a look of its own, 2 where they are of several materials too and have sharp borders, else 0: a keyword
+        /// would double the variants</summary>
         public float hasPhases;
         /// <summary>factor of what is mirrored</summary>
         public float reflectionStrength;

@@ -80,6 +80,32 @@ namespace Rill.Tests
             IsNear(scene.At(0f), Face * Face * math.pow(First, upper / Tinted) * math.pow(WaterScene.Left, (WaterScene.Depth - upper) / 0.5f));
         }
 
+        // Nodes are two spacings apart: what lies nearer to a border than that is blurred, if nothing says that the liquids do not mix.
+        [UnityTest]
+        public IEnumerator Liquids_of_two_materials_have_a_sharp_border_and_phases_of_one_are_stirred([Values] bool areTwo)
+        {
+            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 999f);
+            if (areTwo)
+                scene.Fluid.PhaseMaterials = new[] { oil };
+            surface.PhaseLooks = new[] { WaterScene.Absorbing(First, Tinted) };
+            yield return scene.Settle();
+            scene.SetPhases((p, i) => p.x > 0.5f ? 1 : 0);
+            yield return WaterScene.Frames(2);
+            const float Near = 0.8f * WaterScene.Spacing;
+            float3 water = Face * Face * math.pow(WaterScene.Left, WaterScene.Depth / 0.5f);
+            float3 tinted = Face * Face * math.pow(First, WaterScene.Depth / Tinted);
+            if (areTwo)
+            {
+                IsNear(scene.At(-Near), water);
+                IsNear(scene.At(Near), tinted);
+            }
+            else
+            {
+                Assert.That(math.cmax(math.abs(scene.At(-Near) / water - 1f)), Is.GreaterThan(0.1f));
+            }
+            UnityEngine.Object.Destroy(oil);
+        }
+
         [UnityTest]
         public IEnumerator The_suns_light_on_what_stands_in_the_water_is_absorbed_by_what_is_above()
         {
