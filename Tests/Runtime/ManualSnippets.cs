@@ -288,7 +288,7 @@ namespace Rill.Tests
 
         static void QueryWater(FluidProbe probe, Transform buoy)
         {
-            #region Ask the water
+            #region Ask the water (queries.md)
             if (probe.TryGetSample(out FluidProbeSample water) && water.hasSurface)     // false before the first result
                 buoy.position = new Vector3(buoy.position.x, water.ExtrapolatedHeight, buoy.position.z);
             #endregion
@@ -317,7 +317,7 @@ namespace Rill.Tests
 
         static void WatchABasin(FluidDetector basin, FluidEmitter tap)
         {
-            #region Watch a basin
+            #region Watch a basin (queries.md)
             basin.FillLevel = 0.8f;
             basin.OnFilled += () => tap.StopEmission();
             basin.OnEmptied += () => tap.StartEmission();
@@ -328,7 +328,7 @@ namespace Rill.Tests
 
         static void QueryManyPoints(FluidSimulation fluid, Vector3[] floats, ref FluidQueryBatch batch)
         {
-            #region Ask the water in many places
+            #region Ask the water in many places (queries.md)
             batch ??= new FluidQueryBatch(fluid, points: floats.Length, rays: 1);      // once; Dispose it in OnDisable
             batch.SetPoints(floats, 0, floats.Length);                                 // each frame in which they have moved
             for (int i = 0; i < floats.Length; i++)
@@ -339,7 +339,7 @@ namespace Rill.Tests
 
         static void CastRays(FluidQueryBatch batch, Transform eye, Transform marker, Transform leaf)
         {
-            #region Cast rays against the water
+            #region Cast rays against the water (queries.md)
             batch.RayCount = 1;
             batch.SetRay(0, new FluidRay(eye.position, eye.forward, 20f));      // or FluidRay.Sphere(eye.position, 0.1f, eye.forward)
             if (batch.TryGetHit(0, out FluidRayHit found) && found.hit)         // false before the first result, and where it misses
