@@ -23,6 +23,7 @@ namespace Host.Check
             new TestProjectRule(),
             new EngineRule(),
             new LinksRule(),
+            new LoggedMessagesRule(),
             new GeneratedFilesRule(),
             new ResourcesRule(),
             new SceneReferencesRule(),
