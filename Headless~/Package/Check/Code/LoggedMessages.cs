@@ -22,8 +22,8 @@ namespace Host.Check
     /// and branches that a text is made of. Syntax alone decides, so a text of an exception or of a member of a base class is not found.</summary>
     sealed class LoggedMessages
     {
-        const int StemWords = 5, FewestWords = 3;
-        static readonly Regex Word = new(@"[\p{L}\p{N}][\p{L}\p{N}'.,/-]*");
+        const int StemWords = 5, FewestWords = 3, NameWords = 1, IntroductionWords = 6;
+        static readonly Regex Word = new(@"[\p{L}\p{N}][\p{L}\p{N}'.,/-]*"), SentenceEnd = new(@"\.\s");
 
         readonly Dictionary<string, SyntaxNode> files;
         readonly HashSet<string> loggers = new();
@@ -47,7 +47,10 @@ namespace Host.Check
 
         /// <summary>A text as it is compared: its words in lower case, one space apart.</summary>
         public static string Normalize(string text)
-            => " " + string.Join(' ', Word.Matches(text.ToLowerInvariant()).Select(match => match.Value.TrimEnd('.', ',', '-', '/', '\''))) + " ";
+            => " " + string.Join(' ', Words(text)) + " ";
+
+        static string[] Words(string text)
+            => Word.Matches(text.ToLowerInvariant()).Select(match => match.Value.TrimEnd('.', ',', '-', '/', '\'')).ToArray();
 
         static bool IsUnityLog(InvocationExpressionSyntax call)
             => call.Expression is MemberAccessExpressionSyntax { Expression: IdentifierNameSyntax { Identifier.Text: "Debug" } } access
@@ -80,17 +83,27 @@ namespace Host.Check
             if (!seen.Add(text))
                 return;
             var pieces = new List<StringBuilder> { new() };
-            Gather(file, text, pieces);
-            List<string[]> constant = pieces.Select(piece => Normalize(piece.ToString().Replace("Rill:", "")).Split(' ',
-                StringSplitOptions.RemoveEmptyEntries)).ToList();
-            string[] stem = constant.FirstOrDefault(words => words.Length >= FewestWords);
+            var holes = new List<ExpressionSyntax>();
+            Gather(text, pieces, holes);
+            List<string[]> sentences = pieces.Select(piece => piece.ToString().Replace("Rill:", "")).SelectMany(piece => SentenceEnd.Split(piece))
+                .Select(Words).ToList();
+            string[] stem = sentences.FirstOrDefault(words => words.Length >= FewestWords);
             if (stem != null)
                 messages.Add(new LoggedMessage(file, text.GetLocation().GetLineSpan().StartLinePosition.Line + 1,
                     string.Join(' ', stem.Take(StemWords))));
+            int before = 0, all = pieces.Sum(piece => Words(piece.ToString()).Length);
+            for (int i = 0; i < holes.Count; i++)
+            {
+                before += Words(pieces[i].ToString()).Length;
+                // The text that a message begins with, or ends with after few words; others fill in a name, a remedy or a number.
+                if (before <= NameWords || before == all && before <= IntroductionWords)
+                    foreach ((string from, ExpressionSyntax value) in Values(file, holes[i]).ToList())
+                        Follow(from, value);
+            }
         }
 
-        // Appends constant text to the last piece; what is not constant begins another and may hold texts of its own.
-        void Gather(string file, ExpressionSyntax text, List<StringBuilder> pieces)
+        // Appends constant text to the last piece; what is not constant is a hole, after which another begins.
+        static void Gather(ExpressionSyntax text, List<StringBuilder> pieces, List<ExpressionSyntax> holes)
         {
             switch (text)
             {
@@ -102,29 +115,23 @@ namespace Host.Check
                         if (content is InterpolatedStringTextSyntax constant)
                             pieces[^1].Append(constant.TextToken.ValueText);
                         else
-                            Hole(file, ((InterpolationSyntax)content).Expression, pieces);
+                            Gather(((InterpolationSyntax)content).Expression, pieces, holes);
                     return;
                 case BinaryExpressionSyntax sum when sum.IsKind(SyntaxKind.AddExpression):
-                    Gather(file, sum.Left, pieces);
-                    Gather(file, sum.Right, pieces);
+                    Gather(sum.Left, pieces, holes);
+                    Gather(sum.Right, pieces, holes);
                     return;
                 case ParenthesizedExpressionSyntax inner:
-                    Gather(file, inner.Expression, pieces);
+                    Gather(inner.Expression, pieces, holes);
                     return;
                 case InvocationExpressionSyntax { Expression: IdentifierNameSyntax { Identifier.Text: "Invariant" } } invariant:
-                    Gather(file, invariant.ArgumentList.Arguments[0].Expression, pieces);
+                    Gather(invariant.ArgumentList.Arguments[0].Expression, pieces, holes);
                     return;
                 default:
-                    Hole(file, text, pieces);
+                    holes.Add(text);
+                    pieces.Add(new StringBuilder());
                     return;
             }
-        }
-
-        void Hole(string file, ExpressionSyntax value, List<StringBuilder> pieces)
-        {
-            pieces.Add(new StringBuilder());
-            foreach ((string from, ExpressionSyntax text) in Values(file, value).ToList())
-                Follow(from, text);
         }
 
         // The expressions of which a value is one.
