@@ -69,8 +69,20 @@ namespace Host.Tests
 
         [Test]
         public void Another_version_than_the_change_log_s_is_told()
-            => copy.Catches(new ManifestRule(), () => copy.Replace(Manifest, "\"version\": \"0.1.0\"", "\"version\": \"0.2.0\""),
-            "CHANGELOG.md", "0.1.0", "0.2.0");
+            => copy.Catches(new ManifestRule(), () => copy["CHANGELOG.md"] = "## [Unreleased]\n\n## [0.0.9] - 2026-11-21\n",
+            "CHANGELOG.md", "0.0.9", "0.1.0");
+
+        [TestCase("# Changelog\n")]
+        [TestCase("## [Unreleased]\n\n## Version 0.1.0\n")]
+        public void A_change_log_without_a_version_is_told(string text)
+            => copy.Catches(new ManifestRule(), () => copy["CHANGELOG.md"] = text, "CHANGELOG.md", "not of the form");
+
+        [Test]
+        public void Before_the_first_release_the_change_log_may_have_none()
+        {
+            copy["CHANGELOG.md"] = "## [Unreleased]\n\n### Added\n";
+            Assert.That(copy.Examine(new ManifestRule()).Faults, Is.Empty);
+        }
 
         [TestCase("\"version\": \"0.1.0\"", "\"version\": \"0.1\"", "version", "0.1")]
         [TestCase("com.rill.fluids", "Rill Fluids", "name", "com.company.package")]

@@ -59,8 +59,10 @@ namespace Host.Check
                 findings.Fault($"{file} is missing");
                 return;
             }
-            string top = package.Read(file).Split('\n').FirstOrDefault(line => line.StartsWith("## ", StringComparison.Ordinal)
-                && !line.StartsWith("## [Unreleased]", StringComparison.Ordinal));
+            string[] versions = package.Read(file).Split('\n').Where(line => line.StartsWith("## ", StringComparison.Ordinal)).ToArray();
+            string top = versions.FirstOrDefault(line => !line.StartsWith("## [Unreleased]", StringComparison.Ordinal));
+            if (top == null && versions.Length > 0)     // nothing was released yet
+                return;
             Match match = Released.Match((top ?? "").TrimEnd('\r'));
             if (!match.Success)
                 findings.Fault($"{file}: its first version is \"{top}\", not of the form \"## [1.2.3] - 2026-01-31\"");
