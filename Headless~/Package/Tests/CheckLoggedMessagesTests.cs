@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>The rule about logged messages names those that no page of the manual has, whichever way their text takes to the log.</summary>
+    /// <summary>The rule about logged messages names those that no page of the manual has, from wherever their text comes.</summary>
     public class CheckLoggedMessagesTests
     {
         const string Logged = "class A { void B() => Debug.LogWarning($\"Rill: A '{name}' leaks a little water: \" + why); }";
@@ -58,6 +58,7 @@ namespace Host.Tests
 
         [Test]
         public void The_same_words_count_once()
-            => Assert.That(Stems("class A { void B() { Debug.Log(\"it leaks a little\"); Debug.LogError(\"it leaks a little\"); } }"), Has.Length.EqualTo(1));
+            => Assert.That(Stems("class A { void B() { Debug.Log(\"it leaks a little\"); Debug.LogError(\"it leaks a little\"); } }"),
+                Has.Length.EqualTo(1));
     }
 }

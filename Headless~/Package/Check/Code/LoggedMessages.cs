@@ -149,7 +149,7 @@ namespace Host.Check
             _ => Enumerable.Empty<(string, ExpressionSyntax)>(),
         };
 
-        // What the method around a name gives to the local or out parameter of that name.
+        // Texts that the method around a name gives to the local or out parameter of that name.
         static IEnumerable<ExpressionSyntax> Locals(IdentifierNameSyntax name)
         {
             SyntaxNode method = name.Ancestors().FirstOrDefault(node => node is BaseMethodDeclarationSyntax or AccessorDeclarationSyntax
@@ -159,7 +159,8 @@ namespace Host.Check
             foreach (SyntaxNode node in method.DescendantNodes())
                 if (node is VariableDeclaratorSyntax { Initializer: { } set } variable && variable.Identifier.Text == name.Identifier.Text)
                     yield return set.Value;
-                else if (node is AssignmentExpressionSyntax { Left: IdentifierNameSyntax left } assignment && left.Identifier.Text == name.Identifier.Text)
+                else if (node is AssignmentExpressionSyntax { Left: IdentifierNameSyntax left } assignment
+                    && left.Identifier.Text == name.Identifier.Text)
                     yield return assignment.Right;
         }
 
@@ -174,7 +175,8 @@ namespace Host.Check
                         foreach (ExpressionSyntax text in Returned(node))
                             yield return (file, text);
                         break;
-                    case VariableDeclaratorSyntax { Initializer: { } set, Parent.Parent: FieldDeclarationSyntax } field when field.Identifier.Text == name:
+                    case VariableDeclaratorSyntax { Initializer: { } set, Parent.Parent: FieldDeclarationSyntax } field
+                        when field.Identifier.Text == name:
                         yield return (file, set.Value);
                         break;
                     case AssignmentExpressionSyntax { Left: IdentifierNameSyntax left } assignment when left.Identifier.Text == name
