@@ -56,6 +56,16 @@ namespace Rill.Tests
             return this;
         }
 
+        /// <summary>Still water in a ball around the center of the box, m.</summary>
+        public SourceScene FillSphere(float radius)
+        {
+            FluidVolume volume = Make("Water", Fluid.transform).AddComponent<FluidVolume>();
+            volume.Shape = VolumeShape.Sphere;
+            volume.Radius = radius;
+            Fluid.Restart();
+            return this;
+        }
+
         /// <summary>Takes fixed steps, one to a frame.</summary>
         public SourceScene Step(int count = 1)
         {
