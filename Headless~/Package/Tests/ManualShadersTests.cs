@@ -60,7 +60,7 @@ namespace Host.Tests
             => Regex.Matches(page.Replace("\r\n", "\n"), @"^(?<indent> *)```hlsl *\n(?<text>(?:.*\n)*?) *```$", RegexOptions.Multiline)
                 .Select(match => Regex.Replace(match.Groups["text"].Value, "^" + match.Groups["indent"].Value, "", RegexOptions.Multiline));
 
-        // As this host runs it; messages of the compiler.
+        // Messages of the compiler that this host runs.
         List<string> Problems(string block)
         {
             string path = Path.Combine(folder, Guid.NewGuid().ToString("N") + ".compute");

@@ -26,12 +26,19 @@ namespace Host.Check
         static readonly Regex Word = new(@"[\p{L}\p{N}][\p{L}\p{N}'.,/-]*"), SentenceEnd = new(@"\.\s");
 
         readonly Dictionary<string, SyntaxNode> files;
+        readonly ILookup<string, string> filesOfTypes;
         readonly HashSet<string> loggers = new();
         readonly HashSet<SyntaxNode> seen = new();
         readonly List<LoggedMessage> messages = new();
 
         LoggedMessages(IEnumerable<(string file, string text)> sources)
-            => files = sources.ToDictionary(source => source.file, source => CSharpSyntaxTree.ParseText(source.text).GetRoot());
+        {
+            files = sources.ToDictionary(source => source.file, source => CSharpSyntaxTree.ParseText(source.text).GetRoot());
+            filesOfTypes = files.SelectMany(file => file.Value.DescendantNodes(IsAroundTypes).OfType<TypeDeclarationSyntax>(),
+                (file, type) => (file.Key, type.Identifier.Text)).Distinct().ToLookup(pair => pair.Text, pair => pair.Key);
+        }
+
+        static bool IsAroundTypes(SyntaxNode node) => node is CompilationUnitSyntax or BaseNamespaceDeclarationSyntax or TypeDeclarationSyntax;
 
         /// <summary>The messages of these files, those with the same stem once.</summary>
         public static List<LoggedMessage> Of(IEnumerable<(string file, string text)> sources)
@@ -59,18 +66,19 @@ namespace Host.Check
         bool IsLogger(InvocationExpressionSyntax call) => IsUnityLog(call) || call.Expression is IdentifierNameSyntax name
             && loggers.Contains(name.Identifier.Text);
 
-        // A method whose own parameter is in the text of a log, in as many steps as there are.
+        // A method whose first parameter is in the text of a log, in as many steps as there are.
         void FindLoggers()
         {
+            var takers = new List<(string method, string parameter, List<InvocationExpressionSyntax> calls)>();
+            foreach (MethodDeclarationSyntax method in files.Values.SelectMany(root => root.DescendantNodes()).OfType<MethodDeclarationSyntax>())
+                if (method.ParameterList.Parameters.FirstOrDefault() is { Type: { } type } first && type.ToString() == "string")
+                    takers.Add((method.Identifier.Text, first.Identifier.Text, method.DescendantNodes().OfType<InvocationExpressionSyntax>()
+                        .Where(call => Names(call, first.Identifier.Text)).ToList()));
             int before;
             do
             {
                 before = loggers.Count;
-                foreach (MethodDeclarationSyntax method in files.Values.SelectMany(root => root.DescendantNodes()).OfType<MethodDeclarationSyntax>())
-                    if (method.ParameterList.Parameters.FirstOrDefault(p => p.Type?.ToString() == "string")?.Identifier.Text is string parameter
-                        && method.ParameterList.Parameters[0].Identifier.Text == parameter
-                        && method.DescendantNodes().OfType<InvocationExpressionSyntax>().Any(call => IsLogger(call) && Names(call, parameter)))
-                        loggers.Add(method.Identifier.Text);
+                loggers.UnionWith(takers.Where(taker => taker.calls.Any(IsLogger)).Select(taker => taker.method).ToList());
             }
             while (loggers.Count > before);
         }
@@ -188,8 +196,7 @@ namespace Host.Check
 
         IEnumerable<(string, ExpressionSyntax)> OfType(MemberAccessExpressionSyntax access)
             => access.Expression is not IdentifierNameSyntax type ? Enumerable.Empty<(string, ExpressionSyntax)>()
-            : files.Where(file => file.Value.DescendantNodes().OfType<TypeDeclarationSyntax>().Any(t => t.Identifier.Text == type.Identifier.Text))
-                .SelectMany(file => Members(file.Key, access.Name.Identifier.Text));
+            : filesOfTypes[type.Identifier.Text].SelectMany(file => Members(file, access.Name.Identifier.Text));
 
         static IEnumerable<ExpressionSyntax> Returned(SyntaxNode member)
             => member.DescendantNodes().Select(node => node switch
