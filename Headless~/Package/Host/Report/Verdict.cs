@@ -11,6 +11,12 @@ namespace Host.Report
         /// <param name="holds">Null without a figure.</param>
         public static string Of(bool? holds) => holds == null ? None : holds.Value ? Yes : No;
 
+        /// <param name="error">Of a figure, as a fraction; not a number without one.</param>
+        public static string Within(double error, double bar) => Of(double.IsNaN(error) ? null : System.Math.Abs(error) <= bar);
+
+        /// <summary>Name of a column of such verdicts.</summary>
+        public static string Column(double bar) => System.FormattableString.Invariant($"within {100 * bar:0.#} %");
+
         /// <param name="broken">What fails of several bars; empty if all hold.</param>
         public static string Of(string broken) => broken.Length == 0 ? "holds" : Broken + broken;
 

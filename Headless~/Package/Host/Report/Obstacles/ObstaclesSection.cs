@@ -27,7 +27,7 @@ namespace Host.Report.Obstacles
             BucketReport.Write(page);
         }
 
-        internal static string Within(double error) => Verdict.Of(double.IsNaN(error) ? null : Math.Abs(error) <= Bar);
+        internal static string Within(double error) => Verdict.Within(error, Bar);
 
         internal static string Text(DeepWater deepWater) => deepWater == DeepWater.Off ? "off" : "on";
     }

@@ -7,6 +7,7 @@ namespace Host.Report
     static class ColumnReport
     {
         const string Summary = "experiment-column", Profiles = "experiment-column-pressure";
+        const double Bar = 0.02;        // of the pressure on the floor, and of the height
 
         public static void Measure(ReportRun run)
         {
@@ -40,10 +41,12 @@ namespace Host.Report
                 "iterations carry is missing from the potentials. Errors are fractions of the pressure on the floor, of the lowest layer " +
                 "of coarse cells and the largest of all layers; height is twice that of the center of mass over the initial one.");
             page.Line();
-            page.Table(new[] { "layers", "substeps x iterations", "lowest cells", "largest", "height" },
+            page.Table(new[] { "layers", "substeps x iterations", "lowest cells", Verdict.Column(Bar), "largest", Verdict.Column(Bar), "height",
+                Verdict.Column(Bar) },
                 table.Rows.Select(row => new[] { row["layers"], $"{row["substeps"]} x {row["iterations"]}",
-                    Figures.Percent(row.Number("bottom_error")), Figures.Percent(row.Number("largest_error")),
-                    Figures.Fixed(row.Number("height_ratio"), 4) }));
+                    Figures.Percent(row.Number("bottom_error")), Verdict.Within(row.Number("bottom_error"), Bar),
+                    Figures.Percent(row.Number("largest_error")), Verdict.Within(row.Number("largest_error"), Bar),
+                    Figures.Fixed(row.Number("height_ratio"), 4), Verdict.Within(row.Number("height_ratio") - 1, Bar) }));
             page.Line($"({table.Settings}.)");
             page.Line();
             string file = page.DataFile(Profiles);

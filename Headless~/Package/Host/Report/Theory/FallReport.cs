@@ -7,6 +7,7 @@ namespace Host.Report
     static class FallReport
     {
         const string Table = "experiment-fall";
+        const double Bar = 0.02;        // of the path
 
         public static void Measure(ReportRun run)
         {
@@ -29,10 +30,11 @@ namespace Host.Report
                 "from the center of mass against that at the start; the start's lattice with its small offsets is a little too dense " +
                 "in places, and nothing in free fall stops what the first substeps push apart.");
             page.Line();
-            page.Table(new[] { "deep water", "substeps", "t, s", "fallen, m", "g t²/2, m", "error", "error to g t (t + Δt)/2", "radius" },
+            page.Table(new[] { "deep water", "substeps", "t, s", "fallen, m", "g t²/2, m", "error", Verdict.Column(Bar),
+                "error to g t (t + Δt)/2", "radius" },
                 table.Rows.Select(row => new[] { row["deep_water"], row["substeps"], Figures.Fixed(row.Number("time_s"), 3),
                     Figures.Fixed(row.Number("fallen_m"), 4), Figures.Fixed(row.Number("theory_m"), 4),
-                    Figures.Percent(row.Number("error"), 2), Figures.Percent(row.Number("discrete_error"), 4),
+                    Figures.Percent(row.Number("error"), 2), Verdict.Within(row.Number("error"), Bar), Figures.Percent(row.Number("discrete_error"), 4),
                     Figures.Fixed(row.Number("radius_ratio"), 5) }));
             page.Line($"({table.Settings}.)");
             page.Line();

@@ -8,6 +8,7 @@ namespace Host.Report
     static class UTubeReport
     {
         const string Periods = "damping-utube", Curves = "damping-utube-curves";
+        const double Bar = 0.03;        // of the period
         const double Width = 0.3, Gap = 0.6, Depth = 1.2, Height = 0.1;      // m
 
         static readonly (int Across, float Damping, int Substeps)[] Quick = { (8, 1f, 1), (8, 0f, 1) };
@@ -64,11 +65,12 @@ namespace Host.Report
                 "what a first-order step alone takes, ω² Δt / 2. Water loses more, as a flow around a sharp edge comes off it.");
             page.Line();
             List<ReportTable.Row> all = table.Rows.ToList();
-            page.Table(new[] { "width, d", "numerical damping", "substeps", "period, s", "theory, s", "error", "center line alone",
+            page.Table(new[] { "width, d", "numerical damping", "substeps", "period, s", "theory, s", "error", Verdict.Column(Bar), "center line alone",
                 "damping, 1/s", "first order, 1/s", "swings about, d", "misfit of the cosine" }, table.Rows.Select(row => new[]
             {
                 row["across"], row["damping"], row["substeps"], Figures.Fixed(row.Number("period_s"), 3),
                     Figures.Fixed(row.Number("theory_s"), 3), Figures.Percent(row.Number("period_s") / row.Number("theory_s") - 1),
+                    Verdict.Within(row.Number("period_s") / row.Number("theory_s") - 1, Bar),
                     Figures.Percent(row.Number("period_s") / row.Number("middle_line_s") - 1),
                 Figures.Fixed(row.Number("damping_per_s"), 3), Figures.Fixed(row.Number("first_order_per_s"), 3),
                     Figures.Fixed(row.Number("offset_d"), 2), Figures.Percent(row.Number("misfit")),

@@ -10,6 +10,7 @@ namespace Host.Report
         const string Heights = "experiment-wavemaker";
         public const float Spacing = 0.02f; // m
         const double Stroke = 4;            // d
+        const double Bar = 0.05;            // of height and speed
 
         public static void Measure(ReportRun run)
         {
@@ -40,12 +41,14 @@ namespace Host.Report
                 "Speed: from there on over a quarter of the wave length. What the same tank shows while its piston rests is taken off. " +
                 "Theory: H/S = 2 (cosh 2kh − 1) / (sinh 2kh + 2kh) (Havelock 1929; Dean and Dalrymple 1991, section 6.2).");
             page.Line();
-            string[] columns = { "layers", "kh", "numerical damping", "substeps", "H/S", "theory", "error", "speed's error" };
+            string[] columns = { "layers", "kh", "numerical damping", "substeps", "H/S", "theory", "error", Verdict.Column(Bar),
+                "speed's error", Verdict.Column(Bar) };
             page.Table(columns, table.Rows.Select(row => new[]
             {
                 row["layers"], row["kh"], row["damping"], row["substeps"], Figures.Fixed(row.Number("ratio"), 3),
                 Figures.Fixed(row.Number("theory"), 3), Figures.Percent(row.Number("ratio") / row.Number("theory") - 1),
-                Figures.Percent(row.Number("speed") - 1),
+                Verdict.Within(row.Number("ratio") / row.Number("theory") - 1, Bar),
+                Figures.Percent(row.Number("speed") - 1), Verdict.Within(row.Number("speed") - 1, Bar),
             }));
             page.Line($"({table.Settings}.)");
             page.Line();
