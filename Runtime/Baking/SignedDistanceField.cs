@@ -9,7 +9,7 @@ namespace Rill
     /// Distance to the surface of a mesh at the centers of a grid of voxels, m, negative inside, in the frame of the mesh.
     /// Made by <see cref="MeshSdfBaker"/>; a bake again replaces the content and keeps the asset, so that references stay.
     /// </summary>
-    [Icon(PackagePaths.Icon), ManualPage("baking.md")]
+    [Icon(PackagePaths.Icon), ManualPage("baking", "signed-distance-field")]
     public sealed class SignedDistanceField : ScriptableObject, ISerializationCallbackReceiver
     {
         /// <summary>Version of the serialized content. An older asset is brought up to it as it loads; a newer one is refused.</summary>

@@ -16,7 +16,7 @@ namespace Rill
     /// mirrors a mesh. A simulation takes up
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Collider"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
+    [AddComponentMenu("Rill/Fluid Collider"), Icon(PackagePaths.Icon), ManualPage("colliders", "fluid-collider")]
     public sealed class FluidCollider : MonoBehaviour, ISceneCollider, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
         [Tooltip("Shape of the collider for the water.")]

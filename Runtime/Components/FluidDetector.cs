@@ -13,7 +13,7 @@ namespace Rill
     /// is. A simulation takes 32 detectors. The shape follows the object's position and rotation, that of a mesh its scale too. A particle on
     /// the shape's surface counts by the part of it that is inside.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Detector"), Icon(PackagePaths.Icon), ManualPage("queries.md")]
+    [AddComponentMenu("Rill/Fluid Detector"), Icon(PackagePaths.Icon), ManualPage("queries", "fluid-detector")]
     public sealed class FluidDetector : FluidQuery, IDetector
     {
         [Tooltip("A box, a sphere or a capsule along the y axis, around this object, or a mesh by its signed distance field.")]

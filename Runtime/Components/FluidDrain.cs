@@ -23,7 +23,7 @@ namespace Rill
     /// counts as come from nearer by as much. Keep a drain further than that from the back of a thin plate that bounces, and
     /// let one that stands on a floor with friction be thicker than friction times the path of a step.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Drain"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
+    [AddComponentMenu("Rill/Fluid Drain"), Icon(PackagePaths.Icon), ManualPage("sources", "fluid-drain")]
     public sealed class FluidDrain : FluidPart, IDrain
     {
         [Tooltip("A box or a sphere around this object.")]

@@ -16,7 +16,7 @@ namespace Rill
     /// waiting particles the oldest are given up and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Emitter"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
+    [AddComponentMenu("Rill/Fluid Emitter"), Icon(PackagePaths.Icon), ManualPage("sources", "fluid-emitter")]
     public sealed class FluidEmitter : FluidPart, IEmitter
     {
         const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Shut = FirstOwnProblem + 3,

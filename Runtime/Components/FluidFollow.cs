@@ -9,7 +9,7 @@ namespace Rill
     /// <see cref="FluidSimulation.Recenter"/>. Memory stays that of the box, however large the world.
     /// </summary>
     /// <remarks>It moves the box in LateUpdate, before the fluid steps: after scripts that move the target in Update.</remarks>
-    [AddComponentMenu("Rill/Fluid Follow"), Icon(PackagePaths.Icon), ManualPage("control.md")]
+    [AddComponentMenu("Rill/Fluid Follow"), Icon(PackagePaths.Icon), ManualPage("control", "fluid-follow")]
     [RequireComponent(typeof(FluidSimulation)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder - 10)]
     public sealed class FluidFollow : MonoBehaviour, IHasProblems, IUsesFeatures, IAppliesSettings

@@ -21,7 +21,7 @@ namespace Rill
     /// All fields together accelerate a particle by at most 1000 m/s². A point or vortex fades to 0 towards its center over a
     /// tenth of its bounds' size, or over two particle spacings without bounds.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Force Field"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
+    [AddComponentMenu("Rill/Fluid Force Field"), Icon(PackagePaths.Icon), ManualPage("sources", "fluid-force-field")]
     public sealed class FluidForceField : FluidPart, IForceField
     {
         const int NoSize = FirstOwnProblem;

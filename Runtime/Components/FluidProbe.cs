@@ -11,7 +11,7 @@ namespace Rill
     /// Measured after the last step of each frame; the result comes two or three frames later, without waiting, and says of which step it
     /// is. A simulation takes 64 probes. The surface is where half the rest density is, the highest such point on the line along gravity.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Probe"), Icon(PackagePaths.Icon), ManualPage("queries.md")]
+    [AddComponentMenu("Rill/Fluid Probe"), Icon(PackagePaths.Icon), ManualPage("queries", "fluid-probe")]
     public sealed class FluidProbe : FluidQuery, IProbe
     {
         [Tooltip("Radius of the ball whose submerged fraction is given, m. Above 0.")]

@@ -7,6 +7,9 @@ namespace Rill
 
         public const string Manual = Root + "Documentation~/";
 
+        /// <summary>Pages that lead to sections of the manual.</summary>
+        public const string Help = Manual + "html/help/";
+
         /// <summary>Icon of all components and assets.</summary>
         public const string Icon = Root + "Editor/Icons/Drop.png";
     }

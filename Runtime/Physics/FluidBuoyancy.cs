@@ -16,7 +16,7 @@ namespace Rill
     /// See the page on floating bodies for how a late force is made stable. Without the physics module this component
     /// is not there; <see cref="FluidCollider.TryGetForce"/> gives the force to an integrator of your own.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating.md")]
+    [AddComponentMenu("Rill/Fluid Buoyancy"), Icon(PackagePaths.Icon), ManualPage("floating", "fluid-buoyancy")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Rigidbody))]
     public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems, IUsesFeatures, IAppliesSettings, ICarriedBody

@@ -16,7 +16,7 @@ namespace Rill
     /// <see cref="FluidCollider"/>, or whose Rigidbody has one or a <see cref="FluidBuoyancy"/>, is left to that, also where the fluid does
     /// not take its layer. Without the physics module this component is not there.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
+    [AddComponentMenu("Rill/Fluid Physics Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders", "fluid-physics-colliders")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidSimulation))]
     public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IBodySource, IHasProblems, IUsesFeatures, IRunsInEditMode,

@@ -15,7 +15,7 @@ namespace Rill
     /// the frames, those that come next ahead of time. Emitters, drains, colliders, force fields and foam do nothing meanwhile. When the
     /// recording is closed, or this is disabled, the fluid goes on from the frame that is shown.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Playback"), Icon(PackagePaths.Icon), ManualPage("state.md")]
+    [AddComponentMenu("Rill/Fluid Playback"), Icon(PackagePaths.Icon), ManualPage("state", "fluid-playback")]
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
     public sealed partial class FluidPlayback : MonoBehaviour, IFluidPlayback, IUsesFeatures, IHasProblems, IRunsInEditMode, IAppliesSettings

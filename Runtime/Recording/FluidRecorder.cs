@@ -17,7 +17,7 @@ namespace Rill
     /// All that was written until then is complete and can be played. Recording changes nothing in the fluid. WebGL has no threads and so no
     /// recordings.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Recorder"), Icon(PackagePaths.Icon), ManualPage("state.md")]
+    [AddComponentMenu("Rill/Fluid Recorder"), Icon(PackagePaths.Icon), ManualPage("state", "fluid-recorder")]
     [RequireComponent(typeof(FluidSimulation))]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>Draws the box of the <see cref="FluidSimulation"/> on this object: edges and a chequered floor.</summary>
-    [AddComponentMenu("Rill/Domain Renderer"), Icon(PackagePaths.Icon), ManualPage("rendering.md")]
+    [AddComponentMenu("Rill/Domain Renderer"), Icon(PackagePaths.Icon), ManualPage("rendering", "domain-renderer")]
     public sealed class DomainRenderer : FluidRenderer
     {
         /// <summary>two for each of the box's edges</summary>

@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>A fluid that goes by a name, as an asset: how it flows and how it looks. Presets of the package and of the project are in the
     /// inspector of a <see cref="FluidSimulation"/>.</summary>
     /// <remarks>It is copied to fluids: what is changed here later reaches those that it is applied to again.</remarks>
-    [CreateAssetMenu(menuName = "Rill/Fluid Preset", fileName = "Fluid Preset"), Icon(PackagePaths.Icon), ManualPage("editor.md")]
+    [CreateAssetMenu(menuName = "Rill/Fluid Preset", fileName = "Fluid Preset"), Icon(PackagePaths.Icon), ManualPage("editor", "fluid-preset")]
     public sealed class FluidPreset : ScriptableObject, IAppliesSettings, IHasProblems
     {
         [SerializeField] FluidMaterial material = FluidMaterial.Water;

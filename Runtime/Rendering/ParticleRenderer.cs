@@ -9,7 +9,7 @@ namespace Rill
     /// One indirect draw a camera and pass, opaque, with depth, shadows and motion vectors. Lit by the pipeline's main light, or by
     /// <see cref="Sun"/> where one is chosen.
     /// </remarks>
-    [AddComponentMenu("Rill/Particle Renderer"), Icon(PackagePaths.Icon), ManualPage("rendering.md")]
+    [AddComponentMenu("Rill/Particle Renderer"), Icon(PackagePaths.Icon), ManualPage("rendering", "particle-renderer")]
     public sealed class ParticleRenderer : FluidRenderer
     {
         /// <summary>Quantity that the color of a particle shows.</summary>

@@ -15,7 +15,7 @@ namespace Rill
     /// rotating frame are left out.) A transform that stops being finite is not followed until it is finite again. Any other
     /// problem is logged once, by name, and stops the fluid; the component stays enabled.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Simulation"), Icon(PackagePaths.Icon), ManualPage("concepts.md")]
+    [AddComponentMenu("Rill/Fluid Simulation"), Icon(PackagePaths.Icon), ManualPage("concepts", "fluid-simulation")]
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(ExecutionOrder)]
     public sealed partial class FluidSimulation : MonoBehaviour, IHasProblems, IAppliesSettings, IUsesFeatures, IRunsInEditMode

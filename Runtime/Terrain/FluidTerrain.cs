@@ -12,7 +12,7 @@ namespace Rill
     /// <remarks>A terrain that a <c>FluidPhysicsColliders</c> takes by layer needs it for a part alone, or for a surface of its own.
     /// Holes of the terrain are closed, which is logged once; trees and details are not colliders. Without the terrain module this
     /// component is not there.</remarks>
-    [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
+    [AddComponentMenu("Rill/Fluid Terrain"), Icon(PackagePaths.Icon), ManualPage("colliders", "fluid-terrain")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
     public sealed class FluidTerrain : MonoBehaviour, IHasProblems, IRunsInEditMode, IAppliesSettings

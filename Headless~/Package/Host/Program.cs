@@ -31,6 +31,7 @@ namespace Host
                 ReportCommand.Create(),
                 CheckCommand.Create(),
                 GenerateCommand.Create(),
+                ManualCommand.Create(),
                 ReferencesCommand.Create());
         }
     }

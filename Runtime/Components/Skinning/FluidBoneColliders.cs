@@ -14,7 +14,7 @@ namespace Rill
     /// A new one fits itself, in the Editor. <see cref="Fit"/> fits again: capsules that are still there keep their friction, events and
     /// other settings and get new sizes, and only those that it made itself are changed. At run time this component does nothing.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Bone Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
+    [AddComponentMenu("Rill/Fluid Bone Colliders"), Icon(PackagePaths.Icon), ManualPage("colliders", "fluid-bone-colliders")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(SkinnedMeshRenderer))]
     public sealed class FluidBoneColliders : MonoBehaviour, IHasProblems, IAppliesSettings

@@ -15,7 +15,7 @@ namespace Rill
     /// cloth and vertices that only the GPU knows are not followed. The mesh must be readable, and keeps its triangles: after a change of these
     /// call <see cref="Refresh"/>. Friction, events and forces are set at the collider.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Deforming Mesh"), Icon(PackagePaths.Icon), ManualPage("colliders.md")]
+    [AddComponentMenu("Rill/Fluid Deforming Mesh"), Icon(PackagePaths.Icon), ManualPage("colliders", "fluid-deforming-mesh")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider))]
     public sealed class FluidDeformingMesh : MonoBehaviour, IDeformingShape, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings

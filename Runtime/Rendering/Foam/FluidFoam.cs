@@ -11,7 +11,7 @@ namespace Rill
     /// once a step. Limits are fixed fractions of the scene's own speed √(g H), so that calm water makes none and the amount does not
     /// depend on the particle spacing. Without this component none of it costs anything. Foam takes no part in the motion of the fluid.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Foam"), Icon(PackagePaths.Icon), ManualPage("foam.md")]
+    [AddComponentMenu("Rill/Fluid Foam"), Icon(PackagePaths.Icon), ManualPage("foam", "fluid-foam")]
     [DisallowMultipleComponent]
     public sealed class FluidFoam : FluidRenderer, IHasProblems
     {

@@ -12,7 +12,7 @@ namespace Rill
     /// Every camera that shows the object's layer draws it, in every render pipeline, without further wiring. The surface is drawn before
     /// other transparent objects and writes depth; those beyond it are not seen through it while it refracts.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Surface"), Icon(PackagePaths.Icon), ManualPage("surface.md")]
+    [AddComponentMenu("Rill/Fluid Surface"), Icon(PackagePaths.Icon), ManualPage("surface", "fluid-surface")]
     [DisallowMultipleComponent]
     public sealed class FluidSurface : FluidRenderer
     {

@@ -13,7 +13,7 @@ namespace Rill
     /// and z in the world in m; no tangents. Its vertices are on the GPU alone. What is thinner than it can hold, such as drops, is not in it.
     /// A <see cref="FluidSurface"/> is not needed; on the same object it draws its water too.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Surface Mesh"), Icon(PackagePaths.Icon), ManualPage("surface.md")]
+    [AddComponentMenu("Rill/Fluid Surface Mesh"), Icon(PackagePaths.Icon), ManualPage("surface", "fluid-surface-mesh")]
     [RequireComponent(typeof(FluidSimulation), typeof(MeshFilter), typeof(MeshRenderer)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
     public sealed class FluidSurfaceMesh : MonoBehaviour, IDrawsFluid, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings

@@ -14,7 +14,7 @@ namespace Rill
     /// it. Where water was last is kept on a grid over the fluid's box, in the box's own frame: what moves in the box leaves its wetness behind.
     /// See-through materials stay dry. Time is that of the fluid: while it is paused nothing dries.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Wetness"), Icon(PackagePaths.Icon), ManualPage("wetness.md")]
+    [AddComponentMenu("Rill/Fluid Wetness"), Icon(PackagePaths.Icon), ManualPage("wetness", "fluid-wetness")]
     [RequireComponent(typeof(FluidSimulation)), DisallowMultipleComponent]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
     public sealed class FluidWetness : MonoBehaviour, IDrawsFluid, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings

@@ -13,7 +13,7 @@ namespace Rill
     /// Both fluids have the same spacing, material, step rate and orientation. A particle that is handed over keeps position, velocity, phase
     /// and lifetime, and gets a new id. Where the capacity of its new fluid is full, it stays where it is and waits.
     /// </remarks>
-    [AddComponentMenu("Rill/Fluid Connection"), Icon(PackagePaths.Icon), ManualPage("control.md")]
+    [AddComponentMenu("Rill/Fluid Connection"), Icon(PackagePaths.Icon), ManualPage("control", "fluid-connection")]
     public sealed class FluidConnection : MonoBehaviour, IHasProblems, IUsesFeatures, IRunsInEditMode, IAppliesSettings
     {
         /// <summary>Spacings that the boxes overlap by at least: two support radii, for what is felt of the other fluid.</summary>

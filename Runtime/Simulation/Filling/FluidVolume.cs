@@ -21,7 +21,7 @@ namespace Rill
 
     /// <summary>Fluid at the start: on a <see cref="FluidSimulation"/> or below it. Follows position and rotation, and with a field uniform
     /// scale; a negative one mirrors.</summary>
-    [AddComponentMenu("Rill/Fluid Volume"), Icon(PackagePaths.Icon), ManualPage("sources.md")]
+    [AddComponentMenu("Rill/Fluid Volume"), Icon(PackagePaths.Icon), ManualPage("sources", "fluid-volume")]
     public sealed class FluidVolume : MonoBehaviour, IHasProblems
     {
         [Tooltip("A box or a sphere around this object, or the inside of a baked mesh at its own position.")]

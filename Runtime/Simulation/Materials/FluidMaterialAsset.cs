@@ -8,7 +8,7 @@ namespace Rill
     /// <remarks>A fluid gives each material that is used in it a phase, 1 to 7; phase 0 has the fluid's own <see cref="FluidMaterial"/>. A
     /// change acts in the next step.</remarks>
     [CreateAssetMenu(menuName = "Rill/Fluid Material", fileName = "Fluid Material")]
-    [Icon(PackagePaths.Icon), ManualPage("materials.md")]
+    [Icon(PackagePaths.Icon), ManualPage("materials", "fluid-material-asset")]
     public sealed class FluidMaterialAsset : ScriptableObject, IAppliesSettings, IHasProblems
     {
         [Tooltip("Rest density, kg/m³. 0.001 to 1e6. Lighter liquids rise. Up to 20 times that of the lightest liquid of a fluid costs the " +

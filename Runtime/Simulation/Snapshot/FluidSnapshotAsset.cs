@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>A <see cref="FluidSnapshot"/> as an asset: what a <see cref="FluidSimulation"/> starts with instead of its volumes.</summary>
-    [PreferBinarySerialization, Icon(PackagePaths.Icon), ManualPage("state.md")]
+    [PreferBinarySerialization, Icon(PackagePaths.Icon), ManualPage("state", "fluid-snapshot")]
     public sealed class FluidSnapshotAsset : ScriptableObject
     {
         [SerializeField, HideInInspector] byte[] bytes = Array.Empty<byte>();

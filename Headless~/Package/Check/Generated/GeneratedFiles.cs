@@ -19,7 +19,11 @@ namespace Host.Check
             new StageAssets(),
             new ReferencePage(),
             new ArchitecturePage(),
+            new ManualHtml(),
         };
+
+        /// <summary>Those of the manual: the others take longer, and a change of a page needs none of them.</summary>
+        public static IReadOnlyList<GeneratedFiles> OfManual { get; } = new GeneratedFiles[] { new ReferencePage(), new ManualHtml() };
 
         /// <summary>A folder that holds no other files, below the package's root with '/' at its end; null where they lie among others.</summary>
         public virtual string Folder => null;

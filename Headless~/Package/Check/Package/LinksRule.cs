@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Host.Manual;
 
 namespace Host.Check
 {
@@ -74,10 +75,8 @@ namespace Host.Check
             return string.Join('/', path);
         }
 
-        // Names by GitHub: lower case, spaces to hyphens, other signs gone.
-        static HashSet<string> Anchors(string text)
-        => text.Split('\n').Select(line => Heading.Match(line.TrimEnd('\r'))).Where(match => match.Success)
-            .Select(match => Regex.Replace(match.Groups["text"].Value.ToLowerInvariant(), @"[^\w\- ]", "").Replace(' ', '-')).ToHashSet();
+        static HashSet<string> Anchors(string text) => text.Split('\n').Select(line => Heading.Match(line.TrimEnd('\r')))
+            .Where(match => match.Success).Select(match => Anchor.Of(match.Groups["text"].Value)).ToHashSet();
 
         static void CheckContents(PackageTree package, List<string> pages, string folder, string name, Findings findings)
         {

@@ -12,15 +12,16 @@ namespace Host.Commands
         public static Command Create()
         {
             var command = new Command("generate", "Writes the files of the package that are derived from its other files; rill check compares them.");
-            command.SetAction(_ => Execute());
+            command.SetAction(_ => Write(GeneratedFiles.All));
             return command;
         }
 
-        static int Execute()
+        /// <summary>Returns the exit code.</summary>
+        public static int Write(IEnumerable<GeneratedFiles> all)
         {
             string root = Session.Root();
             int faults = 0, upToDate = 0;
-            foreach (GeneratedFiles generated in GeneratedFiles.All)
+            foreach (GeneratedFiles generated in all)
             {
                 var package = new PackageTree(root);
                 var findings = new Findings();
