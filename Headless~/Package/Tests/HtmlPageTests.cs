@@ -16,7 +16,7 @@ namespace Host.Tests
         [TestCase("TableOfContents.md", "index.html")]
         [TestCase("html/api/index.html", "api/index.html")]
         [TestCase("images/honey.png", "../images/honey.png")]
-        [TestCase("../Research~/report.md#figures", "../../Research~/report.md#figures")]
+        [TestCase("../Research~/report.md#figures", "../../Research%7E/report.md#figures")]
         [TestCase("https://unity.com/a.md", "https://unity.com/a.md")]
         public void A_link_leads_where_it_led_on_the_page(string target, string expected)
             => Assert.That(Body("[a](" + target + ")"), Is.EqualTo("<p><a href=\"" + expected + "\">a</a></p>\n"));

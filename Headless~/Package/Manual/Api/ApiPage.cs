@@ -59,7 +59,9 @@ namespace Host.Manual
             XElement comment = library.CommentOf(member.Symbol);
             html.Append($"<section id=\"{member.Anchor}\">\n<h3><a href=\"#{member.Anchor}\">{Html.Escape(member.Title)}</a></h3>\n");
             html.Append($"<pre class=\"declaration\"><code>{signatures.Of(member.Symbol)}</code></pre>\n");
-            html.Append($"<p>{comments.Of(comment?.Element("summary"))}{RangeOf(member.Symbol)}</p>\n");
+            string summary = comments.Of(comment?.Element("summary")) + RangeOf(member.Symbol);
+            if (summary.Length > 0)
+                html.Append($"<p>{summary}</p>\n");
             AppendParts(html, member.Symbol, comment);
             html.Append("</section>\n");
         }
