@@ -37,7 +37,8 @@ namespace Host.Manual
         {
             var html = new StringBuilder($"<h1>{Title}</h1>\n<p class=\"lead\">Every public type of the package. " +
                 "<a href=\"../scripting.html\">Scripting</a> shows them in use; the <a href=\"../reference.html\">component reference</a> has what " +
-                "the inspector shows.</p>\n");
+                "the inspector shows. Left out is <code>FluidSurfaceFeature</code>, which is there with URP alone: see " +
+                "<a href=\"../rendering.html\">Rendering</a>.</p>\n");
             foreach (string group in Present(library))
             {
                 string anchor = Anchor.Of(group);
