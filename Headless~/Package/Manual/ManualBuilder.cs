@@ -32,16 +32,18 @@ namespace Host.Manual
             library = new ApiLibrary(assemblies, Assemblies);
             topics = library.Types.Select(HelpTopic.Of).Where(topic => topic != null).ToList();
             string folder = Path.Combine(root, "Documentation~");
-            pages = Directory.GetFiles(folder, "*.md").Where(file => Path.GetFileName(file) != TableOfContents).OrderBy(file => file, StringComparer.Ordinal)
+            pages = Directory.GetFiles(folder, "*.md").Where(file => Path.GetFileName(file) != TableOfContents)
+                .OrderBy(file => file, StringComparer.Ordinal)
                 .Select(file => new MarkdownPage(Path.GetFileNameWithoutExtension(file), File.ReadAllText(file))).ToList();
             contents = new Contents(File.ReadAllText(Path.Combine(folder, TableOfContents)).Replace("\r\n", "\n"));
             using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(root, "package.json")));
-            frame = new PageFrame(manifest.RootElement.GetProperty("displayName").GetString(), manifest.RootElement.GetProperty("version").GetString());
+            frame = new PageFrame(manifest.RootElement.GetProperty("displayName").GetString(),
+                manifest.RootElement.GetProperty("version").GetString());
         }
 
         /// <summary>Returns the files of the manual by their paths below its folder, with '/'.</summary>
         /// <param name="root">The package's root.</param>
-        /// <param name="assemblies">Folder of the package's compiled assemblies and those that they reference, with the documentation beside each.</param>
+        /// <param name="assemblies">Folder of the package's compiled assemblies and those that they reference, with their documentation.</param>
         /// <param name="fault">Takes what is wrong with the pages, a sentence each.</param>
         public static IReadOnlyDictionary<string, string> Build(string root, string assemblies, Action<string> fault)
             => new ManualBuilder(root, assemblies, fault).Build();
@@ -115,8 +117,8 @@ namespace Host.Manual
             MarkdownPage page = pages.Find(known => known.Name == topic.Page);
             PageHeading heading = page?.Headings.FirstOrDefault(known => known.Id == topic.Section);
             if (heading == null)
-                fault($"{topic.Type.Name} has [ManualPage(\"{topic.Page}\", \"{topic.Section}\")], and Documentation~/{topic.Page}.md has no heading of " +
-                    "that name: write the heading, or name another.");
+                fault($"{topic.Type.Name} has [ManualPage(\"{topic.Page}\", \"{topic.Section}\")], and Documentation~/{topic.Page}.md has no " +
+                    "heading of that name: write the heading, or name another.");
             else
                 files[topic.Redirect] = topic.RedirectHtml(heading.Text);
         }

@@ -33,7 +33,8 @@ namespace Host.Tests
         {
             string[] parts = target.Split(new[] { '#' }, 2);
             string path = parts[0].Length == 0 ? page
-                : Path.GetRelativePath(folder, Path.Combine(folder, Path.GetDirectoryName(page), Uri.UnescapeDataString(parts[0]))).Replace('\\', '/');
+                : Path.GetRelativePath(folder, Path.Combine(folder, Path.GetDirectoryName(page), Uri.UnescapeDataString(parts[0])))
+                    .Replace('\\', '/');
             if (anchors.TryGetValue(path, out HashSet<string> there))
                 return parts.Length == 2 && !there.Contains(parts[1]);
             string file = Path.Combine(folder, path);

@@ -15,6 +15,7 @@ namespace Host.Tests
     public sealed class HtmlManualTests
     {
         const int MaxBytes = 2000000;
+        const BindingFlags Declared = BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;
 
         IReadOnlyDictionary<string, string> files;
 
@@ -89,8 +90,8 @@ namespace Host.Tests
         {
             HashSet<string> found = Regex.Matches(files["search-documents.js"], "^\\[\"([^\"#]+)", RegexOptions.Multiline)
                 .Select(match => match.Groups[1].Value).ToHashSet();
-            Assert.That(files.Keys.Where(file => file.EndsWith(".html", StringComparison.Ordinal) && !file.StartsWith("help/", StringComparison.Ordinal)
-                && file != "api/index.html" && !found.Contains(file)), Is.Empty);
+            Assert.That(files.Keys.Where(file => file.EndsWith(".html", StringComparison.Ordinal)
+                && !file.StartsWith("help/", StringComparison.Ordinal) && file != "api/index.html" && !found.Contains(file)), Is.Empty);
         }
 
         [Test]
@@ -104,8 +105,7 @@ namespace Host.Tests
                 Assert.That(files.TryGetValue("api/" + name + ".html", out string page), name);
                 Assert.That(page, Does.Match("<div class=\"lead\">.{10,}</div>"), name);
                 Assert.That(files["api/index.html"], Does.Match("<code>" + Regex.Escape(name) + "</code></a><td>.{10,}"), name);
-                foreach (MemberInfo member in type.GetMembers(BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly)
-                    .Where(IsWritten))
+                foreach (MemberInfo member in type.GetMembers(Declared).Where(IsWritten))
                 {
                     members++;
                     Assert.That(page, Does.Contain("id=\"" + member.Name + "\""), name);
@@ -166,8 +166,8 @@ namespace Host.Tests
                         File.ReadAllText(page).Replace("# Fluid Drain\n", "# Fluid Sink\n"));
                 var faults = new List<string>();
                 Build(root, faults);
-                Assert.That(faults, Is.EqualTo(new[] { "FluidDrain has [ManualPage(\"sources\", \"fluid-drain\")], and Documentation~/sources.md has no " +
-                    "heading of that name: write the heading, or name another." }));
+                Assert.That(faults, Is.EqualTo(new[] { "FluidDrain has [ManualPage(\"sources\", \"fluid-drain\")], and Documentation~/sources.md " +
+                    "has no heading of that name: write the heading, or name another." }));
             }
             finally
             {

@@ -7,8 +7,8 @@ namespace Host.Tests
     /// <summary>Markdown of the manual's kind as HTML.</summary>
     public sealed class HtmlPageTests
     {
-        static string Body(string markdown) => new MarkdownPage("page", markdown).Body(name => name == "FluidEmitter" ? "api/FluidEmitter.html" : null,
-            heading => null);
+        static string Body(string markdown)
+            => new MarkdownPage("page", markdown).Body(name => name == "FluidEmitter" ? "api/FluidEmitter.html" : null, heading => null);
 
         [TestCase("colliders.md", "colliders.html")]
         [TestCase("colliders.md#terrain", "colliders.html#terrain")]
@@ -24,7 +24,8 @@ namespace Host.Tests
         [Test]
         public void Headings_have_the_anchors_that_GitHub_gives_them()
         {
-            var page = new MarkdownPage("page", "# A page\n\n## What it is, and what it is not\n\n## `rill explain` (2)\n\n## Limits\n\n### Limits\n");
+            var page = new MarkdownPage("page", "# A page\n\n## What it is, and what it is not\n\n" +
+                "## `rill explain` (2)\n\n## Limits\n\n### Limits\n");
             Assert.That(page.Headings.Select(heading => heading.Id),
                 Is.EqualTo(new[] { "a-page", "what-it-is-and-what-it-is-not", "rill-explain-2", "limits", "limits-1" }));
             Assert.That(page.Title, Is.EqualTo("A page"));
@@ -40,8 +41,9 @@ namespace Host.Tests
         [Test]
         public void Code_has_colors_and_links_and_no_other_HTML()
         {
-            Assert.That(Body("```csharp\nif (a < 1f) // <b>\n    FluidEmitter.Of(\"if\");\n```\n"), Is.EqualTo("<pre><code><span class=\"k\">if</span> (a &lt; " +
-                "<span class=\"n\">1f</span>) <span class=\"c\">// &lt;b&gt;</span>\n    <a href=\"api/FluidEmitter.html\">FluidEmitter</a>" +
+            Assert.That(Body("```csharp\nif (a < 1f) // <b>\n    FluidEmitter.Of(\"if\");\n```\n"),
+                Is.EqualTo("<pre><code><span class=\"k\">if</span> (a &lt; <span class=\"n\">1f</span>) " +
+                "<span class=\"c\">// &lt;b&gt;</span>\n    <a href=\"api/FluidEmitter.html\">FluidEmitter</a>" +
                 ".Of(<span class=\"s\">&quot;if&quot;</span>);</code></pre>\n"));
             Assert.That(Body("```\nif (a) // b\n```\n"), Is.EqualTo("<pre><code>if (a) // b</code></pre>\n"));
         }
@@ -49,9 +51,9 @@ namespace Host.Tests
         [Test]
         public void A_section_is_searched_by_its_text_without_code_blocks()
         {
-            PageSection[] sections = new MarkdownPage("page", "# A\n\nOne *two* `three`.\n\n```csharp\nfour();\n```\n\n## B\n\n| x | y |\n| --- | --- |\n| 1 | 2 |\n")
-                .Sections().ToArray();
-            Assert.That(sections.Select(section => section.Heading.Text + ": " + section.Text), Is.EqualTo(new[] { "A: One two three.", "B: x y 1 2" }));
+            const string Page = "# A\n\nOne *two* `three`.\n\n```csharp\nfour();\n```\n\n## B\n\n| x | y |\n| --- | --- |\n| 1 | 2 |\n";
+            Assert.That(new MarkdownPage("page", Page).Sections().Select(section => section.Heading.Text + ": " + section.Text),
+                Is.EqualTo(new[] { "A: One two three.", "B: x y 1 2" }));
         }
 
         [Test]

@@ -34,7 +34,8 @@ namespace Host.Tests
             Assert.That(help.URL, Does.StartWith("file:///").And.EndWith("/Packages/com.rill.fluids/Documentation~/" + file));
             Assert.That(File.ReadAllText(InPackage(PackagePaths.Manual + file)),
                 Does.Contain("content=\"0; url=../" + help.Page + ".html#" + help.Section + "\""));
-            Assert.That(File.ReadAllText(InPackage(PackagePaths.Manual + "html/" + help.Page + ".html")), Does.Contain("id=\"" + help.Section + "\""));
+            Assert.That(File.ReadAllText(InPackage(PackagePaths.Manual + "html/" + help.Page + ".html")),
+                Does.Contain("id=\"" + help.Section + "\""));
         }
 
         static string InPackage(string path) => Path.Combine(PackageFolder.Path, path.Substring(PackagePaths.Root.Length));

@@ -18,7 +18,8 @@ namespace Host.Manual
         /// <summary>Content of an element; empty for null.</summary>
         public string Of(XElement element) => element == null ? "" : Content(element).Trim();
 
-        public static string Plain(XElement element) => element == null ? "" : Regex.Replace(string.Concat(element.DescendantNodes().Select(node => node switch
+        public static string Plain(XElement element) => element == null ? "" : Regex.Replace(string.Concat(element.DescendantNodes().Select(node
+            => node switch
         {
             XText text => text.Value,
             XElement { IsEmpty: true } reference => NameOf(reference),
@@ -67,7 +68,8 @@ namespace Host.Manual
             if ((string)element.Attribute("href") is string web)
                 return $"<a href=\"{Html.Escape(web)}\">{(element.IsEmpty ? Html.Escape(web) : Content(element))}</a>";
             string text = $"<code>{Html.Escape(element.Nodes().Any() ? element.Value : NameOf(element))}</code>";
-            return (string)element.Attribute("cref") is string id && library.AddressOf(id) is string address ? $"<a href=\"../{address}\">{text}</a>" : text;
+            return (string)element.Attribute("cref") is string id && library.AddressOf(id) is string address
+                ? $"<a href=\"../{address}\">{text}</a>" : text;
         }
 
         // A member of another type has the type's name before its own.

@@ -59,7 +59,10 @@ namespace Host.Manual
                 return Groups[1];
             return type.Symbol.TypeKind switch
             {
-                TypeKind.Struct => Groups[3], TypeKind.Interface or TypeKind.Delegate => Groups[4], TypeKind.Enum => Groups[5], _ => Groups[2],
+                TypeKind.Struct => Groups[3],
+                TypeKind.Interface or TypeKind.Delegate => Groups[4],
+                TypeKind.Enum => Groups[5],
+                _ => Groups[2],
             };
         }
 

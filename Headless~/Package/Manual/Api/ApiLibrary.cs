@@ -39,7 +39,8 @@ namespace Host.Manual
         }
 
         static IEnumerable<string> Platform() => ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")).Split(Path.PathSeparator)
-            .Where(file => Path.GetFileName(file) is string name && (name.StartsWith("System.", StringComparison.Ordinal) || name == "netstandard.dll")
+            .Where(file => Path.GetFileName(file) is string name
+                && (name.StartsWith("System.", StringComparison.Ordinal) || name == "netstandard.dll")
                 && Path.GetDirectoryName(file) == Path.GetDirectoryName(typeof(object).Assembly.Location));
 
         static IEnumerable<INamedTypeSymbol> Public(INamespaceOrTypeSymbol container) => container.GetMembers().OfType<INamespaceOrTypeSymbol>()
@@ -101,7 +102,9 @@ namespace Host.Manual
             IPropertySymbol { OverriddenProperty: { } property } => property,
             IEventSymbol { OverriddenEvent: { } raised } => raised,
             _ => symbol.ContainingType?.AllInterfaces.SelectMany(contract => contract.GetMembers())
-                .FirstOrDefault(member => SymbolEqualityComparer.Default.Equals(symbol.ContainingType.FindImplementationForInterfaceMember(member), symbol)),
+                .FirstOrDefault(member => SymbolEqualityComparer.Default.Equals(Implementation(symbol.ContainingType, member), symbol)),
         };
+
+        static ISymbol Implementation(INamedTypeSymbol type, ISymbol member) => type.FindImplementationForInterfaceMember(member);
     }
 }

@@ -109,7 +109,8 @@ namespace Host.Manual
                 if (known == null || known.Members.Count == 0)
                     continue;
                 html.Append($"<p class=\"inherited\">From <a href=\"../{known.Address}\"><code>{Html.Escape(known.Name)}</code></a>: " +
-                    string.Join(", ", known.Members.Select(m => $"<a href=\"../{known.Address}#{m.Anchor}\"><code>{Html.Escape(m.Title)}</code></a>")) + "</p>\n");
+                    string.Join(", ", known.Members.Select(member => $"<a href=\"../{known.Address}#{member.Anchor}\"><code>" +
+                        $"{Html.Escape(member.Title)}</code></a>")) + "</p>\n");
             }
         }
 

@@ -28,7 +28,8 @@ namespace Host.Manual
             miscellaneousOptions: SymbolDisplayMiscellaneousOptions.UseSpecialTypes);
 
         // Accessors that only the package reaches.
-        static readonly Regex HiddenAccessor = new("<span class=\"k\">(?:internal|private|private protected)</span> <span class=\"k\">(?:get|set|init)</span>; ");
+        static readonly Regex HiddenAccessor = new("<span class=\"k\">(?:internal|private|private protected)</span> " +
+            "<span class=\"k\">(?:get|set|init)</span>; ");
 
         readonly ApiLibrary library;
 

@@ -13,7 +13,8 @@ namespace Host.Manual
         /// <summary>With the names of the types around it.</summary>
         public readonly string Name;
 
-        /// <summary>Enum members by value, fields of structs as declared, all else by name, since parts of a type are compiled in no fixed order.</summary>
+        /// <summary>Enum members by value, fields of structs as declared, all else by name: parts of a type are compiled in no fixed
+        /// order.</summary>
         public readonly IReadOnlyList<ApiMember> Members;
 
         public ApiType(INamedTypeSymbol symbol)
@@ -38,7 +39,11 @@ namespace Host.Manual
         /// <summary>As after a type's name in a title.</summary>
         public string Kind => Symbol.TypeKind switch
         {
-            TypeKind.Struct => "struct", TypeKind.Enum => "enum", TypeKind.Interface => "interface", TypeKind.Delegate => "delegate", _ => "class",
+            TypeKind.Struct => "struct",
+            TypeKind.Enum => "enum",
+            TypeKind.Interface => "interface",
+            TypeKind.Delegate => "delegate",
+            _ => "class",
         };
 
         /// <summary>Whether code outside of the assembly reaches it.</summary>
@@ -55,7 +60,8 @@ namespace Host.Manual
         };
 
         // One without parameters is made by the compiler, but for those that create what Unity does not.
-        static bool IsWritten(IMethodSymbol constructor) => constructor.Parameters.Length > 0 && constructor.ContainingType.TypeKind != TypeKind.Delegate;
+        static bool IsWritten(IMethodSymbol constructor) => constructor.Parameters.Length > 0
+            && constructor.ContainingType.TypeKind != TypeKind.Delegate;
 
         IEnumerable<ISymbol> Ordered(IEnumerable<ISymbol> members)
         {

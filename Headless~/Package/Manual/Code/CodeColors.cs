@@ -8,18 +8,19 @@ namespace Host.Manual
     /// <summary>Code as HTML, with classes for comments (c), strings (s), numbers (n), keywords (k) and directives (d).</summary>
     static class CodeColors
     {
-        static readonly Regex Token = new(@"(?<c>//[^\n]*|/\*.*?\*/)|(?<s>[@$]*""(?:\\.|[^""\\\n])*"")|(?<n>\b\d[\w.]*)|(?<d>^[ \t]*#\w+)|(?<word>[A-Za-z_]\w*)",
+        static readonly Regex Token = new(@"(?<c>//[^\n]*|/\*.*?\*/)|(?<s>[@$]*""(?:\\.|[^""\\\n])*"")|" +
+            @"(?<n>\b\d[\w.]*)|(?<d>^[ \t]*#\w+)|(?<word>[A-Za-z_]\w*)",
             RegexOptions.Singleline | RegexOptions.Multiline);
 
         static readonly HashSet<string> CSharp = Words("abstract as async await base bool break byte case catch char class const continue decimal " +
-            "default delegate do double else enum event explicit extern false finally fixed float for foreach get goto if implicit in int interface " +
-            "internal is lock long namespace new null object operator out override params private protected public readonly ref return sbyte sealed " +
-            "set short sizeof static string struct switch this throw true try typeof uint ulong unsafe using var virtual void while yield");
+            "default delegate do double else enum event explicit extern false finally fixed float for foreach get goto if implicit in int " +
+            "interface internal is lock long namespace new null object operator out override params private protected public " +
+            "readonly ref return sbyte sealed set short sizeof static string struct switch this throw true try typeof uint ulong unsafe using var virtual void while yield");
 
         static readonly HashSet<string> Hlsl = Words("Buffer ByteAddressBuffer RWByteAddressBuffer RWStructuredBuffer RWTexture2D RWTexture3D " +
-            "SamplerState StructuredBuffer Texture2D Texture3D bool break case cbuffer const continue default discard do else false float float2 float3 " +
-            "float4 float4x4 for groupshared half half2 half3 half4 if in inout int int2 int3 int4 numthreads out return static struct switch true uint " +
-            "uint2 uint3 uint4 void while");
+            "SamplerState StructuredBuffer Texture2D Texture3D bool break case cbuffer const continue default discard do else false float float2 " +
+            "float3 float4 float4x4 for groupshared half half2 half3 half4 if in inout int int2 int3 int4 numthreads out return " +
+            "static struct switch true uint uint2 uint3 uint4 void while");
 
         static HashSet<string> Words(string words) => new(words.Split(' '), StringComparer.Ordinal);
 

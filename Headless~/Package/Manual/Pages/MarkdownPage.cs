@@ -90,8 +90,14 @@ namespace Host.Manual
             var text = new StringBuilder();
             if (block is LeafBlock { Inline: not null } leaf)
                 foreach (Inline inline in leaf.Inline.Descendants())
-                    text.Append(inline switch { LiteralInline literal => literal.Content.ToString(), CodeInline code => code.Content,
-                        HtmlEntityInline entity => entity.Transcoded.ToString(), LineBreakInline => " ", _ => "" });
+                    text.Append(inline switch
+                    {
+                        LiteralInline literal => literal.Content.ToString(),
+                        CodeInline code => code.Content,
+                        HtmlEntityInline entity => entity.Transcoded.ToString(),
+                        LineBreakInline => " ",
+                        _ => ""
+                    });
             else if (block is ContainerBlock container)
                 foreach (Block child in container)
                     text.Append(TextOf(child)).Append(' ');

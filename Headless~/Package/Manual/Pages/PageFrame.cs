@@ -39,10 +39,11 @@ namespace Host.Manual
             html.Append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
             html.Append($"<title>{title}</title>\n<link rel=\"icon\" href=\"{root}../../Editor/Icons/Drop.png\">\n");
             html.Append($"<link rel=\"stylesheet\" href=\"{root}manual.css\">\n<script defer src=\"{root}manual.js\"></script>\n</head>\n<body>\n");
-            html.Append($"<header>\n<a class=\"brand\" href=\"{root}index.html\"><img src=\"{root}../../Editor/Icons/Drop.png\" alt=\"\">{product}</a>");
+            html.Append($"<header>\n<a class=\"brand\" href=\"{root}index.html\">");
+            html.Append($"<img src=\"{root}../../Editor/Icons/Drop.png\" alt=\"\">{product}</a>");
             html.Append($"<span class=\"version\">{version}</span>\n");
-            html.Append("<div class=\"search\" role=\"search\" hidden><input type=\"search\" placeholder=\"Search\" aria-label=\"Search the manual\" " +
-                "autocomplete=\"off\" spellcheck=\"false\"><ol hidden></ol></div>\n</header>\n");
+            html.Append("<div class=\"search\" role=\"search\" hidden><input type=\"search\" placeholder=\"Search\" " +
+                "aria-label=\"Search the manual\" autocomplete=\"off\" spellcheck=\"false\"><ol hidden></ol></div>\n</header>\n");
             html.Append("<input type=\"checkbox\" id=\"menu\"><label for=\"menu\">Contents</label>\n<div class=\"columns\">\n");
             AppendNavigation(html, page, root);
             html.Append($"<main>\n{page.Body.TrimEnd()}\n");
@@ -61,7 +62,8 @@ namespace Host.Manual
                     html.Append($"<h2>{Html.Escape(group.Title)}</h2>\n");
                 html.Append("<ul>\n");
                 foreach (PageLink link in group.Links)
-                    html.Append($"<li><a href=\"{FromTo(page.Address, link.Address, root)}\"{(link.Address == page.Address ? " aria-current=\"page\"" : "")}>{link.Text}</a>\n");
+                    html.Append($"<li><a href=\"{FromTo(page.Address, link.Address, root)}\"" +
+                        $"{(link.Address == page.Address ? " aria-current=\"page\"" : "")}>{link.Text}</a>\n");
                 html.Append("</ul>\n");
             }
             html.Append("</nav>\n");
@@ -71,7 +73,8 @@ namespace Host.Manual
         static string FromTo(string page, string target, string root)
         {
             int folder = page.LastIndexOf('/') + 1;
-            return folder > 0 && target.StartsWith(page.Substring(0, folder), System.StringComparison.Ordinal) ? target.Substring(folder) : root + target;
+            return folder > 0 && target.StartsWith(page.Substring(0, folder), System.StringComparison.Ordinal) ? target.Substring(folder)
+                : root + target;
         }
 
         static void AppendNeighbors(StringBuilder html, PageContent page, string root)
