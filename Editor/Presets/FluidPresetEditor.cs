@@ -11,19 +11,7 @@ namespace Rill.Editor
 
         static readonly InspectorSection[] AllSections =
         {
-            new InspectorSection("Fluid", true,
-                new InspectorField("material.density", "kg/m³"),
-                new InspectorField("material.velocitySmoothing", "fraction in 1/60 s"),
-                new InspectorField("material.dynamicViscosity", "Pa s"),
-                new InspectorField("material.wallFriction"),
-                new InspectorField("material.vorticity", "m/s"),
-                new InspectorField("material.artificialPressure"),
-                new InspectorField("material.artificialPressureDistance", "support radii", When.IsPositive("material.artificialPressure")),
-                new InspectorField("material.allowedTension"),
-                new InspectorField("material.shearModulus", "Pa"),
-                new InspectorField("material.relaxationTime", "s", When.IsPositive("material.shearModulus")),
-                new InspectorField("material.surfaceTension", "N/m"),
-                new InspectorField("material.contactAngle", "degrees", When.IsPositive("material.surfaceTension"))),
+            new InspectorSection("Fluid", true, MaterialFields.Usual.With(MaterialFields.Advanced)),
             new InspectorSection("Look", true,
                 new InspectorField("surface"),
                 new InspectorField("look.colorAtDepth", when: IsCustom),

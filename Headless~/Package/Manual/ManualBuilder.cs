@@ -81,7 +81,7 @@ namespace Host.Manual
 
         static PageLink Link(ContentsEntry entry) => new(Html.Escape(entry.Title), entry.Address);
 
-        // Ways from a component's section to its fields and its code, and back.
+        // Links from a component's section to its fields and its code, and back.
         string Below(MarkdownPage page, PageHeading heading)
         {
             HelpTopic topic = page.Name == Reference ? topics.Find(known => known.Title != null && Anchor.Of(known.Title) == heading.Id)

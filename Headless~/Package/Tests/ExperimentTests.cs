@@ -1,6 +1,8 @@
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using Host;
+using Host.Bench;
 using Host.Commands;
 using Host.Experiments;
 using Host.Report;
@@ -31,6 +33,13 @@ namespace Host.Tests
             Assert.That(scene.Spacing, Is.EqualTo(spacing));
             foreach ((float3 corner, int3 counts, float3 _) in scene.Blocks)
                 Assert.That(math.all(corner + counts <= scene.Box), "a block reaches out of the box");
+        }
+
+        [Test]
+        public void The_mean_of_step_times_counts_what_the_median_hides()
+        {
+            StepTimes.Spread times = StepTimes.Spread.Of(new List<double> { 1, 3, 1, 1, 3, 1, 1 });
+            Assert.That((times.Mean, times.Median, times.Low, times.High, times.Count), Is.EqualTo((11.0 / 7.0, 1.0, 1.0, 3.0, 7)));
         }
 
         [Test]

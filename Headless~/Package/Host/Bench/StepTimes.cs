@@ -96,14 +96,16 @@ namespace Host.Bench
             device.WaitIdle();
         }
 
-        /// <summary>Median, and the values that a tenth is below and above.</summary>
-        public readonly record struct Spread(double Median, double Low, double High, int Count)
+        /// <summary>Median, the values that a tenth is below and above, and the mean, which counts what is done every second step or less.</summary>
+        public readonly record struct Spread(double Median, double Low, double High, double Mean, int Count)
         {
+            public static readonly Spread None = new(double.NaN, double.NaN, double.NaN, double.NaN, 0);
+
             public static Spread Of(List<double> values)
             {
                 var sorted = values.OrderBy(value => value).ToList();
                 double At(double fraction) => sorted[(int)Math.Round(fraction * (sorted.Count - 1))];
-                return new Spread(At(0.5), At(0.1), At(0.9), sorted.Count);
+                return new Spread(At(0.5), At(0.1), At(0.9), sorted.Average(), sorted.Count);
             }
         }
     }

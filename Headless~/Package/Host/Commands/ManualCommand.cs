@@ -8,7 +8,8 @@ namespace Host.Commands
     {
         public static Command Create()
         {
-            var command = new Command("manual", "Writes the manual's HTML from its pages and the code's documentation, in seconds; rill generate does too.");
+            var command = new Command("manual",
+                "Writes the manual's HTML from its pages and the code's documentation, in seconds; rill generate does too.");
             command.SetAction(_ => GenerateCommand.Write(GeneratedFiles.OfManual));
             return command;
         }

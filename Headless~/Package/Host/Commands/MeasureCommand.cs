@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
+using Host.Bench;
 using Host.Experiments;
 using Host.Report.Obstacles;
 using Rill;
@@ -26,7 +27,8 @@ namespace Host.Commands
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.Automatic };
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.",
                 DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
-            var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
+            var every = new Option<int>("--every") { Description = "Steps between statistics; a prime number does not fall in step with what is done every " +
+                "few steps.", DefaultValueFactory = _ => 7 };
             var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
             var damping = new Option<float>("--damping") { Description = "Numerical damping, as a fraction of a first-order step's.",
                 DefaultValueFactory = _ => SolverSettings.Default.numericalDamping };
@@ -177,14 +179,19 @@ namespace Host.Commands
                 $"coincident {run.Samples[^1].coincident} (most {run.Samples.Max(s => s.coincident)}) escaped " +
                 $"{run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite " +
                 $"{run.Samples[^1].nonFinite}"));
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms initial {run.Milliseconds("initial"):0.000} moving " +
-                $"{run.Milliseconds("moving"):0.000} settled {run.Milliseconds("settled"):0.000} | " +
-                $"{run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms, mean (median, a tenth above) initial {Times(run, "initial")} moving " +
+                $"{Times(run, "moving")} settled {Times(run, "settled")} | {run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
             if (stages)
                 foreach (var window in run.Times)
                     Console.WriteLine($"  {window.Key}: "
                         + string.Join(", ", window.Value.Keys.Select(stage => string.Create(CultureInfo.InvariantCulture,
-                        $"{stage} {run.Milliseconds(window.Key, stage):0.0000}"))));
+                        $"{stage} {run.TimesOf(window.Key, stage).Mean:0.0000}"))));
+        }
+
+        static string Times(Experiment run, string window)
+        {
+            StepTimes.Spread times = run.TimesOf(window);
+            return string.Create(CultureInfo.InvariantCulture, $"{times.Mean:0.000} ({times.Median:0.000}, {times.High:0.000})");
         }
     }
 }

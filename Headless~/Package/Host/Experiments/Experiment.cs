@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Host.Bench;
 using Rill;
 using UnityEngine;
 using UnityEngine.Headless;
@@ -57,14 +58,13 @@ namespace Host.Experiments
             => Samples.Where(s => Time(s) >= MovingFrom - 1e-6 && Time(s) <= MovingTo + 1e-6).Select(value).DefaultIfEmpty(double.NaN)
             .Average();
 
+        /// <summary>Times of the steps of a window; NaN where nothing was timed.</summary>
+        public StepTimes.Spread TimesOf(string window, string stage = StepTimes.Step)
+            => Times.TryGetValue(window, out Dictionary<string, List<double>> stages) && stages.TryGetValue(stage, out List<double> values)
+                ? StepTimes.Spread.Of(values) : StepTimes.Spread.None;
+
         /// <summary>Median; NaN where nothing was timed.</summary>
-        public double Milliseconds(string window, string stage = "step")
-        {
-            if (!Times.TryGetValue(window, out Dictionary<string, List<double>> stages) || !stages.TryGetValue(stage, out List<double> values))
-                return double.NaN;
-            var sorted = values.OrderBy(v => v).ToList();
-            return sorted[sorted.Count / 2];
-        }
+        public double Milliseconds(string window, string stage = StepTimes.Step) => TimesOf(window, stage).Median;
 
         void Play(PackageSolver solver, int steps, int sampleEvery, Func<Experiment, bool> isOver)
         {

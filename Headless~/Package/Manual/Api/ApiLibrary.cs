@@ -69,7 +69,7 @@ namespace Host.Manual
             return names.TryGetValue(bracket > 0 ? code.Substring(0, bracket) : code, out string address) ? address : null;
         }
 
-        /// <summary>Documentation of a type or member; what it inherits where it says so; null where there is none.</summary>
+        /// <summary>Returns the documentation of a type or member, or that which it inherits by its own word; null without.</summary>
         public XElement CommentOf(ISymbol symbol)
         {
             XElement comment = Comment(symbol.GetDocumentationCommentId());
@@ -85,7 +85,7 @@ namespace Host.Manual
 
         XElement Comment(string id) => id != null && comments.TryGetValue(id, out XElement comment) ? comment : null;
 
-        // What the member says itself goes before what it inherits.
+        // The member's own text goes before that which it inherits.
         static XElement Joined(XElement own, XElement inherited)
         {
             var joined = new XElement(own.Name, own.Elements().Where(element => element.Name != "inheritdoc"));

@@ -114,7 +114,7 @@ namespace Host.Manual
             }
         }
 
-        // What the inspector allows.
+        // Ranges of the inspector.
         static string RangeOf(ISymbol symbol)
         {
             foreach (AttributeData attribute in symbol.GetAttributes())

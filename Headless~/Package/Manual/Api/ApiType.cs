@@ -36,7 +36,7 @@ namespace Host.Manual
         public string Id => Symbol.GetDocumentationCommentId();
         public string Address => $"{ApiLibrary.Folder}{Name}{(Symbol.Arity > 0 ? $"-{Symbol.Arity}" : "")}.html";
 
-        /// <summary>As after a type's name in a title.</summary>
+        /// <summary>Returns the kind that follows a type's name in a title.</summary>
         public string Kind => Symbol.TypeKind switch
         {
             TypeKind.Struct => "struct",
@@ -83,7 +83,7 @@ namespace Host.Manual
         public string Id => Symbol.GetDocumentationCommentId();
         public ApiGroup Group => GroupOf(Symbol);
 
-        /// <summary>As in a heading.</summary>
+        /// <summary>Returns the name as a heading has it.</summary>
         public string Title => Symbol switch
         {
             IMethodSymbol { MethodKind: MethodKind.Constructor } => Symbol.ContainingType.Name,

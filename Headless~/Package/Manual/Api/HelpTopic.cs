@@ -3,7 +3,7 @@ using Microsoft.CodeAnalysis;
 
 namespace Host.Manual
 {
-    /// <summary>What the question mark of a component or an asset opens, as its <c>[ManualPage]</c> says.</summary>
+    /// <summary>Page and section that the question mark of a component or an asset opens, from its <c>[ManualPage]</c>.</summary>
     /// <param name="Page">Name of a page of the manual.</param>
     /// <param name="Section">Anchor of a heading on it.</param>
     /// <param name="Title">Name in the menu of components; null for an asset.</param>

@@ -15,7 +15,8 @@ namespace Host.Manual
         static readonly HashSet<string> CSharp = Words("abstract as async await base bool break byte case catch char class const continue decimal " +
             "default delegate do double else enum event explicit extern false finally fixed float for foreach get goto if implicit in int " +
             "interface internal is lock long namespace new null object operator out override params private protected public " +
-            "readonly ref return sbyte sealed set short sizeof static string struct switch this throw true try typeof uint ulong unsafe using var virtual void while yield");
+            "readonly ref return sbyte sealed set short sizeof static string struct switch this throw true try " +
+            "typeof uint ulong unsafe using var virtual void while yield");
 
         static readonly HashSet<string> Hlsl = Words("Buffer ByteAddressBuffer RWByteAddressBuffer RWStructuredBuffer RWTexture2D RWTexture3D " +
             "SamplerState StructuredBuffer Texture2D Texture3D bool break case cbuffer const continue default discard do else false float float2 " +

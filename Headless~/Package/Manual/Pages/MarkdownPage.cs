@@ -62,7 +62,7 @@ namespace Host.Manual
             return writer.ToString();
         }
 
-        /// <summary>What a search looks through: the page by its headings, without blocks of code.</summary>
+        /// <summary>Returns the texts of a search: the page by its headings, without blocks of code.</summary>
         public IEnumerable<PageSection> Sections()
         {
             PageHeading heading = null;

@@ -11,7 +11,7 @@ namespace Host.Manual
     /// <param name="Title">Null for links that stand for themselves.</param>
     sealed record LinkGroup(string Title, IReadOnlyList<PageLink> Links);
 
-    /// <summary>What a page shows between head and foot.</summary>
+    /// <summary>Content of a page between head and foot.</summary>
     sealed class PageContent
     {
         /// <summary>Below the folder of the HTML.</summary>

@@ -5,7 +5,7 @@ using System.Text.Json;
 
 namespace Host.Manual
 {
-    /// <summary>What the search looks through, as a script: a page that is opened as a file may load no data.</summary>
+    /// <summary>Texts of the search as a script: a page that is opened as a file may not load data.</summary>
     sealed class SearchDocuments
     {
         static readonly JsonSerializerOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
@@ -14,8 +14,8 @@ namespace Host.Manual
 
         /// <param name="title">Heading or name.</param>
         /// <param name="place">Page that it is on.</param>
-        public void Add(string address, string title, string place, string text)
-            => rows.Add(JsonSerializer.Serialize(new[] { address, title, place, text }, Plain));
+        public void Add(string address, string title, string section, string text)
+            => rows.Add(JsonSerializer.Serialize(new[] { address, title, section, text }, Plain));
 
         public string Script()
         {

@@ -138,8 +138,8 @@ namespace Rill.Tests
                 FluidMaterialAsset mercury = Material("Mercury", 13500f);
                 mercury.SurfaceTension = 900f;
                 scene.Fluid.PhaseMaterials = new[] { mercury };
-                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': the surface tension of its material 'Mercury', 900 N/m, acts like " +
-                    "304 N/m: more is not stable at this spacing and substep. Take 2 substeps"));
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': the surface tension of its material 'Mercury', 900 N/m, " +
+                    "acts like 304 N/m: more is not stable at this spacing and substep. Take 2 substeps"));
                 scene.Step(2);
                 Assert.That(ProblemsOf(scene.Fluid), Has.Some.Contains("'Mercury'"));
                 mercury.SurfaceTension = 200f;

@@ -34,7 +34,8 @@ namespace Host.Report
                 "error to g t (t + Δt)/2", "radius" },
                 table.Rows.Select(row => new[] { row["deep_water"], row["substeps"], Figures.Fixed(row.Number("time_s"), 3),
                     Figures.Fixed(row.Number("fallen_m"), 4), Figures.Fixed(row.Number("theory_m"), 4),
-                    Figures.Percent(row.Number("error"), 2), Verdict.Within(row.Number("error"), Bar), Figures.Percent(row.Number("discrete_error"), 4),
+                    Figures.Percent(row.Number("error"), 2), Verdict.Within(row.Number("error"), Bar),
+                    Figures.Percent(row.Number("discrete_error"), 4),
                     Figures.Fixed(row.Number("radius_ratio"), 5) }));
             page.Line($"({table.Settings}.)");
             page.Line();

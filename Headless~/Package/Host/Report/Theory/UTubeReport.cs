@@ -65,7 +65,8 @@ namespace Host.Report
                 "what a first-order step alone takes, ω² Δt / 2. Water loses more, as a flow around a sharp edge comes off it.");
             page.Line();
             List<ReportTable.Row> all = table.Rows.ToList();
-            page.Table(new[] { "width, d", "numerical damping", "substeps", "period, s", "theory, s", "error", Verdict.Column(Bar), "center line alone",
+            page.Table(new[] { "width, d", "numerical damping", "substeps", "period, s", "theory, s", "error", Verdict.Column(Bar),
+                "center line alone",
                 "damping, 1/s", "first order, 1/s", "swings about, d", "misfit of the cosine" }, table.Rows.Select(row => new[]
             {
                 row["across"], row["damping"], row["substeps"], Figures.Fixed(row.Number("period_s"), 3),
