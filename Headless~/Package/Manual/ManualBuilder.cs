@@ -2,12 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Reflection;
 using System.Text.Json;
 
 namespace Host.Manual
 {
-    /// <summary>The manual as HTML: its pages, the scripting reference, and the pages that the question marks of components open.</summary>
+    /// <summary>The manual as HTML: its pages, the scripting reference, and the pages that the question marks of components open. Style and
+    /// search are in <c>Documentation~/style</c>.</summary>
     public sealed class ManualBuilder
     {
         /// <summary>Assemblies whose public types the scripting reference has. Those of the render pipelines are compiled against stand-ins and stay
@@ -55,8 +55,6 @@ namespace Host.Manual
             AddApi();
             foreach (HelpTopic topic in topics)
                 AddHelp(topic);
-            foreach (string asset in new[] { "manual.css", "manual.js", "minisearch.js" })
-                files.Add(asset, Asset(asset));
             files.Add("search-documents.js", search.Script());
             return files;
         }
@@ -121,12 +119,6 @@ namespace Host.Manual
                     "heading of that name: write the heading, or name another.");
             else
                 files[topic.Redirect] = topic.RedirectHtml(heading.Text);
-        }
-
-        static string Asset(string name)
-        {
-            using var reader = new StreamReader(Assembly.GetExecutingAssembly().GetManifestResourceStream(name));
-            return reader.ReadToEnd().Replace("\r\n", "\n");
         }
     }
 }

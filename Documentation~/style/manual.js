@@ -1,7 +1,7 @@
 // The search of the manual, and the page's own entry in a long table of contents. All else works without scripts.
 "use strict";
 (function () {
-    const root = document.currentScript.src.replace(/manual\.js$/, "");
+    const style = document.currentScript.src.replace(/manual\.js$/, ""), root = style + "../html/";
     const box = document.querySelector(".search");
     const input = box.querySelector("input");
     const list = box.querySelector("ol");
@@ -12,9 +12,9 @@
     input.placeholder = "Search ( / )";
 
     // Scripts and no requests: a page that is opened as a file may send none.
-    function load(file, done) {
+    function load(address, done) {
         const script = document.createElement("script");
-        script.src = root + file;
+        script.src = address;
         script.onload = done;
         document.head.append(script);
     }
@@ -23,16 +23,16 @@
         if (loading)
             return;
         loading = true;
-        load("minisearch.js", () => load("search-documents.js", () => {}));
+        load(style + "minisearch.js", () => load(root + "search-documents.js", () => {}));
     }
 
     window.manualDocuments = function (documents) {
         rows = documents;
         index = new MiniSearch({
-            fields: ["title", "names", "place", "text"],
-            searchOptions: { prefix: true, fuzzy: term => term.length > 4 ? 0.2 : 0, boost: { title: 4, names: 3, place: 1.5 }, combineWith: "AND" },
+            fields: ["title", "names", "section", "text"],
+            searchOptions: { prefix: true, fuzzy: term => term.length > 4 ? 0.2 : 0, boost: { title: 4, names: 3, section: 1.5 }, combineWith: "AND" },
         });
-        index.addAll(rows.map(([, title, place, text], id) => ({ id, title, names: words(title), place, text })));
+        index.addAll(rows.map(([, title, section, text], id) => ({ id, title, names: words(title), section, text })));
         show();
     };
 
@@ -66,8 +66,8 @@
             return;
         const found = index.search(query).slice(0, 12);
         list.innerHTML = found.length === 0 ? '<li class="none">Nothing found</li>' : found.map(({ id, terms }) => {
-            const [address, title, place, text] = rows[id];
-            return `<li><a href="${root}${address}">${marked(title, terms)}${place ? ` <span class="place">– ${escaped(place)}</span>` : ""}` +
+            const [address, title, section, text] = rows[id];
+            return `<li><a href="${root}${address}">${marked(title, terms)}${section ? ` <span class="section">– ${escaped(section)}</span>` : ""}` +
                 `<small>${excerpt(text, terms)}</small></a></li>`;
         }).join("");
         choose(0);
