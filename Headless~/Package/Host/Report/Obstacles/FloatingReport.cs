@@ -47,14 +47,11 @@ namespace Host.Report.Obstacles
                 $"default. Draft: how deep the body lies under the level of the water around it in the last second, against " +
                 $"Archimedes. Level: of that water, above or below that of water that keeps its volume. Period: of a damped cosine " +
                 $"fitted to the first swings, without its damping, against T = 2π √((m + m_a) / (ρ g A)). A is the area that the body " +
-                $"cuts out of the surface. m_a is half of the water displaced for the ball (Lamb, §92: half of that of the whole ball in " +
-                $"endless water) and 0.68 of it for the cube (DNV-RP-C205, appendix D). That is the added mass of fast heave. At this " +
-                $"period a ball makes waves and has less of it, which shortens the period by about 3 % (Havelock 1955); the floor, a " +
-                $"body's width away, lengthens it. In a tank three bodies wide the first wave that is even about the center (a wave as " +
-                $"long as the tank is wide) has 0.98 of the ball's period, 0.75 of the cube's: what is measured there is the two " +
-                $"together. New measurements are made in tanks {FloatingBody.WidthsAcross} bodies wide, in which the walls' waves come " +
-                $"back after the fit. Damping: as measured while *Damping* is 0, as a fraction of the critical; negative where the late " +
-                $"force drives the heave. Above {MaxDamping} no period is meaningful.");
+                $"cuts out of the surface, m_a half of the water displaced for the ball (Lamb, §92) and 0.68 of it for the cube (DNV-RP-C205, " +
+                $"appendix D): the added mass of fast heave. Waves shorten a ball's period by about 3 % (Havelock 1955); the floor lengthens it. " +
+                $"In a tank three bodies wide the first even wave has 0.98 of the ball's period and 0.75 of the cube's; new measurements are " +
+                $"made in tanks {FloatingBody.WidthsAcross} bodies wide. Damping: as a fraction of the critical, with *Damping* 0; negative where " +
+                $"the late force drives the heave. Above {MaxDamping} no period is meaningful.");
             page.Line();
             page.Table(new[] { "body", "layers, width of the tank, d", "deep water", "draft, m", "theory, m", "draft's error", "within 5 %",
                 "level, d", "period, s", "theory, s", "period's error", "within 5 %", "damping", "misfit of the cosine" },

@@ -51,7 +51,7 @@ namespace Host.Report.Obstacles
                 $"width below the hole, where it has drawn together, over that; no coefficient is in it. Rate: from the level, which " +
                 $"falls as √h = √h0 − c (a/A) √(g/2) t with a the hole and A the floor; the coefficient c is fitted, for theory gives " +
                 $"only that of a slot, π/(π + 2) = {OrificeFlow.SlotCoefficient:0.000} (Lamb, §75), and experiments with sharp edges " +
-                $"0.60 to 0.62. Misfit: largest distance of the level from that parabola over the first level.");
+                $"0.60 to 0.62.");
             page.Line();
             page.Table(new[] { "hole, d", "particles", "deep water", "substeps x iterations", "speed over √(2 g z)", "speed's error",
                 "within 5 %", "coefficient c", "over the slot's", "misfit of the level", "through the floor" },

@@ -36,8 +36,8 @@ namespace Host.Report
         {
             ReportTable table = page.Load(Summary);
             page.Heading("Pressure and height of still water");
-            page.Line("The coarse grid's two potentials are a pressure, p = ρ (φ_v + φ) / Δt² with Δt the substep and φ in m²: −∇φ " +
-                "displaces within a substep and so changes the velocity by −∇φ/Δt. Water at rest has p = ρ g (H − y); what the Jacobi " +
+            page.Line("The coarse grid's two potentials are a pressure, p = ρ (φ_v + φ) / Δt² with Δt the substep and φ in " +
+                "m². Water at rest has p = ρ g (H − y); what the Jacobi " +
                 "iterations carry is missing from the potentials. Errors are fractions of the pressure on the floor, of the lowest layer " +
                 "of coarse cells and the largest of all layers; height is twice that of the center of mass over the initial one.");
             page.Line();

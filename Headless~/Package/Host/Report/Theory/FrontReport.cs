@@ -79,14 +79,11 @@ namespace Host.Report
                 "front/a. Ahead: (Z − mean of the three series) / mean at equal T, for the T where all three have points, up to Z = 3. " +
                 "The bar is −5 to +10 %.");
             page.Line();
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"Inviscid flow, computed by another method (particles in cells with " +
-                $"an exact projection, two-dimensional, small steps, the same percentile), is itself ahead of the experiments by " +
-                $"{100 * inviscid.Min:0.0} to {100 * inviscid.Max:0.0} %, on average {100 * inviscid.Mean:0.0} %: water in a " +
-                $"laboratory leaves behind a gate that takes time to open and drags along a boundary layer at the floor. The solver " +
-                $"has neither, so that is what it should converge to, not 0. That is why a finer front is faster: it loses less energy " +
-                $"and comes nearer to inviscid flow. Beside it each state is half a substep later than the clock says, since " +
-                $"velocities are those of the midpoint of a substep (see free fall). With more substeps the front is slower, as waves " +
-                $"are damped more: every substep takes velocities again from corrected positions."));
+            page.Line(string.Create(CultureInfo.InvariantCulture, $"Inviscid flow (particles in cells with an exact projection, " +
+                $"two-dimensional, small steps) is itself ahead of the experiments by {100 * inviscid.Min:0.0} to {100 * inviscid.Max:0.0} %, " +
+                $"on average {100 * inviscid.Mean:0.0} %: a laboratory has a gate that takes time to open and a boundary layer at the floor. " +
+                $"So the solver should converge to that, not to 0. Each state is also half a substep later than the clock says (see free " +
+                $"fall)."));
             page.Line();
             List<ReportTable.Row> all = table.Rows.ToList();
             page.Table(new[] { "a/d", "substeps x iterations", "", "ahead, least", "most", "mean ahead", "in the bar",
@@ -114,8 +111,8 @@ namespace Host.Report
             ReportTable curves = page.Load(Curves);
             FrontSeries inviscid = FrontSeries.Of(page.Load(Inviscid))[0];
             double flow = new FrontDeviation(inviscid, experiments).Mean;
-            page.Line("Where the mean comes from, over the same T. *Clock*: the half substep. *Inviscid flow*: how far that is ahead " +
-                "of the experiments. *Solver*: what is left, so how far the solver is behind inviscid flow.");
+            page.Line("Where the mean comes from, over the same T. *Clock*: the half substep. *Inviscid flow*: its own lead. " +
+                "*Solver*: the rest, by which the solver is behind it.");
             page.Line();
             page.Table(new[] { "a/d", "substeps x iterations", "ahead of the experiments", "clock", "inviscid flow", "solver" },
                 table.Rows.Where(row => row["change"] == "" && row["iterations"] == "2" && row["substeps"] != "2"

@@ -59,8 +59,8 @@ namespace Host.Report
                 "that is level to that gravity. The period is that of a damped cosine fitted to the center of mass along the box; " +
                 "theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted " +
                 "cosine swings about, over where the center of mass lies under a level surface (1 where the pressure answers to the " +
-                "surface as it should). Damping: of the amplitude a period, as −ln. Water that creeps to its level without a " +
-                "swing has no period (–): waves of half a spacing can.");
+                "surface as it should). Damping: of the amplitude a period, as −ln. Water that creeps to its level " +
+                "has no period (–).");
             page.Line();
             List<ReportTable.Row> all = table.Rows.ToList();
             string lean = all[0]["lean_rad"];

@@ -60,7 +60,7 @@ namespace Host.Report
             page.Line("Two legs and a passage below, all of one width w, around a box that stands off the floor. The water is let go " +
                 "with its levels apart and swings. Level: from the center of mass, which moves as water changes legs. Period and " +
                 "damping: of a damped cosine fitted to it. Theory: T = 2π √(L / 2g), L the length along the center line less 0.44 w a " +
-                "bend. A bend takes less than its center line, as the flow cuts the corner. Its square counts 1 − 2 ln 2 / π = 0.559 " +
+                "bend. A bend's square counts 1 − 2 ln 2 / π = 0.559 " +
                 "squares (a potential flow; the same number is the resistance of a bent conducting sheet, Hall 1967). First order: " +
                 "what a first-order step alone takes, ω² Δt / 2. Water loses more, as a flow around a sharp edge comes off it.");
             page.Line();
