@@ -34,7 +34,7 @@ namespace Rill
         public FluidSimulation Fluid => fluid;
 
         /// <summary>Density of the liquid around the body, kg/m³: of several, the mean of those beside it.</summary>
-        public float Density => water != null && water.Density > 0f ? water.Density : fluid.Material.density;
+        public float Density => fluid.Phases.Differ && water != null && water.Density > 0f ? water.Density : fluid.Material.density;
 
         /// <summary>Looks around the body.</summary>
         /// <param name="center">Center of mass, world space, m.</param>

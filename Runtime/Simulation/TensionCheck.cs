@@ -63,7 +63,7 @@ namespace Rill
         {
             int strongest = 0;
             float most = 0f;
-            for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
+            for (int phase = 0; phase <= input.phases.Last; phase++)
             {
                 FluidMaterial material = MaterialOf(phase);
                 float excess = material.surfaceTension / Mathf.Max(Limit(material), 1e-20f);

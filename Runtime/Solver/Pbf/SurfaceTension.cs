@@ -39,7 +39,7 @@ namespace Rill
         public static double Strength(in StepInput input, float spacing, bool deepWater)
         {
             double strongest = 0.0;
-            for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
+            for (int phase = 0; phase <= input.phases.Last; phase++)
                 strongest = Math.Max(strongest, Strength(input, phase, spacing, deepWater));
             return strongest;
         }

@@ -21,8 +21,11 @@ namespace Rill
             public float angle;         // degrees
         }
 
-        int last;       // phase with a material of its own; 0 for none
+        int last;
         Row row1, row2, row3, row4, row5, row6, row7;
+
+        /// <summary>Largest phase with a material of its own; 0 for none.</summary>
+        public int Last => last;
 
         /// <summary>Gives a phase a material of its own.</summary>
         /// <param name="phase">1 to 7.</param>
