@@ -108,9 +108,13 @@ namespace Host.Report
         // A fitted period that is longer than the run is not a period.
         static string IfSwings(ReportTable.Row row, string text) => row.Number("period_s") < MaxPeriod * row.Number("theory_s") ? text : "–";
 
-        // The coarsest and the finest of each depth: the coarsest misses the theory most.
-        static IEnumerable<ReportTable.Row> Drawn(ReportTable table) => table.Rows.Where(row => row["substeps"] == "1" && row["iterations"] == "2")
-            .GroupBy(row => (System.Math.Round(row.Number("depth_m"), 1), row["lean_rad"])).Where(depth => depth.Count() > 1)
-            .Select(depth => depth.OrderBy(row => row.Number("along"))).SelectMany(depth => new[] { depth.Last(), depth.First() });
+        // The finest and the coarsest of each depth: the coarsest misses the theory most.
+        static IEnumerable<ReportTable.Row> Drawn(ReportTable table)
+        {
+            string lean = table.Rows.First()["lean_rad"];
+            return table.Rows.Where(row => row["substeps"] == "1" && row["iterations"] == "2" && row["lean_rad"] == lean)
+                .GroupBy(row => System.Math.Round(row.Number("depth_m"), 1)).Select(depth => depth.OrderBy(row => row.Number("along")).ToList())
+                .SelectMany(depth => new[] { depth[^1], depth[0] }.Take(depth.Count));
+        }
     }
 }
