@@ -56,7 +56,7 @@ namespace Rill
         /// <summary>Before the passes of a step, which then find the phases that its input asks for.</summary>
         public void PreparePhases(in StepInput input)
         {
-            if (input.tracksPhases || MaterialTable.IsNeeded(input))
+            if (input.HasPhases)
                 NeedTags();
         }
 

@@ -36,6 +36,9 @@ namespace Rill
         /// <summary>Seed of the random numbers of foam.</summary>
         public int foamSeed;
 
+        /// <summary>Whether all particles have phases: a script asks for them, or they are of several materials.</summary>
+        public readonly bool HasPhases => tracksPhases || MaterialTable.IsNeeded(this);
+
         /// <summary>Length of a substep, s.</summary>
         public float SubstepTime => timeStep / settings.substeps;
     }

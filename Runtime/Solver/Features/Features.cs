@@ -43,8 +43,7 @@ namespace Rill
 
         public static readonly Feature Tags = new Feature("phases and lifetimes of emitted particles", "set phase and lifetime of its emitters to 0",
             defines: new[] { "RILL_LIFETIMES", "RILL_TAGS" },
-            asked: (PbfSolver solver, in StepInput step) => step.tracksPhases || MaterialTable.IsNeeded(step)
-                || step.sources != null && step.sources.needsTags,
+            asked: (PbfSolver solver, in StepInput step) => step.HasPhases || step.sources != null && step.sources.needsTags,
             turnOff: (ref StepInput step) =>
             {
                 step.tracksPhases = false;

@@ -75,7 +75,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, reduce, ParticleIds.Counters, particles.Counters);
             Buffers.Bind(cmd, shader, reduce);
             cmd.DispatchCompute(shader, reduce, 1, 1, 1);
-            if (MeasuresPhases(step.Input))
+            if (step.Input.HasPhases)
                 RecordPhases(step);
             cmd.EndSample(Marker);
         }
@@ -95,8 +95,6 @@ namespace Rill
             Buffers.Bind(cmd, shader, reducePhases);
             cmd.DispatchCompute(shader, reducePhases, FluidStatistics.PhaseSums, 1, 1);
         }
-
-        static bool MeasuresPhases(in StepInput input) => input.tracksPhases || MaterialTable.IsNeeded(input);
 
         /// <summary>Asks for what was recorded, after its command buffer was executed. Nothing while a result is pending.</summary>
         public void Request() => readback.Request();
@@ -131,7 +129,7 @@ namespace Rill
                 description.Kernel(step.Colliders.FindBoundary, 0);
             description.Kernel(stage.measure.For(step.Colliders != null), 0);
             description.Kernel(stage.reduce, 0);
-            if (MeasuresPhases(step.Input))
+            if (step.Input.HasPhases)
             {
                 description.Kernel(stage.measurePhases, 0);
                 description.Kernel(stage.reducePhases, 0);

@@ -49,11 +49,7 @@ void MeasurePhases(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 
 #else
 
-static const uint kReducers = 256;
-
 StructuredBuffer<float> _PhasePartials;
-
-groupshared float g_Sums[kReducers];
 
 // A group for each sum.
 [numthreads(kReducers, 1, 1)]
@@ -63,14 +59,7 @@ void ReducePhases(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float total = 0.0;
     for (uint row = thread; row < rows; row += kReducers)
         total += _PhasePartials[row * kPhaseSums + group.x];
-    g_Sums[thread] = total;
-    GroupMemoryBarrierWithGroupSync();
-    for (uint reach = kReducers / 2; reach > 0; reach >>= 1)
-    {
-        if (thread < reach)
-            g_Sums[thread] += g_Sums[thread + reach];
-        GroupMemoryBarrierWithGroupSync();
-    }
+    Fold(thread, total, true);
     if (thread == 0)
         _Statistics[kFirstPhaseSum + group.x] = asuint(g_Sums[0]);
 }
