@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
 using Host.Experiments;
+using Host.Manual;
 using Host.Report;
 using Host.Report.ErrorTime;
 using NUnit.Framework;
@@ -64,7 +65,7 @@ namespace Host.Tests
             string[] targets = Regex.Matches(File.ReadAllText(page), @"\]\(([^)]+)\)").Select(match => match.Groups[1].Value).ToArray();
             Assert.That(targets, Is.Not.Empty);
             string[] anchors = File.ReadLines(page).Where(line => line.StartsWith('#'))
-                .Select(line => "#" + ReportFailures.Anchor(line.TrimStart('#', ' '))).ToArray();
+                .Select(line => "#" + Anchor.Of(line.TrimStart('#', ' '))).ToArray();
             foreach (string target in targets)
                 if (target.StartsWith('#'))
                     Assert.That(anchors, Does.Contain(target));

@@ -61,9 +61,9 @@ namespace Rill
         [Min(1e-3f)] public float relaxationTime;
 
         /// <summary>Surface tension σ, N/m: drops become round, films draw in. 0 (off) to 1000; water 0.072, mercury 0.485. It needs two
-        /// iterations, acts only up to a limit by spacing and substep, and takes the place of Artificial Pressure and Allowed Tension.</summary>
+        /// iterations, acts only up to a limit by spacing and substep, and replaces Artificial Pressure and Allowed Tension.</summary>
         [Tooltip("Surface tension σ, N/m: drops become round, films draw in. 0 (off) to 1000; water 0.072, mercury 0.485. It needs two " +
-            "iterations, acts only up to a limit by spacing and substep, and takes the place of Artificial Pressure and Allowed Tension.")]
+            "iterations, acts only up to a limit by spacing and substep, and replaces Artificial Pressure and Allowed Tension.")]
         [Min(0f)] public float surfaceTension;
 
         /// <summary>Angle at which the surface of a fluid with a Surface Tension meets walls and colliders, degrees. 0 to 180: above 90 it

@@ -27,8 +27,8 @@ namespace Host.Commands
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.Automatic };
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.",
                 DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
-            var every = new Option<int>("--every") { Description = "Steps between statistics; a prime number does not fall in step with what is done every " +
-                "few steps.", DefaultValueFactory = _ => 7 };
+            var every = new Option<int>("--every") { Description = "Steps between statistics; a prime number does not fall in step with what " +
+                "is done every few steps.", DefaultValueFactory = _ => 7 };
             var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
             var damping = new Option<float>("--damping") { Description = "Numerical damping, as a fraction of a first-order step's.",
                 DefaultValueFactory = _ => SolverSettings.Default.numericalDamping };
@@ -179,8 +179,8 @@ namespace Host.Commands
                 $"coincident {run.Samples[^1].coincident} (most {run.Samples.Max(s => s.coincident)}) escaped " +
                 $"{run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite " +
                 $"{run.Samples[^1].nonFinite}"));
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms, mean (median, a tenth above) initial {Times(run, "initial")} moving " +
-                $"{Times(run, "moving")} settled {Times(run, "settled")} | {run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms, mean (median, a tenth above) initial " +
+                $"{Times(run, "initial")} moving {Times(run, "moving")} settled {Times(run, "settled")} | {run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
             if (stages)
                 foreach (var window in run.Times)
                     Console.WriteLine($"  {window.Key}: "

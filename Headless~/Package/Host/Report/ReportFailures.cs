@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
+using Host.Manual;
 
 namespace Host.Report
 {
@@ -24,7 +25,7 @@ namespace Host.Report
             {
                 if (!rows.Any(row => Verdict.IsFailure(row[column])))
                     continue;
-                string where = $"[{section}](#{Anchor(section)})";
+                string where = $"[{section}](#{Anchor.Of(section)})";
                 if (columns[column].Length == 0)
                     AddRuns(where, rows.Where(row => Verdict.IsFailure(row[column])).ToList(), column);
                 else
@@ -54,9 +55,5 @@ namespace Host.Report
 
         static double Size(string figure) =>
             double.TryParse(figure.TrimEnd('%', ' '), NumberStyles.Float, CultureInfo.InvariantCulture, out double value) ? Math.Abs(value) : 0;
-
-        /// <summary>Anchor of a heading, as pages of Markdown link to it.</summary>
-        public static string Anchor(string heading) =>
-            string.Concat(heading.ToLowerInvariant().Where(c => char.IsLetterOrDigit(c) || c is ' ' or '-')).Replace(' ', '-');
     }
 }

@@ -38,7 +38,8 @@ namespace Host.Manual
             html.Append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
             html.Append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
             html.Append($"<title>{title}</title>\n<link rel=\"icon\" href=\"{root}../../Editor/Icons/Drop.png\">\n");
-            html.Append($"<link rel=\"stylesheet\" href=\"{root}../style/manual.css\">\n<script defer src=\"{root}../style/manual.js\"></script>\n</head>\n<body>\n");
+            html.Append($"<link rel=\"stylesheet\" href=\"{root}../style/manual.css\">\n");
+            html.Append($"<script defer src=\"{root}../style/manual.js\"></script>\n</head>\n<body>\n");
             html.Append($"<header>\n<a class=\"brand\" href=\"{root}index.html\">");
             html.Append($"<img src=\"{root}../../Editor/Icons/Drop.png\" alt=\"\">{product}</a>");
             html.Append($"<span class=\"version\">{version}</span>\n");

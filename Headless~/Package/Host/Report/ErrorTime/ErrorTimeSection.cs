@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Host.Experiments;
+using Host.Manual;
 
 namespace Host.Report.ErrorTime
 {
@@ -56,7 +57,7 @@ namespace Host.Report.ErrorTime
             page.Line();
             page.Plot("error-time", "Error against milliseconds in all scenes: plain iterations, deep water, and the default",
                 ErrorTimeOverview.Script(results, Default), ErrorTimeOverview.Width, ErrorTimeOverview.Height);
-            page.Line($"Each point is a setting that [holds](#{ReportFailures.Anchor(Title)}) its scene; lines join those that no " +
+            page.Line($"Each point is a setting that [holds](#{Anchor.Of(Title)}) its scene; lines join those that no " +
                 $"other one of their method beats. Lower left is better.");
         }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Host.Manual;
 using Host.Report.ErrorTime;
 using Rill;
 
@@ -167,7 +168,7 @@ namespace Host.Report.Methods
                     $"{Figures.Fixed(r.MillisecondsSettled, 2)} ms"));
             yield return $"{ErrorTimePage.Title(scene[0])}: with the grid {(held.Length > 0 ? held : "no such run holds")}; without it " +
                 $"{plain.Count(r => r.Holds)} of {plain.Count} runs hold ({Device(sweep)}; [its " +
-                    $"table](#{ReportFailures.Anchor(ErrorTimePage.Title(scene[0]))})).";
+                    $"table](#{Anchor.Of(ErrorTimePage.Title(scene[0]))})).";
         }
 
         static string Device(ReportTable table) => table.MeasuredOn.Split(';')[0];

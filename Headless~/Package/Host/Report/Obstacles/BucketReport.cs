@@ -68,7 +68,8 @@ namespace Host.Report.Obstacles
             page.Line();
             page.Line("A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's end. So water held " +
                 "on a circle loses Ω² Δt of its turning in a second (Δt the substep). That alone leaves 1 / √(1 + 2 Ω0² Δt t) after a time t. " +
-                "A wall with friction 1 drives the water, so up to 1 may be left. The surface is also compared with that of the turning that the water has, ring by ring: dz/dr = Ω(r)² r / g.");
+                "A wall with friction 1 drives the water, so up to 1 may be left. The surface is also " +
+                "compared with that of the turning that the water has, ring by ring: dz/dr = Ω(r)² r / g.");
             page.Line();
             page.Line("All are means over 8, 4 and 2 positions of the cylinder in the cells of the coarse grid, at 12, 24 and 48 d.");
             page.Line();

@@ -26,7 +26,7 @@ namespace Host.Report
             ReportTable table = page.Load(Table);
             page.Heading("Free fall");
             page.Line("A cube of water falls by g t²/2. The integrator first speeds up and then moves, which from rest gives g t (t + " +
-                "Δt)/2 after any number of substeps Δt: it is half a substep ahead, and that is all of its error. Radius: rms distance " +
+                "Δt)/2 after any number of substeps Δt. So it is half a substep ahead, and that is all of its error. Radius: rms distance " +
                 "from the center of mass over that at the start, whose lattice is a little too dense in places.");
             page.Line();
             page.Table(new[] { "deep water", "substeps", "t, s", "fallen, m", "g t²/2, m", "error", Verdict.Column(Bar),

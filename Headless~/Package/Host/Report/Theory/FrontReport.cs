@@ -81,7 +81,7 @@ namespace Host.Report
             page.Line();
             page.Line(string.Create(CultureInfo.InvariantCulture, $"Inviscid flow (particles in cells with an exact projection, " +
                 $"two-dimensional, small steps) is itself ahead of the experiments by {100 * inviscid.Min:0.0} to {100 * inviscid.Max:0.0} %, " +
-                $"on average {100 * inviscid.Mean:0.0} %: a laboratory has a gate that takes time to open and a boundary layer at the floor. " +
+                $"on average {100 * inviscid.Mean:0.0} %. A laboratory has a gate that takes time to open and a boundary layer at the floor. " +
                 $"So the solver should converge to that, not to 0. Each state is also half a substep later than the clock says (see free " +
                 $"fall)."));
             page.Line();
@@ -112,7 +112,7 @@ namespace Host.Report
             FrontSeries inviscid = FrontSeries.Of(page.Load(Inviscid))[0];
             double flow = new FrontDeviation(inviscid, experiments).Mean;
             page.Line("Where the mean comes from, over the same T. *Clock*: the half substep. *Inviscid flow*: its own lead. " +
-                "*Solver*: the rest, by which the solver is behind it.");
+                "*Solver*: the rest, by which it is slower.");
             page.Line();
             page.Table(new[] { "a/d", "substeps x iterations", "ahead of the experiments", "clock", "inviscid flow", "solver" },
                 table.Rows.Where(row => row["change"] == "" && row["iterations"] == "2" && row["substeps"] != "2"

@@ -55,8 +55,8 @@ namespace Host.Report
             var groups = table.Rows.GroupBy(row => (Across: row["across"], Damping: row["damping"], Substeps: row["substeps"])).ToArray();
             page.Heading("Reflected waves");
             page.Line("A dam breaks in a closed tank, and its wave runs to and fro. A wave has arrived at a wall when the center of " +
-                "mass along the tank turns back there, as then no more water comes than goes. Spray does " +
-                "not move that. First: at the far wall; second: at the near one; third: at the far one again. Mean ± standard deviation over starts whose " +
+                "mass along the tank turns back there, as then no more water comes than goes. Spray does not move that. First: " +
+                "at the far wall; second: at the near one; third: at the far one again. Mean ± standard deviation over starts whose " +
                 "offsets differ. The bar is the larger of 3 % and two standard deviations of the finest run, the last row.");
             page.Line();
             double[][] finest = Columns.Select(column => groups[^1].Select(row => row.Number(column)).ToArray()).ToArray();
