@@ -38,12 +38,18 @@ bool IsFinite(float3 v)
 static const float kMaxRestDensity = 2.0;   // by what colliders leave: with less room than that, particles lie in them by mistake
 static const float kMaxSlack = 0.007;       // above the mean density, of rest
 
+// Particles in the box, over those that it holds at rest.
+float MeanDensity(uint particles)
+{
+    return particles / (_DomainSize.x * _DomainSize.y * _DomainSize.z);
+}
+
 // Density that the constraint seeks, relative to rest: above 1 where a closed box holds more than it can, which no iteration
 // could press out of it and all would fight over. Above the mean by a slack: the constraint presses and does not pull, so that
 // exactly the mean would keep half of the particles pushing. 'open' is the fraction of the box that colliders leave.
 float RestDensity(uint particles, float open)
 {
-    float mean = particles / (_DomainSize.x * _DomainSize.y * _DomainSize.z);
+    float mean = MeanDensity(particles);
     float rest = max(min(mean / max(open, 1e-6), max(mean, kMaxRestDensity)), 1.0);
     return rest + min(0.5 * (rest - 1.0), kMaxSlack);
 }

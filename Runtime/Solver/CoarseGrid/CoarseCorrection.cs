@@ -32,7 +32,7 @@ namespace Rill
         readonly Kernel extendDisplacements;
         CoarseColliders coarseColliders;
         readonly GraphicsBuffer cellDensities;      // null for one material
-        readonly GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
+        readonly GraphicsBuffer flow, deepFlow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize) : this(layout, cellSize, DeviceLimits.Current) { }
@@ -61,6 +61,7 @@ namespace Rill
             Solver = new CoarseSolver(Grid, path);
             Bins = Buffers.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
             flow = Buffers.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
+            deepFlow = Buffers.Structured<float4>("Rill.Coarse.DeepFlow", Grid.Total);
             fill = Buffers.Structured<float>("Rill.Coarse.Fill", Grid.Total);
             surface = Buffers.Structured<uint>("Rill.Coarse.Surface", Grid.Total);
             weightedCounts = Buffers.Structured<uint>("Rill.Coarse.WeightedCounts", (hasMaterials ? 3L : 1L) * Grid.Total);
@@ -88,6 +89,9 @@ namespace Rill
 
         /// <summary>float4 [cells], xyz displacement at a cell's center, d.</summary>
         public GraphicsBuffer Displacements { get; }
+
+        /// <summary>float4 [cells], see DeepFlow.hlsl.</summary>
+        public GraphicsBuffer DeepFlow => deepFlow;
 
         /// <summary>uint [cells, 8], see CoarseBins.hlsl; the density constraint sums its errors there.</summary>
         public GraphicsBuffer Bins { get; }
@@ -181,6 +185,23 @@ namespace Rill
             RecordDisplacements(cmd, displaceFlow.For(WithColliders, WithMaterials), flowPotential);
             RecordReaction(cmd, reactToFlow.For(WithMaterials), flowPotential);
             cmd.EndSample(ProjectionMarker);
+        }
+
+        /// <summary>Returns the part of a particle's departure from the coarse flow that a substep takes deep in the water; 0 where what the
+        /// liquid does between particles is more than noise: several materials, elasticity, or a viscosity that is solved for.</summary>
+        /// <remarks>A tenth of it a step of 1/60 s: see Research~/solver-study.md, "Blend to the coarse flow".</remarks>
+        public static float FlowBlend(in StepInput input)
+            => MaterialTable.IsNeeded(input) || Viscoelasticity.IsNeeded(input) || ImplicitViscosity.IsNeeded(input) ? 0f
+                : 1f - math.exp(-FlowBlendRate * input.SubstepTime);
+
+        /// <summary>Rate of that, 1/s.</summary>
+        public const float FlowBlendRate = 6.3f;
+
+        /// <summary>Records the flow that deep particles are blended to, for a kernel that includes DeepFlow.hlsl.</summary>
+        public void BindFlow(in StepContext step, ComputeShader reads, int kernel)
+        {
+            step.Commands.SetComputeFloatParam(reads, CoarseIds.FlowBlend, FlowBlend(step.Input));
+            step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.DeepFlow, deepFlow);
         }
 
         /// <summary>Records the density correction: <see cref="Displacements"/> from the errors in <see cref="Bins"/>.</summary>
@@ -290,5 +311,7 @@ namespace Rill
         public static readonly int Displacements = Shader.PropertyToID("_Displacements");
         public static readonly int Constants = Shader.PropertyToID("RillCoarse");
         public static readonly int Bins = Shader.PropertyToID("_Bins");
+        public static readonly int DeepFlow = Shader.PropertyToID("_DeepFlow");
+        public static readonly int FlowBlend = Shader.PropertyToID("_FlowBlend");
     }
 }

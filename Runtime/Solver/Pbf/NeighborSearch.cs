@@ -191,6 +191,7 @@ namespace Rill
             {
                 step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
+                step.Coarse.BindFlow(step, shader, kernel);
             }
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.Particles.Velocities);
             DispatchCount(cmd, step.Particles, kernel);

@@ -13,13 +13,17 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
         readonly Kernel update;
         readonly KernelVariants updateWithNeighbors;      // extrapolated, with colliders
+        readonly KernelVariants updateDeep;               // with colliders
         readonly StepKeywords keywords;
+        readonly bool holdsDeep;        // whether the device holds them
 
         public VelocityUpdate()
         {
             update = new Kernel(shader, "UpdateVelocity");
             updateWithNeighbors = new KernelVariants(shader, "UpdateVelocityViscous", "UpdateVelocityExtrapolated",
                 "UpdateVelocityViscousWithColliders", "UpdateVelocityExtrapolatedWithColliders");
+            updateDeep = new KernelVariants(shader, "UpdateVelocityDeep", "UpdateVelocityDeepWithColliders");
+            holdsDeep = DeviceLimits.Current.Holds("VelocityUpdate", "UpdateVelocityDeep");
             keywords = new StepKeywords(shader, readsLists: true, skipsAsleep: true, weighs: true);
         }
 
@@ -27,6 +31,12 @@ namespace Rill
         /// unless a later stage does both.</summary>
         static bool VisitsNeighbors(in StepContext step) => step.Extrapolation != null || step.Materials != null
             || (step.Input.material.velocitySmoothing > 0f || step.Input.needsDensity) && !step.SmoothsLater;
+
+        /// <summary>Whether particles deep in the water are left out of the smoothing: the blend to the coarse flow has calmed them as much
+        /// as water's own smoothing would. Who shows densities or asks for more smoothing gets it everywhere.</summary>
+        bool LeavesOutDeep(in StepContext step) => holdsDeep && VisitsNeighbors(step) && step.Coarse != null && step.Extrapolation == null
+            && !step.Input.needsDensity && !step.SmoothsLater && CoarseCorrection.FlowBlend(step.Input) > 0f
+            && step.Input.material.velocitySmoothing <= FluidMaterial.Water.velocitySmoothing;
 
         public void Record(in StepContext step)
         {
@@ -45,6 +55,11 @@ namespace Rill
             step.Extrapolation?.Bind(step, shader, kernel);
             if (visits && step.Colliders != null)
                 step.Colliders.Bind(cmd, shader, kernel);
+            if (LeavesOutDeep(step))
+            {
+                step.BindCoarseConstants(shader);
+                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.DeepFlow, step.Coarse.DeepFlow);
+            }
             particles.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.NewVelocities);
@@ -58,6 +73,7 @@ namespace Rill
             FluidMaterial material = step.Input.material;
             string reason = VisitsNeighbors(step)
                 ? material.velocitySmoothing > 0f ? Invariant($"with XSPH: velocity smoothing is {material.velocitySmoothing}")
+                    + (LeavesOutDeep(step) ? "; in deep water the coarse flow smooths" : "")
                     : step.Materials != null ? "with neighbors: there are several materials" : "with neighbors: the density is shown"
                 : step.SmoothsLater ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
@@ -65,7 +81,7 @@ namespace Rill
             return stage;
         }
 
-        Kernel KernelFor(in StepContext step) => VisitsNeighbors(step)
+        Kernel KernelFor(in StepContext step) => LeavesOutDeep(step) ? updateDeep.For(step.Colliders != null) : VisitsNeighbors(step)
             ? updateWithNeighbors.For(step.Extrapolation != null, step.Colliders != null) : update;
 
         static class Ids

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Unity.Mathematics;
 
@@ -237,6 +238,46 @@ namespace Rill.Tests.Reference
                 if (found > 0)
                     (result[cell], layer[cell]) = (sum / found, next);
             }
+        }
+
+        /// <summary>Whether a cell is active and no surface is in one of the 27 around it.</summary>
+        public bool IsDeep(int cell) => active[cell] && Around(cell).All(near => !IsAtSurface(near));
+
+        IEnumerable<int> Around(int cell)
+        {
+            int3 low = math.max(Coordinates(cell) - 1, 0), high = math.min(Coordinates(cell) + 1, counts - 1);
+            for (int z = low.z; z <= high.z; z++)
+                for (int y = low.y; y <= high.y; y++)
+                    for (int x = low.x; x <= high.x; x++)
+                        yield return Index(new int3(x, y, z));
+        }
+
+        /// <summary>Flow at the center of an active cell from the means of cells: less an eighth of their second differences along each axis,
+        /// with the flow mirrored at walls and taken as the cell's own in cells that are not active.</summary>
+        public double3 SharpFlow(int cell, double3[] flow)
+        {
+            double3 differences = default;
+            for (int axis = 0; axis < 3; axis++)
+                foreach (bool up in new[] { false, true })
+                {
+                    int beside = Beside(cell, axis, up);
+                    double3 other = beside >= 0 && active[beside] ? flow[beside] : flow[cell];
+                    if (beside < 0)
+                        other[axis] = -other[axis];
+                    differences += other - flow[cell];
+                }
+            return flow[cell] - 0.125 * differences;
+        }
+
+        /// <summary>Returns how far a particle at p departs from the flow around it, d in a step; as much of it counts as is deep.</summary>
+        /// <param name="sharp">Of each cell, d.</param>
+        /// <param name="deep">Of each cell: 1 if it is deep, else 0.</param>
+        /// <param name="own">The particle's displacement by its velocity, d.</param>
+        public double3 Departure(double3[] sharp, double3[] deep, double3 p, double3 own)
+        {
+            double3 box = size * counts;
+            double3 towardsWalls = math.min(math.min(2.0 * p / size, 2.0 * (box - p) / size), 1.0);
+            return LookUp(deep, p, double.PositiveInfinity).x * (own - towardsWalls * LookUp(sharp, p, double.PositiveInfinity));
         }
 
         /// <summary>Trilinear between the centers, the outermost ones' values beyond them, at most so long.</summary>

@@ -35,6 +35,7 @@ namespace Rill.Tests
             { "Rill.Coarse.Bins", (Why.Zero, "passes clear what they have read") },
             { "Rill.Coarse.WeightedCounts", (Why.Zero, "FindSurface clears what it has read") },
             { "Rill.Coarse.Flow", (Why.Rewritten, "FindDivergence writes it") },
+            { "Rill.Coarse.DeepFlow", (Why.Rewritten, "DisplaceFlow writes it") },
             { "Rill.Coarse.Fill", (Why.Rewritten, "FindDivergence and FindErrors write it") },
             { "Rill.Coarse.Source", (Why.Rewritten, "FindDivergence and FindErrors write it") },
             { "Rill.Coarse.Diagonal", (Why.Rewritten, "FindDivergence and FindErrors write it") },

@@ -295,11 +295,14 @@ namespace Rill.Tests
         static double Taken(double error, int substeps)
             => 0.3 / substeps * (1.0 - 40.0 * error) * Math.Min(error + 0.0133 * (1.0 - 1.0 / substeps), 0.0);
 
-        // A box of 12 x 20 x 9 d: exactly full, with one particle too many, and with a ninth too many. See Research~/solver-study.md, "Full boxes".
-        [TestCase(2160, 0.0)]
+        // A box of 12 x 20 x 9 d, 3.79 cells high along gravity, whose room is 0.72 and 0.68 of such a layer, exactly full, with one particle too
+        // many, and with a ninth too many. See Research~/solver-study.md, "Full boxes".
+        [TestCase(1754, 0.0)]
+        [TestCase(1772, 1e-3)]
+        [TestCase(2160, 1e-3)]
         [TestCase(2161, 5000.0 * 1.5 / 2160.0)]
         [TestCase(2400, double.PositiveInfinity)]
-        public void A_box_that_holds_too_much_is_lifted_screened_more_and_takes_up_no_dilution(int count, double wanted)
+        public void A_box_that_is_nearly_full_or_holds_too_much_is_lifted_screened_more_and_takes_up_no_dilution(int count, double wanted)
         {
             float3 box = new float3(12f, 20f, 9f), gravity = new float3(3f, -9.81f, -5f);
             var random = new Unity.Mathematics.Random(77u);
@@ -459,11 +462,11 @@ namespace Rill.Tests
                 };
                 CoarseCells cells = new CoarseCells(state.box, coarse.Grid.Counts).Fill(points);
                 double3[] displacements = Compare.Points(GpuTest.Read<float4>(coarse.Displacements, coarse.Grid.Total));
-                Assert.That(displacements.Max(d => math.length(d)), Is.GreaterThan(2.2), "nothing had to be clamped");
+                Assert.That(displacements.Max(d => math.length(d)), Is.GreaterThan(0.6), "nothing had to be clamped");
                 Compare.Vectors("corrected positions", state.Count, i => after[i].xyz, i =>
                 {
                     double3 own = reference.Correction(i, multipliers, out double size);
-                    double3 moved = points[i] + own + cells.LookUp(displacements, points[i], 2.0);
+                    double3 moved = points[i] + own + cells.LookUp(displacements, points[i], 0.5);
                     return math.clamp(moved, new double3(0.5), (double3)state.box - 0.5);
                 }, i => 1e-4);
             }
@@ -529,12 +532,21 @@ namespace Rill.Tests
         {
             CoarseCells cells = stages.FlowCells;
             double3[] displacements = Compare.Points(stages.Displacements), positions = stages.AlongFlow;
+            double3 gravityStep = (double3)stages.Gravity / SolverStages.Spacing * CoarseStages.TimeStep * CoarseStages.TimeStep;
+            double3[] flow = Compare.Points(stages.Flow).Select(f => f - gravityStep).ToArray();
+            double3[] sharp = Enumerable.Range(0, cells.Total).Select(i => cells.active[i] ? cells.SharpFlow(i, flow) : default).ToArray();
+            double3[] deep = Enumerable.Range(0, cells.Total).Select(i => new double3(cells.IsDeep(i) ? 1.0 : 0.0)).ToArray();
             float4[] after = stages.Velocities;
             Compare.Vectors("velocities", state.Count, i => after[i].xyz,
                 i => state.velocities[i].xyz + Pressed(state.velocities[i].w) *
-                    cells.LookUp(displacements, positions[i], 40.0) / CoarseStages.TimeStep,
+                    cells.LookUp(displacements, positions[i], 40.0) / CoarseStages.TimeStep
+                    - TakenOfDeparture * cells.Departure(sharp, deep, positions[i], (double3)state.velocities[i].xyz * CoarseStages.TimeStep)
+                        / CoarseStages.TimeStep,
                 i => 1e-3 + 1e-5 * math.length(state.velocities[i].xyz));
         }
+
+        // Of 6.3 / s in a step of 1/60 s; see Research~/solver-study.md, "Blend to the coarse flow".
+        const double TakenOfDeparture = 0.09968;
 
         // Fraction of the projection that a particle of this density takes: spray none, the edge of still water all of it.
         static double Pressed(double density) => Math.Min(Math.Max((density - 0.3) / 0.25, 0.0), 1.0);

@@ -18,7 +18,6 @@ namespace Rill.Tests
 
         public readonly CoarseCorrection Correction;
         readonly ParticleState state;
-        readonly float3 gravity;
         readonly SolverLayout layout;
         readonly StepInput input;
         readonly ParticleBuffers particles;
@@ -32,7 +31,7 @@ namespace Rill.Tests
         public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f, int substeps = 1, uint openFaces = 0)
         {
             this.state = state;
-            this.gravity = gravity;
+            Gravity = gravity;
             input = SolverStages.Still();
             input.timeStep = TimeStep;
             input.settings.substeps = substeps;
@@ -50,6 +49,9 @@ namespace Rill.Tests
                 GpuTest.FillWithGarbage(buffer);
         }
 
+        /// <summary>m/s².</summary>
+        public float3 Gravity { get; }
+
         public CoarseGrid Grid => Correction.Grid;
 
         /// <summary>The reference's cells over the same particles.</summary>
@@ -59,7 +61,7 @@ namespace Rill.Tests
         public CoarseCells FlowCells => new CoarseCells(state.box, Grid.Counts).Fill(AlongFlow.Where(p => math.all(math.isfinite(p))).ToArray());
 
         /// <summary>Position to which flow alone takes each particle in the substep, d; not finite if one of its numbers is not.</summary>
-        public double3[] AlongFlow => state.positions.Select((p, i) => AlongFlowOf(p.xyz, state.velocities[i].xyz, state.box, gravity)).ToArray();
+        public double3[] AlongFlow => state.positions.Select((p, i) => AlongFlowOf(p.xyz, state.velocities[i].xyz, state.box, Gravity)).ToArray();
 
         /// <param name="p">d, <paramref name="velocity"/> d/s, <paramref name="gravity"/> m/s².</param>
         public static double3 AlongFlowOf(float3 p, float3 velocity, float3 box, float3 gravity) =>
