@@ -16,7 +16,7 @@ cbuffer RillCoarse
     float _InverseVolume;    // 1/d^3
     float _NegativeFraction;    // of a small negative density error that the projection takes up
     float _MaxFlow;    // longest displacement of the projection, d
-    float _MaxPush;    // longest displacement of the density correction, d
+    float _MaxPush;    // longest displacement of the density correction under strong gravity, d
     uint _LevelCount;    // levels of the V-cycle below the grid itself
     uint _FirstTailLevel;    // the first of those that one thread group does together
     float _MinSurfaceDistance;    // minimum distance of the free surface from the water's center, cells

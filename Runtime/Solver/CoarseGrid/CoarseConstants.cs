@@ -26,7 +26,7 @@ namespace Rill
         public float negativeFraction;
         /// <summary>longest displacement of the projection, d</summary>
         public float maxFlow;
-        /// <summary>longest displacement of the density correction, d</summary>
+        /// <summary>longest displacement of the density correction under strong gravity, d</summary>
         public float maxPush;
         /// <summary>levels of the V-cycle below the grid itself</summary>
         public uint levelCount;
@@ -60,10 +60,9 @@ namespace Rill
         /// <summary>Fraction of a small negative density error that the projection takes up; without it thin layers hover.</summary>
         const float NegativeFraction = 0.3f;
 
-        /// <summary>Longest displacements, d: a lower one of the projection would damp splashes. A push ends as velocity, so one of 2 d threw
-        /// water at 120 d/s where a surface opened in water that was dense all over.</summary>
+        /// <summary>Longest displacements, d: a lower one of the projection would damp splashes.</summary>
         const float MaxFlow = 40f;
-        public const float MaxPush = 0.5f;
+        public const float MaxPush = 2f;
 
         /// <summary>Minimum and maximum distance of the free surface from the center of the water in an active cell, in cells.</summary>
         const float MinSurfaceDistance = 0.1f, MaxSurfaceDistance = 1.5f;

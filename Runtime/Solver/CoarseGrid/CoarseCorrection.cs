@@ -187,20 +187,19 @@ namespace Rill
             cmd.EndSample(ProjectionMarker);
         }
 
-        /// <summary>Returns the part of a particle's departure from the coarse flow that a substep takes deep in the water; 0 where what the
-        /// liquid does between particles is more than noise: several materials, elasticity, or a viscosity that is solved for.</summary>
-        /// <remarks>A tenth of it a step of 1/60 s: see Research~/solver-study.md, "Blend to the coarse flow".</remarks>
-        public static float FlowBlend(in StepInput input)
-            => MaterialTable.IsNeeded(input) || Viscoelasticity.IsNeeded(input) || ImplicitViscosity.IsNeeded(input) ? 0f
-                : 1f - math.exp(-FlowBlendRate * input.SubstepTime);
-
-        /// <summary>Rate of that, 1/s.</summary>
+        /// <summary>Rate at which deep particles lose what they depart from the coarse flow by, 1/s: a tenth in 1/60 s. See
+        /// Research~/solver-study.md, "Blend to the coarse flow".</summary>
         public const float FlowBlendRate = 6.3f;
 
-        /// <summary>Records the flow that deep particles are blended to, for a kernel that includes DeepFlow.hlsl.</summary>
-        public void BindFlow(in StepContext step, ComputeShader reads, int kernel)
+        /// <summary>Whether deep particles are blended to the coarse flow; of several liquids the mean is that of none.</summary>
+        public bool Blends => !WithMaterials;
+
+        /// <summary>Records what a kernel reads that takes up the projection, see DeepFlow.hlsl.</summary>
+        public void BindChange(in StepContext step, ComputeShader reads, int kernel)
         {
-            step.Commands.SetComputeFloatParam(reads, CoarseIds.FlowBlend, FlowBlend(step.Input));
+            step.BindCoarseConstants(reads);
+            step.Commands.SetComputeFloatParam(reads, CoarseIds.FlowBlend, 1f - math.exp(-FlowBlendRate * step.SubstepTime));
+            step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.Displacements, Displacements);
             step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.DeepFlow, deepFlow);
         }
 

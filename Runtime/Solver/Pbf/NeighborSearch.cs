@@ -188,11 +188,7 @@ namespace Rill
             step.BindAsleep(shader, kernel);
             step.Colliders?.Bind(cmd, shader, kernel);
             if (takesProjection)
-            {
-                step.BindCoarseConstants(shader);
-                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
-                step.Coarse.BindFlow(step, shader, kernel);
-            }
+                step.Coarse.BindChange(step, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.Particles.Velocities);
             DispatchCount(cmd, step.Particles, kernel);
         }

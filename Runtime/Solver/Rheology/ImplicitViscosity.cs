@@ -98,8 +98,7 @@ namespace Rill
             step.BindConstants(shader);
             if (step.Coarse != null)
             {
-                step.BindCoarseConstants(shader);
-                cmd.SetComputeBufferParam(shader, applyProjection, CoarseIds.Displacements, step.Coarse.Displacements);
+                step.Coarse.BindChange(step, shader, applyProjection);
                 step.Materials?.Bind(step, shader, applyProjection);
                 Dispatch(step, applyProjection);
             }

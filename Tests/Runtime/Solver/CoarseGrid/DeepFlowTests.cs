@@ -70,31 +70,22 @@ namespace Rill.Tests
             Assert.That(changes.Where((_, i) => state.positions[i].y < 13f).Average(change => math.length(change)), Is.GreaterThan(0.05 * Speed * Taken));
         }
 
-        [Test]
-        public void Only_one_liquid_that_is_neither_elastic_nor_viscous_is_blended()
-        {
-            StepInput input = SolverStages.Still();
-            input.timeStep = 1f / 60f;
-            Assert.That(CoarseCorrection.FlowBlend(input), Is.EqualTo(Taken).Within(1e-4));
-            StepInput elastic = input, viscous = input;
-            elastic.material.shearModulus = 1f;
-            viscous.material.dynamicViscosity = 1f;
-            Assert.That(CoarseCorrection.FlowBlend(elastic), Is.Zero);
-            Assert.That(CoarseCorrection.FlowBlend(viscous), Is.Zero);
-        }
-
         // Water's own smoothing is left to the coarse flow where the water is deep. Whoever asks for more, or for densities, gets them everywhere.
-        [TestCase(0.01f, false, true)]
-        [TestCase(0.05f, false, false)]
-        [TestCase(0.01f, true, false)]
-        [TestCase(0f, false, false)]
-        public void Deep_particles_are_smoothed_by_neighbors_only_where_more_is_asked(float smoothing, bool needsDensity, bool leavesOut)
+        // Of several liquids the mean flow is that of none.
+        [TestCase(0.01f, false, 1, true)]
+        [TestCase(0.05f, false, 1, false)]
+        [TestCase(0.01f, true, 1, false)]
+        [TestCase(0f, false, 1, false)]
+        [TestCase(0.01f, false, 2, false)]
+        public void Deep_particles_are_smoothed_by_neighbors_only_where_more_is_asked(float smoothing, bool needsDensity, int liquids, bool leavesOut)
         {
             using (var fluid = new TestFluid(new float3(12, 24, 12) * 0.05f, 0.05f, 12 * 16 * 12, Deep()).AddBlock(0f,
                 new float3(12, 16, 12) * 0.05f))
             {
                 fluid.Input.material.velocitySmoothing = smoothing;
                 fluid.Input.needsDensity = needsDensity;
+                if (liquids > 1)
+                    fluid.Input.phases.Set(1, 800f, 0f);
                 fluid.Step(1);
                 string[] kernels = fluid.Solver.Describe(fluid.Input, 0).SelectMany(stage => stage.Kernels).Select(kernel => kernel.kernel).ToArray();
                 Assert.That(kernels.Any(name => name.Contains("UpdateVelocityDeep")), Is.EqualTo(leavesOut), string.Join(", ", kernels));
