@@ -27,6 +27,17 @@ namespace Host.Tests
         public void One_that_no_page_has_is_named_with_its_line(string page) => Assert.That(Faults(Logged, page), Has.Length.EqualTo(1)
             .And.All.Contains("Runtime/A.cs(2) logs \"leaks a little water ...\""));
 
+        // What is inserted may complete a word: a page has the whole word, a message's text only a part of it.
+        [TestCase("lighter than a 1/{ratio} of it", "It is lighter than a 1/1000 of it.")]
+        [TestCase("a {word}able part of it", "It is a washable part of it.")]
+        public void A_word_that_is_partly_inserted_is_not_compared(string text, string page)
+            => Assert.That(Faults($"class A {{ void B() => Debug.Log($\"{text}\"); }}", page), Is.Empty);
+
+        [TestCase("lighter than {ratio} of all that is here", "lighter than")]
+        [TestCase("'{name}', which is light, has '{other}'", "which is light has")]
+        public void A_word_beside_an_inserted_one_is_compared(string text, string words)
+            => Assert.That(Stems($"class A {{ void B() => Debug.Log($\"a {text}\"); }}"), Has.Some.Contains(words));
+
         [Test]
         public void A_page_of_the_research_does_not_count()
             => Assert.That(Faults(Logged, "It leaks a little water.", manual: "Research~/page.md"), Has.Length.EqualTo(1));

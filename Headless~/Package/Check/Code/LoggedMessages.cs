@@ -23,7 +23,10 @@ namespace Host.Check
     sealed class LoggedMessages
     {
         const int StemWords = 5, FewestWords = 3, NameWords = 1, IntroductionWords = 6;
+        const char Hole = '\uFFFC';        // at both ends of what is inserted
         static readonly Regex Word = new(@"[\p{L}\p{N}][\p{L}\p{N}'.,/-]*"), SentenceEnd = new(@"\.\s");
+        // Words of which only a part is written, as the 1/ of 1/{ratio}.
+        static readonly Regex Fragment = new($"{Word}{Hole}|{Hole}{Word}");
 
         readonly Dictionary<string, SyntaxNode> files;
         readonly ILookup<string, string> filesOfTypes;
@@ -93,8 +96,8 @@ namespace Host.Check
             var pieces = new List<StringBuilder> { new() };
             var holes = new List<ExpressionSyntax>();
             Gather(text, pieces, holes);
-            List<string[]> sentences = pieces.Select(piece => piece.ToString().Replace("Rill:", "")).SelectMany(piece => SentenceEnd.Split(piece))
-                .Select(Words).ToList();
+            List<string[]> sentences = pieces.Select(piece => Fragment.Replace(piece.ToString(), " ").Replace("Rill:", ""))
+                .SelectMany(piece => SentenceEnd.Split(piece)).Select(Words).ToList();
             string[] stem = sentences.FirstOrDefault(words => words.Length >= FewestWords);
             if (stem != null)
                 messages.Add(new LoggedMessage(file, text.GetLocation().GetLineSpan().StartLinePosition.Line + 1,
@@ -137,7 +140,8 @@ namespace Host.Check
                     return;
                 default:
                     holes.Add(text);
-                    pieces.Add(new StringBuilder());
+                    pieces[^1].Append(Hole);
+                    pieces.Add(new StringBuilder().Append(Hole));
                     return;
             }
         }
