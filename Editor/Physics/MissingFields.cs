@@ -18,7 +18,7 @@ namespace Rill.Editor
         public static void Draw(Object[] targets)
         {
             List<FluidPhysicsColliders> all = targets.Cast<FluidPhysicsColliders>()
-                .Where(one => one.ColliderLayers != 0 && one.gameObject.scene.IsValid()).ToList();
+                .Where(one => one.TakenLayers != 0 && one.gameObject.scene.IsValid()).ToList();
             if (all.Count == 0 || !GUILayout.Button(Label))
                 return;
             List<(FluidPhysicsColliders of, List<Mesh> meshes)> missing = all.Select(one => (one, MeshesOf(one))).ToList();
@@ -27,8 +27,8 @@ namespace Rill.Editor
                 BakeWindow.Open(meshes, ReceiverFor(missing));
             else
             {
-                EditorUtility.DisplayDialog(Title, "The mesh of every Mesh Collider that is near the box now and on Collider Layers has a " +
-                    "field.", "OK");
+                EditorUtility.DisplayDialog(Title, "The mesh of every Mesh Collider that is near the box now and on its layers has a field.",
+                    "OK");
                 GUIUtility.ExitGUI();       // the dialog has ended this event's layout
             }
         }

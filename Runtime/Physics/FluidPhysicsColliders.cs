@@ -27,7 +27,7 @@ namespace Rill
         [Tooltip("Layers whose colliders hold the water. Nothing costs nothing.")]
         [SerializeField] LayerMask colliderLayers;
 
-        [Tooltip("Collider layers whose colliders let the water carry their free Rigidbodies. Nothing costs nothing.")]
+        [Tooltip("Layers whose colliders hold the water too, and whose free Rigidbodies it carries. Nothing costs nothing.")]
         [SerializeField] LayerMask floatingLayers;
 
         [Tooltip("Fields of meshes: a Mesh Collider is taken where its mesh has one.")]
@@ -62,7 +62,8 @@ namespace Rill
         /// <summary>Layers whose colliders hold the water.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
 
-        /// <summary>Collider layers whose colliders let the water carry their free Rigidbodies.</summary>
+        /// <summary>Layers whose colliders hold the water too, and whose free Rigidbodies it carries. They need not be among
+        /// <see cref="ColliderLayers"/>.</summary>
         public LayerMask FloatingLayers { get => floatingLayers; set => floatingLayers = value; }
 
         /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
@@ -142,7 +143,7 @@ namespace Rill
 
         List<IFluidCollider> IColliderSource.Gather(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
         {
-            if (colliderLayers == 0)
+            if (TakenLayers == 0)
             {
                 DropAll();
                 return taken;
@@ -170,7 +171,7 @@ namespace Rill
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped.Problem);
-            problems.AddIfAny(colliderLayers == 0
+            problems.AddIfAny(TakenLayers == 0
                 ? "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." : null);
             problems.AddIfAny(tooManyIsKnown ? TooManyProblem : null);
             foreach (IFluidCollider collider in taken)
@@ -185,6 +186,9 @@ namespace Rill
         }
 
         bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;
+
+        /// <summary>Layers whose colliders hold the water.</summary>
+        internal int TakenLayers => colliderLayers | floatingLayers;
 
         // The water is asked for its level where a body that it carries lies on the ground or is light.
         FeatureSet UsedFeatures => floatingLayers != 0 ? Features.Colliders | Features.Queries : Features.Colliders;
@@ -256,7 +260,7 @@ namespace Rill
                 UnityEngine.Physics.SyncTransforms();
             PhysicsScene physics = gameObject.scene.GetPhysicsScene();
             int count;
-            while ((count = physics.OverlapBox(center, half, found, rotation, colliderLayers,
+            while ((count = physics.OverlapBox(center, half, found, rotation, TakenLayers,
                 QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)
                 Array.Resize(ref found, Math.Max(2 * count, FirstFound));
             bool tooMany = count == MaxFound;

@@ -101,6 +101,23 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_floating_layer_need_not_be_a_collider_layer_too([Values(0, 1 << Layer + 1)] int colliderLayers)
+        {
+            FluidPhysicsColliders colliders = Pool();
+            colliders.ColliderLayers = colliderLayers;
+            Body("Ball");
+            yield return Frames(2);
+            Assert.That(colliders.GetComponent<FluidSimulation>().Inputs.Colliders.Set.Count, Is.EqualTo(1));
+            Assert.That(colliders.Bodies.Count, Is.EqualTo(1));
+            var problems = new List<string>();
+            ((IHasProblems)colliders).ListProblems(problems);
+            Assert.That(problems, Is.Empty);
+            colliders.FloatingLayers = 0;
+            yield return Frames(2);
+            Assert.That(colliders.Taken, Is.Empty);
+        }
+
+        [UnityTest]
         public IEnumerator One_event_tells_of_the_contacts_of_all_colliders()
         {
             var told = new List<string>();

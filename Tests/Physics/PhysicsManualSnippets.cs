@@ -39,16 +39,7 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator The_snippet_of_the_manual_makes_a_body_that_floats()
         {
-            var lake = new GameObject("Lake");
-            lake.SetActive(false);
-            var fluid = lake.AddComponent<FluidSimulation>();
-            fluid.Configure(new Vector3(2f, 1.6f, 1f), 0.05f, 20000);
-            var water = new GameObject("Water");
-            water.transform.SetParent(lake.transform, false);
-            water.transform.localPosition = new Vector3(0f, -0.55f, 0f);
-            water.AddComponent<FluidVolume>().Size = new Vector3(2f, 0.5f, 1f);
-            lake.SetActive(true);
-            GameObject boat = FloatingBody();
+            GameObject lake = Lake(), boat = FloatingBody();
             yield return PhysicsClock.Begin(1f / 60f);
             try
             {
@@ -65,22 +56,46 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
-        public void The_snippet_of_the_manual_takes_layers()
+        [UnityTest]
+        public IEnumerator The_snippet_of_the_manual_meets_one_layer_and_carries_the_bodies_of_another()
         {
-            var pool = new GameObject("Pool");
-            pool.SetActive(false);
+            GameObject lake = Lake(), crate = GameObject.CreatePrimitive(PrimitiveType.Cube), post = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            UseColliders(lake.GetComponent<FluidSimulation>());
+            crate.layer = 8;
+            crate.transform.localScale = new Vector3(0.5f, 0.2f, 0.3f);
+            crate.transform.position = new Vector3(0.4f, -0.2f, -0.2f);
+            crate.AddComponent<Rigidbody>().mass = 12f;
+            post.transform.localScale = new Vector3(0.2f, 1.6f, 0.2f);
+            post.transform.position = new Vector3(-0.6f, 0f, 0f);
+            yield return PhysicsClock.Begin(1f / 60f);
             try
             {
-                UseColliders(pool.AddComponent<FluidSimulation>());
-                var taken = pool.GetComponent<FluidPhysicsColliders>();
-                Assert.That((taken.ColliderLayers.value, taken.FloatingLayers.value), Is.EqualTo((1, 256)));
-                Assert.That(taken.Validate(out string problem), problem);
+                for (int i = 0; i < 90; i++)
+                    yield return null;
+                Assert.That(lake.GetComponent<FluidPhysicsColliders>().Taken.Count, Is.EqualTo(2));
+                Assert.That(crate.transform.position.y, Is.InRange(-0.45f, -0.15f), "at the surface, which is at -0.3");
             }
             finally
             {
-                Object.DestroyImmediate(pool);
+                Time.captureDeltaTime = 0f;
+                Object.DestroyImmediate(crate);
+                Object.DestroyImmediate(post);
+                Object.DestroyImmediate(lake);
             }
+        }
+
+        // Its surface is at -0.3 m.
+        static GameObject Lake()
+        {
+            var lake = new GameObject("Lake");
+            lake.SetActive(false);
+            lake.AddComponent<FluidSimulation>().Configure(new Vector3(2f, 1.6f, 1f), 0.05f, 20000);
+            var water = new GameObject("Water");
+            water.transform.SetParent(lake.transform, false);
+            water.transform.localPosition = new Vector3(0f, -0.55f, 0f);
+            water.AddComponent<FluidVolume>().Size = new Vector3(2f, 0.5f, 1f);
+            lake.SetActive(true);
+            return lake;
         }
     }
 }
