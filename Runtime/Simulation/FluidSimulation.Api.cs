@@ -316,9 +316,9 @@ namespace Rill
             => Editing.Fill(shape, velocity, phase, lifetime);
 
         /// <summary>Fills a volume at once, wherever it is in the scene, as far as there is room: as
-        /// <see cref="Fill(FluidShape, Vector3, int, float)"/>, with the volume's velocity.</summary>
+        /// <see cref="Fill(FluidShape, Vector3, int, float)"/>, with the volume's velocity and material.</summary>
         /// <param name="volume">On any object; it need not be enabled.</param>
-        /// <param name="phase">Number of the look of all of them, 0 to 7.</param>
+        /// <param name="phase">Number of the look of all of them, 0 to 7, where the volume has no material.</param>
         /// <param name="lifetime">Fluid time after which they are removed, s; 0 for never.</param>
         /// <exception cref="ArgumentNullException">There is none.</exception>
         /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called

@@ -113,6 +113,8 @@ namespace Rill
             CheckTag(phase, lifetime);
             if (!IsReadyTo("filling it") || !fluid.Support.HasBesideSteps(Features.ParticleEdits))
                 return;
+            if (volume.Material != null)
+                phase = fluid.Phases.PhaseOf(volume.Material);
             using (NativeArray<float4> positions = volume.CreatePositions(fluid.ParticleSpacing, fluid.Seed))
                 AddIntoFreeSpace(positions, volume.Velocity, phase, lifetime, $"FluidVolume '{volume.name}'", volume);
         }

@@ -69,6 +69,22 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_volume_fills_a_running_fluid_with_its_material_and_else_with_the_phase_that_is_asked_for()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 3000))
+            {
+                FluidVolume oil = AddVolume(scene, new Vector3(0.2f, 0.2f, 0.2f), new Vector3(0f, -0.3f, 0f), Material("Oil", 900f));
+                FluidVolume other = AddVolume(scene, new Vector3(0.2f, 0.2f, 0.2f), new Vector3(0f, 0.3f, 0f), null);
+                scene.Fluid.Fill(oil);
+                scene.Fluid.Fill(other, phase: 3);
+                scene.Step();
+                Assert.That(Phases(scene).Count(phase => phase == 1), Is.EqualTo(64), "of the material");
+                Assert.That(Phases(scene).Count(phase => phase == 3), Is.EqualTo(64));
+                Assert.That(Phases(scene).Length, Is.EqualTo(128));
+            }
+        }
+
+        [Test]
         public void A_phase_that_an_emitter_names_by_its_number_is_left_to_it()
         {
             using (var scene = new SourceScene(Box, Spacing, 100))
