@@ -39,14 +39,14 @@ namespace Rill
         [Range(0f, 1f)]
         [SerializeField] float fillLevel = 0.5f;
 
-        [Tooltip("By how much the fill has to fall below the level until the shape counts as emptied. 0 to 1.")]
+        [Tooltip("How far the fill has to fall below the level before the shape counts as emptied. 0 to 1.")]
         [Range(0f, 1f)]
         [SerializeField] float hysteresis = 0.05f;
 
         [Tooltip("Mean speed of the water from which it counts as an impact, m/s. It can be one again below four fifths of it.")]
         [SerializeField] float impactSpeed = 2f;
 
-        [Tooltip("By how much the fill has to change until On Level Changed is called again. 0 to 1; 0 calls it at each change.")]
+        [Tooltip("Change of the fill after which On Level Changed is called again. 0 to 1; 0 calls it at each change.")]
         [Range(0f, 1f)]
         [SerializeField] float levelStep = 0.01f;
 
@@ -95,13 +95,13 @@ namespace Rill
         public float EnterFill { get => enterFill; set { enterFill = value; Changed(); } }
         /// <summary>Fill from which the shape counts as filled. Out-of-range values are clamped with a warning.</summary>
         public float FillLevel { get => fillLevel; set { fillLevel = value; Changed(); } }
-        /// <summary>By how much the fill has to fall below the level until the shape counts as emptied. Out-of-range values are clamped
+        /// <summary>How far the fill has to fall below the level before the shape counts as emptied. Out-of-range values are clamped
         /// with a warning.</summary>
         public float Hysteresis { get => hysteresis; set { hysteresis = value; Changed(); } }
         /// <summary>Mean speed of the water from which it counts as an impact, m/s. Out-of-range values are clamped with a warning.</summary>
         public float ImpactSpeed { get => impactSpeed; set { impactSpeed = value; Changed(); } }
 
-        /// <summary>By how much the fill has to change until <see cref="OnLevelChanged"/> is called again, 0 to 1. Out-of-range values are
+        /// <summary>Change of the fill after which <see cref="OnLevelChanged"/> is called again, 0 to 1. Out-of-range values are
         /// clamped with a warning.</summary>
         public float LevelStep { get => levelStep; set { levelStep = value; Changed(); } }
 

@@ -17,7 +17,7 @@ namespace Rill
         [Tooltip("Radius of the ball whose submerged fraction is given, m. Above 0.")]
         [SerializeField] float radius = 0.1f;
 
-        [Tooltip("By how much the height of the surface has to change until On Level Changed is called again, m. 0 calls it at each change.")]
+        [Tooltip("Change of the height of the surface after which On Level Changed is called again, m. 0 calls it at each change.")]
         [SerializeField] float levelStep = 0.01f;
 
         [Tooltip("Called with the height of the surface, m, when it has changed by Level Step, and with the first one.")]
@@ -32,7 +32,7 @@ namespace Rill
         /// <summary>Radius of the ball whose submerged fraction is given, m. Out-of-range values are clamped with a warning.</summary>
         public float Radius { get => radius; set { radius = value; Changed(); } }
 
-        /// <summary>By how much the height of the surface has to change until <see cref="OnLevelChanged"/> is called again, m. Out-of-range
+        /// <summary>Change of the height of the surface after which <see cref="OnLevelChanged"/> is called again, m. Out-of-range
         /// values are clamped with a warning.</summary>
         public float LevelStep { get => levelStep; set { levelStep = value; Changed(); } }
 

@@ -23,9 +23,8 @@ namespace Rill
     {
         const float PatienceTime = 5f;          // s without a fluid before that is logged
 
-        [Tooltip("Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that " +
-        "it displaces; of turns always. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie " +
-        "on the water need more.")]
+        [Tooltip("Added mass that is assumed until the forces show it, as a fraction of the water that the body displaces; for turns it is " +
+            "always assumed. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
         [Range(0.25f, 16f)]
         [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
 
@@ -51,8 +50,8 @@ namespace Rill
         /// <summary>Adds a <see cref="FluidCollider"/> in the Editor, where it can be undone. Null in a player.</summary>
         internal static Action<GameObject> AddCollider { get => addCollider; set => addCollider = value; }
 
-        /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it
-        /// displaces, 0.25 to 16.</summary>
+        /// <summary>Added mass that is assumed until the forces show it, as a fraction of the water that the body displaces, 0.25 to
+        /// 16.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; Changed(); } }
 
         /// <summary>Fraction of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>

@@ -158,7 +158,7 @@ namespace Rill.Universal
             if (isUnannouncedKnown || ReferenceEquals(camera, begun) || !SeesLayerOfAny(camera))
                 return;
             isUnannouncedKnown = true;
-            Debug.LogWarning($"Rill: camera '{camera.name}' is drawn by UniversalRenderPipeline.RenderSingleCamera, of which nothing is told: " +
+            Debug.LogWarning($"Rill: camera '{camera.name}' is drawn by UniversalRenderPipeline.RenderSingleCamera, which URP does not report: " +
                 "it shows no fluid surfaces. Add the renderer feature 'Fluid Surface Feature' to its renderer.", camera);
         }
 

@@ -14,7 +14,7 @@ namespace Rill
 
         /// <param name="mesh">Readable, with a weight for each vertex.</param>
         /// <param name="bones">How many the renderer has.</param>
-        /// <param name="minWeight">From which weight on a vertex belongs to a bone; it can belong to several.</param>
+        /// <param name="minWeight">Weight from which a vertex belongs to a bone; it can belong to several.</param>
         public BonePoints(Mesh mesh, int bones, float minWeight)
         {
             positions = mesh.vertices;

@@ -22,7 +22,7 @@ namespace Rill
         const int MaxVertices = 100000;
         const string CapsuleName = "Fluid Capsule";
 
-        [Tooltip("From which weight on a vertex belongs to a bone, 0.05 to 1. At 0.5 and below, one at a joint belongs to both bones.")]
+        [Tooltip("Weight from which a vertex belongs to a bone, 0.05 to 1. At 0.5 and below, one at a joint belongs to both bones.")]
         [Range(0.05f, 1f)]
         [SerializeField] float minWeight = 0.4f;
 
@@ -38,7 +38,7 @@ namespace Rill
         [NonSerialized] ClampedSettings clamped;
         [NonSerialized] string refusal;     // why the newest fit made nothing
 
-        /// <summary>From which weight on a vertex belongs to a bone, 0.05 to 1. Counts at the next <see cref="Fit"/>, as all settings
+        /// <summary>Weight from which a vertex belongs to a bone, 0.05 to 1. Counts at the next <see cref="Fit"/>, as all settings
         /// here.</summary>
         public float MinWeight { get => minWeight; set { minWeight = value; Changed(); } }
 

@@ -31,15 +31,15 @@ namespace Rill
         [Range(0.1f, 200f)] public float lifetime;
 
         /// <summary>Speed of the scene, m/s, in which limits are measured: foam needs water that is faster than a quarter of it. 0: that of
-        /// a wave as deep as the water, √(g H), with H as far as the fluid that was put in reaches along gravity. 0 to 1000.</summary>
+        /// a wave as deep as the water, √(g H), with H the extent along gravity of all fluid that was put in. 0 to 1000.</summary>
         [Tooltip("Speed of the scene, m/s, in which limits are measured: foam needs water that is faster than a quarter of it. 0: that " +
-            "of a wave as deep as the water, √(g H), with H as far as the fluid that was put in reaches along gravity. 0 to 1000.")]
+            "of a wave as deep as the water, √(g H), with H the extent along gravity of all fluid that was put in. 0 to 1000.")]
         [Min(0f)] public float referenceSpeed;
 
         /// <summary>Depth of the scene, m, in which amounts are measured: half of it makes sixteen times the particles at twice the pace.
-        /// 0: as far as the fluid that was put in reaches along gravity. 0 to 10,000.</summary>
+        /// 0: the extent along gravity of all fluid that was put in. 0 to 10,000.</summary>
         [Tooltip("Depth of the scene, m, in which amounts are measured: half of it makes sixteen times the particles at twice the " +
-            "pace. 0: as far as the fluid that was put in reaches along gravity. 0 to 10,000.")]
+            "pace. 0: the extent along gravity of all fluid that was put in. 0 to 10,000.")]
         [Min(0f)] public float referenceDepth;
 
         /// <summary>Kinds to simulate. Particles of a disabled kind are removed: spray as it leaves the water, bubbles as they sink.</summary>

@@ -77,7 +77,7 @@ namespace Rill
         /// <summary>uint [cells + 1], where the particles lie that the last step sorted, for what is asked before the next; since version
         /// 5.</summary>
         CellStarts,
-        /// <summary>float [moved], see PhaseSlip.hlsl, since version 6.</summary>
+        /// <summary>float [moved], see PhaseSlip.hlsl, since version 5.</summary>
         Slips,
     }
 }

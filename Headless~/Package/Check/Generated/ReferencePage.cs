@@ -42,7 +42,7 @@ namespace Host.Check
             text.Append("Every field of every component, as its tooltip has it. *Range* is what the inspector's control allows; where it is " +
                 "empty, the text names the limits.\n\n");
             text.Append("*Cost* is GPU time of a step of 100,000 / 1,000,000 particles on an NVIDIA H100, unless noted otherwise; " +
-                "`Headless~/rill bench fields` measures it, [Sizing a scene](sizing.md) tells of other GPUs. Where it is empty, a field costs " +
+                "`Headless~/rill bench fields` measures it, [Cost by class of GPU](cost.md) scales it to others. Where it is empty, a field costs " +
                 "nothing of its own.\n");
             var costs = FieldCosts.Of(package.Read(FieldCosts.File), findings);
             foreach (Type type in components.OrderBy(type => type.Name != "FluidSimulation").ThenBy(Title, StringComparer.Ordinal))
