@@ -69,6 +69,82 @@ namespace Rill.Tests
             Assert.That(fluid.IsCulled, Is.EqualTo(!sees && why != Blind.FarOff), "without a distance");
         }
 
+        // Along each axis of the world lies each of the box's own, of which one is long.
+        [UnityTest]
+        public IEnumerator A_turned_box_is_seen_where_it_reaches_to_and_nowhere_else([Values(0, 1, 2)] int own, [Values(0, 1, 2)] int world)
+        {
+            Vector3 size = 0.4f * Vector3.one, along = Axis(world), across = Axis((world + 2) % 3), sight = Axis((world + 1) % 3);
+            size[own] = 3f;
+            FluidSimulation fluid = Fluid("Long", size, 0.1f, 100, Vector3.zero, made =>
+            {
+                made.CullingMode = FluidCullingMode.Pause;
+                made.transform.rotation = Quaternion.FromToRotation(Axis(own), along);
+            });
+            Camera camera = Eye();
+            camera.fieldOfView = 5f;
+            foreach (float end in new[] { 1.4f, -1.4f })
+            {
+                camera.transform.SetPositionAndRotation(end * along - 3f * sight, Quaternion.LookRotation(sight, along));
+                yield return null;
+                Assert.That(fluid.IsCulled, Is.False, $"its end at {end} m");
+                camera.transform.position = end * across - 3f * sight;
+                yield return null;
+                Assert.That(fluid.IsCulled, Is.True, $"beside it, at {end} m");
+            }
+        }
+
+        static Vector3 Axis(int axis) => new Vector3(axis == 0 ? 1f : 0f, axis == 1 ? 1f : 0f, axis == 2 ? 1f : 0f);
+
+        // What is drawn of particles at a wall reaches beyond it.
+        [UnityTest]
+        public IEnumerator Two_spacings_around_the_box_count_as_the_box()
+        {
+            FluidSimulation fluid = Dam(f => f.CullingMode = FluidCullingMode.Pause);
+            Camera camera = Eye();
+            camera.orthographic = true;
+            camera.orthographicSize = 0.005f;
+            foreach ((float beyond, bool sees) in new[] { (0.09f, true), (0.11f, false) })
+            {
+                camera.transform.position = new Vector3(0.5f + beyond, 0f, -3f);
+                yield return null;
+                Assert.That(fluid.IsCulled, Is.EqualTo(!sees), $"{beyond} m beyond the wall");
+                camera.transform.position = new Vector3(0f, -0.3f - beyond, -3f);
+                yield return null;
+                Assert.That(fluid.IsCulled, Is.EqualTo(!sees), $"{beyond} m below the floor");
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator One_camera_of_many_that_sees_it_is_enough_wherever_it_is_among_them()
+        {
+            Camera first = Eye(), last = first;
+            FluidSimulation fluid = Dam(f => f.CullingMode = FluidCullingMode.Pause);
+            yield return Frames(2);
+            Assert.That(fluid.IsCulled, Is.False);
+            for (int i = 0; i < 6; i++)
+            {
+                last = Eye();
+                last.transform.rotation = Quaternion.Euler(0f, 180f, 0f);
+            }
+            yield return Frames(2);
+            Assert.That(fluid.IsCulled, Is.False, "the first of seven");
+            first.transform.rotation = Quaternion.Euler(0f, 180f, 0f);
+            yield return null;
+            Assert.That(fluid.IsCulled, Is.True, "none");
+            last.transform.rotation = Quaternion.identity;
+            yield return null;
+            Assert.That(fluid.IsCulled, Is.False, "the last");
+        }
+
+        [UnityTest]
+        public IEnumerator A_slowed_fluid_that_is_paused_takes_no_step()
+        {
+            Eye().transform.rotation = Quaternion.Euler(0f, 180f, 0f);
+            FluidSimulation fluid = Dam(f => (f.CullingMode, f.CulledRate, f.Paused) = (FluidCullingMode.Slow, 0.5f, true));
+            yield return Frames(6);
+            Assert.That((fluid.IsCulled, fluid.StepCount), Is.EqualTo((true, 0)));
+        }
+
         [Test]
         public void Looking_for_cameras_allocates_nothing()
         {
