@@ -250,6 +250,8 @@ namespace Rill
         // After they are executed, or given up.
         void OnSteps(bool areExecuted)
         {
+            if (!areExecuted)
+                (lastStep, lastFrame) = (simulation.StepCount, lastFrame - recorded.Count);     // they will be taken again
             foreach (Transfer transfer in recorded)
             {
                 if (!areExecuted || transfer.frame == null)

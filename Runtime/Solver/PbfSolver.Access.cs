@@ -275,6 +275,7 @@ namespace Rill
                 ReleaseTags();
             hasLifetimes = false;
             markedAfter = 0;
+            stepIndex = (uint)math.max(frame.step - 1, 0);      // of which Step makes the frame's
             maxParticles = frame.particles;
             minAdded = 0f;      // where they are is not known here
             maxAdded = Layout.DomainSize;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -299,6 +300,162 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_fluid_in_another_box_does_not_show_it_and_says_which_box_it_takes()
+        {
+            using (SourceScene scene = new SourceScene(new Vector3(1f, 1f, 1f), RecordedWater.Spacing, RecordedWater.Capacity).Fill(0.05f))
+            {
+                ParticleState before = scene.Read();
+                LogAssert.Expect(LogType.Error, new Regex("FluidPlayback 'Fluid' does not show 'memory': it is of a box of 1 x 1 x 0.8 m, but " +
+                    "this one is 1 x 1 x 1 m. Set the Domain Size to that of the recording"));
+                RecordedWater.Play(scene, recording);
+                scene.Step(2);
+                TestFluid.AssertSame(scene.Read(), before);
+            }
+        }
+
+        [Test]
+        public void A_file_is_closed_with_its_recording_and_where_it_holds_no_frame([Values] bool hasFrames)
+        {
+            using (SourceScene scene = RecordedWater.MakeScene())
+            {
+                var file = new MemoryStream(hasFrames ? recording : recording.Take(100).ToArray());
+                FluidPlayback playback = scene.Fluid.gameObject.AddComponent<FluidPlayback>();
+                playback.OpenFile = _ => file;
+                if (hasFrames)
+                {
+                    playback.Open("memory");
+                    scene.Step();
+                    Assert.That(file.CanRead);
+                    playback.Close();
+                }
+                else
+                    Assert.Throws<InvalidDataException>(() => playback.Open("memory"));
+                Assert.That(file.CanRead, Is.False);
+            }
+        }
+
+        // Four frames: the one asked for and those that come next, round the ends.
+        [Test]
+        public void Frames_are_read_ahead_in_the_direction_in_which_it_plays()
+        {
+            using (SourceScene scene = RecordedWater.MakeScene())
+            {
+                var disk = new WatchedFile(recording);
+                FluidPlayback playback = scene.Fluid.gameObject.AddComponent<FluidPlayback>();
+                playback.OpenFile = _ => disk;
+                playback.WaitForFrames = true;
+                playback.Open("memory");
+                playback.Pause();
+                scene.Step();
+                AssertRead(0, 1, 2, 3);
+                playback.Time = 10.0 / 60.0;
+                scene.Step();
+                AssertRead(0, 1, 2, 3, 10, 11, 12, 13);
+                playback.Time = 9.0 / 60.0;
+                scene.Step();
+                AssertRead(0, 1, 2, 3, 6, 7, 8, 9, 10, 11, 12, 13);
+                playback.Time = 1.0 / 60.0;
+                scene.Step();
+                Assert.That(SpinWait.SpinUntil(() => disk.Frames.Contains(14), 20_000), "before the first is the last");
+
+                void AssertRead(params int[] frames)
+                {
+                    Assert.That(SpinWait.SpinUntil(() => frames.All(disk.Frames.Contains), 20_000), string.Join(" ", disk.Frames));
+                    Assert.That(disk.Frames, Is.EquivalentTo(frames));
+                }
+            }
+        }
+
+        [Test]
+        public void Statistics_are_measured_of_the_frames_that_are_shown()
+        {
+            using (SourceScene scene = RecordedWater.MakeScene())
+            {
+                FluidPlayback playback = RecordedWater.Play(scene, recording);
+                scene.Fluid.StatisticsInterval = 1;
+                foreach (int frame in new[] { 0, 5, 12, 3 })
+                {
+                    playback.Time = frame / 60.0;
+                    scene.Step();
+                    AsyncGPUReadback.WaitAllRequests();
+                    Assert.That(scene.Fluid.TryGetStatistics(out FluidStatistics statistics), $"frame {frame}");
+                    Assert.That((statistics.particles, statistics.step), Is.EqualTo((water.States[frame].Count, frame + 3)));
+                }
+            }
+        }
+
+        // It was on the other side of the water when the fluid last took a step.
+        [Test]
+        public void A_collider_that_is_put_elsewhere_while_it_plays_does_not_sweep_the_water_when_it_is_closed()
+        {
+            using (SourceScene scene = RecordedWater.MakeScene().Fill(0.1f))
+            {
+                var collider = new GameObject("Obstacle").AddComponent<FluidCollider>();
+                try
+                {
+                    collider.Size = 0.1f * Vector3.one;
+                    collider.transform.position = new Vector3(-0.58f, -0.42f, 0f);
+                    scene.Step(2);
+                    FluidPlayback playback = RecordedWater.Play(scene, recording);
+                    playback.Time = 9.0 / 60.0;
+                    scene.Step();
+                    collider.transform.position = new Vector3(0.58f, -0.42f, 0f);
+                    scene.Step();
+                    float before = Fastest(scene);
+                    playback.Close();
+                    scene.Step();
+                    TestContext.Out.WriteLine($"{before:0.00} m/s as shown, {Fastest(scene):0.00} m/s after a step");
+                    Assert.That(Fastest(scene), Is.LessThan(before + 1f), "it came 1.16 m in a step");
+                }
+                finally
+                {
+                    UnityEngine.Object.DestroyImmediate(collider.gameObject);
+                }
+            }
+        }
+
+        static float Fastest(SourceScene scene) => scene.Read().velocities.Max(v => math.length(v.xyz)) * RecordedWater.Spacing;
+
+        [Test]
+        public void What_is_let_in_after_it_is_closed_gets_ids_that_no_particle_of_the_frame_has()
+        {
+            using (SourceScene scene = RecordedWater.MakeScene())
+            {
+                scene.Add<FluidEmitter>(new Vector3(-0.2f, 0.3f, 0f), Vector3.down, e => (e.Rate, e.Speed, e.Radius) = (0.02f, 1.5f, 0.1f));
+                FluidPlayback playback = RecordedWater.Play(scene, recording);
+                playback.Time = 9.0 / 60.0;
+                scene.Step();
+                playback.Close();
+                scene.Step(12);
+                ParticleState state = scene.Read();
+                Assert.That(state.Count, Is.GreaterThan(water.States[9].Count + 10), "it lets some in");
+                Assert.That(state.ids, Is.Unique);
+                Assert.That(water.States[9].ids, Is.SubsetOf(state.ids));
+            }
+        }
+
+        [Test]
+        [Category("EditMode")]
+        public void Without_Play_the_length_of_a_recording_is_that_from_its_first_frame_on()
+        {
+            var gameObject = new GameObject("Fluid");
+            try
+            {
+                gameObject.SetActive(false);
+                FluidPlayback playback = gameObject.AddComponent<FluidPlayback>();
+                playback.OpenFile = _ => new MemoryStream(recording);
+                Assert.That(playback.TryFindDuration(out _), Is.False, "none is named");
+                playback.Recording = "memory";
+                Assert.That(playback.TryFindDuration(out double seconds));
+                Assert.That(seconds, Is.EqualTo((Steps - 1) / 60.0).Within(1e-6), "the first frame is that of step 3");
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(gameObject);
+            }
+        }
+
+        [Test]
         public void What_cannot_be_played_is_refused_in_words()
         {
             using (SourceScene scene = RecordedWater.MakeScene())
@@ -325,6 +482,39 @@ namespace Rill.Tests
                 playback.Speed = 200f;
             }
             LogAssert.NoUnexpectedReceived();
+        }
+
+        /// <summary>A file that notes which frames are read.</summary>
+        sealed class WatchedFile : MemoryStream
+        {
+            readonly List<long> starts = new List<long>();
+            readonly ConcurrentDictionary<int, bool> read = new ConcurrentDictionary<int, bool>();
+            readonly int opener = Thread.CurrentThread.ManagedThreadId;
+
+            public WatchedFile(byte[] bytes) : base(bytes)
+            {
+                using (var reader = new RecordingReader(new MemoryStream(bytes)))
+                {
+                    var frame = new RecordedFrame();
+                    long at = RecordingFormat.HeaderBytes;
+                    for (int i = 0; i < reader.FrameCount; i++)
+                    {
+                        reader.Read(i, frame);
+                        starts.Add(at);
+                        at += RecordingFormat.FrameHeaderBytes + 4 * reader.Header.Layout.Words(frame.particles);
+                    }
+                }
+            }
+
+            public ICollection<int> Frames => read.Keys;
+
+            public override int Read(Span<byte> to)
+            {
+                int frame = starts.IndexOf(Position);
+                if (frame >= 0 && Thread.CurrentThread.ManagedThreadId != opener)
+                    read[frame] = true;
+                return base.Read(to);
+            }
         }
 
         /// <summary>A file whose frames are not read before the gate is open.</summary>

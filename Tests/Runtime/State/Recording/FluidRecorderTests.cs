@@ -121,6 +121,27 @@ namespace Rill.Tests
             }
         }
 
+        // The first of two steps of a frame is recorded, and never taken.
+        [Test]
+        public void A_step_that_is_given_up_is_in_the_recording_only_when_it_is_taken([Values(0f, 60f)] float rate)
+        {
+            using (var water = new RecordedWater(true, r => r.Rate = rate))
+            {
+                FluidSimulation fluid = water.Scene.Fluid;
+                water.Run(2);
+                int passes = 0;
+                Action<CommandBuffer, FluidParticles> pass = (commands, particles) => fluid.enabled &= ++passes < 2;
+                fluid.BeforeStep += pass;
+                fluid.Advance(2f / 60f);
+                fluid.BeforeStep -= pass;
+                Assert.That((passes, fluid.enabled), Is.EqualTo((2, false)));
+                fluid.enabled = true;
+                Assert.That((fluid.StepCount, water.Recorder.IsRecording), Is.EqualTo((4, true)));
+                water.Run(2);
+                Assert.That(Steps(water.End()), Is.EqualTo(new[] { 3, 4, 5, 6 }));
+            }
+        }
+
         [Test]
         public void What_cannot_be_recorded_is_refused_in_words()
         {

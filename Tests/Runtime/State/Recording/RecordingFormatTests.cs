@@ -41,6 +41,26 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void The_largest_frame_is_found_wherever_it_is([Values] bool isCutShort)
+        {
+            byte[] file = Write(Header, new[] { 5, 100, 3 });
+            using (RecordingReader reader = Open(file.Take(isCutShort ? file.Length - 1 : file.Length).ToArray()))
+                Assert.That((reader.FrameCount, reader.MaxParticles), Is.EqualTo((3, 100)));
+        }
+
+        [Test]
+        public void A_file_that_is_refused_is_closed_and_one_that_is_read_with_its_reader()
+        {
+            var refused = new MemoryStream(bytes.Take(40).ToArray());
+            Assert.Throws<InvalidDataException>(() => new RecordingReader(refused));
+            Assert.That(refused.CanRead, Is.False);
+            var taken = new MemoryStream(bytes);
+            using (new RecordingReader(taken))
+                Assert.That(taken.CanRead);
+            Assert.That(taken.CanRead, Is.False);
+        }
+
+        [Test]
         public void The_frame_at_a_time_is_the_last_that_is_not_later()
         {
             using (RecordingReader reader = Open(bytes))
@@ -380,7 +400,11 @@ namespace Rill.Tests
             var stream = new MemoryStream();
             var writer = new RecordingWriter(stream, header, counts.Length);
             for (int i = 0; i < counts.Length; i++)
-                writer.Write(Fill(writer.TryReserve(), i));
+            {
+                RecordedFrame frame = Fill(writer.TryReserve(), i);
+                frame.particles = counts[i];
+                writer.Write(frame);
+            }
             writer.Finish();
             Assert.That(writer.Join(20_000));
             Assert.That(writer.Problem, Is.Null);
