@@ -102,6 +102,41 @@ namespace Rill.Tests
             Assert.That(FluidAssert.Measure(fluid).speedMax, Is.LessThan(fastest + 1f), "no burst");
         }
 
+        // It is of the old particles; those of the new ones are yet to be summed.
+        [UnityTest]
+        public IEnumerator A_force_on_a_collider_is_not_known_until_the_new_water_presses_on_it([Values(Spacing, 0.04f)] float spacing)
+        {
+            fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 10000, new Vector3(0.6f, 0.4f, 0.6f));
+            var ball = new GameObject("Ball").AddComponent<FluidCollider>();
+            made.Add(ball.gameObject);
+            ball.Shape = ColliderShape.Sphere;
+            ball.Radius = 0.12f;
+            ball.transform.position = new Vector3(0f, -0.1f, 0f);
+            ball.MeasuresForce = true;
+            yield return Frames(20);
+            Assert.That(ball.TryGetForce(out _, out _));
+            fluid.Capacity = 12000;
+            fluid.ParticleSpacing = spacing;
+            while (fluid.Resolution.IsPending)
+            {
+                Assert.That(ball.TryGetForce(out _, out _), "the water stands");
+                yield return null;
+            }
+            Assert.That((fluid.ParticleSpacing, fluid.Capacity), Is.EqualTo((spacing, 12000)), "one does not undo the other");
+            Assert.That(ball.TryGetForce(out _, out _), Is.False);
+            Vector3 sum = Vector3.zero;
+            for (int i = 0; i < 40; i++)
+            {
+                yield return null;
+                if (i < 10)
+                    continue;
+                Assert.That(ball.TryGetForce(out Vector3 force, out _), $"frame {i}");
+                sum += force / 30f;
+            }
+            float weight = 1000f * 9.81f * 4f / 3f * Mathf.PI * 0.12f * 0.12f * 0.12f;
+            Assert.That(sum.y, Is.InRange(0.6f * weight, 1.4f * weight), "N, of the water that it displaces");
+        }
+
         [UnityTest]
         public IEnumerator A_restore_gives_up_another_resolution_that_is_on_its_way()
         {
