@@ -164,6 +164,22 @@ namespace Rill.Tests
             }
         }
 
+        // Mercury has the larger one, and its limit is larger still: 304 N/m, against 11.25 N/m of a liquid of 500 kg/m³.
+        [Test]
+        public void Of_two_tensions_the_one_that_is_further_beyond_its_limit_is_logged()
+        {
+            using (SourceScene scene = new SourceScene(Box, Spacing, 2000, DeepWater.On).Fill(0.2f))
+            {
+                FluidMaterialAsset mercury = Material("Mercury", 13500f), spirit = Material("Spirit", 500f);
+                (mercury.SurfaceTension, spirit.SurfaceTension) = (250f, 20f);
+                scene.Fluid.PhaseMaterials = new[] { mercury, spirit };
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': the surface tension of its material 'Spirit', 20 N/m, " +
+                    "acts like 11.[23] N/m: more is not stable"));
+                scene.Step(2);
+                Assert.That(ProblemsOf(scene.Fluid), Has.Some.Contains("'Spirit'").And.None.Contains("'Mercury'"));
+            }
+        }
+
         [Test]
         public void Values_out_of_range_are_clamped_and_said()
         {
@@ -285,6 +301,25 @@ namespace Rill.Tests
                 Assert.That(measured.VolumeOf(0), Is.EqualTo(1600 * scene.ParticleVolume).Within(1e-5));
                 Assert.That(measured.VolumeOf(1), Is.Zero);
                 Assert.That(measured.mass, Is.EqualTo(1600 * 1000f * scene.ParticleVolume).Within(1e-2));
+            }
+        }
+
+        // Nothing of the measurement before, which knew two.
+        [Test]
+        public void Statistics_of_liquids_that_became_alike_count_all_as_phase_0()
+        {
+            FluidMaterialAsset oil = Material("Oil", 500f);
+            using (var scene = new SourceScene(Box, Spacing, 4000))
+            {
+                AddVolume(scene, new Vector3(0.4f, 0.2f, 0.5f), new Vector3(-0.3f, -0.4f, 0f), oil);
+                AddVolume(scene, new Vector3(0.4f, 0.2f, 0.5f), new Vector3(0.3f, -0.4f, 0f), null);
+                scene.Fluid.StatisticsInterval = 1000;      // so that they stay
+                scene.Fluid.Restart();
+                Assert.That(scene.Step().Measure().VolumeOf(1), Is.EqualTo(320 * scene.ParticleVolume).Within(1e-6));
+                oil.Density = scene.Fluid.Material.density;
+                FluidStatistics alike = scene.Step().Measure();
+                Assert.That((alike.VolumeOf(0), alike.VolumeOf(1)), Is.EqualTo((640 * scene.ParticleVolume, 0f)).Within(1e-6));
+                Assert.That(alike.mass, Is.EqualTo(640 * 1000f * scene.ParticleVolume).Within(1e-2));
             }
         }
 

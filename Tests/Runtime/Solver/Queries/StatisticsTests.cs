@@ -49,6 +49,35 @@ namespace Rill.Tests
             Assert.That(actual.nonFinite, Is.Zero);
         }
 
+        // Densities of eight phases; the largest case has more groups than threads that sum them.
+        [TestCase(1)]
+        [TestCase(127)]
+        [TestCase(129)]
+        [TestCase(100003)]
+        public void Each_phase_is_summed_by_itself(int count)
+        {
+            const double d = SolverStages.Spacing;
+            ParticleState state = ParticleState.Random(count, seed: count + 3, speed: 10f);
+            uint[] phases = Enumerable.Range(0, count).Select(i => (uint)(i * 7 % 13 % 8)).ToArray();
+            FluidStatistics actual = Measure(state, phases);
+            double mass = 0.0, energy = 0.0;
+            double3 momentum = 0.0, center = 0.0;
+            for (int i = 0; i < count; i++)
+            {
+                double own = (phases[i] == 0 ? 1000.0 : 300.0 * phases[i]) * d * d * d;
+                double3 v = (double3)state.velocities[i].xyz * d;
+                (mass, energy) = (mass + own, energy + 0.5 * own * math.dot(v, v));
+                momentum += own * v;
+                center += own * d * (double3)state.positions[i].xyz;
+            }
+            for (int phase = 0; phase < 8; phase++)
+                AssertNear($"volume of phase {phase}", actual.VolumeOf(phase), phases.Count(p => p == phase) * d * d * d, 1e-6);
+            AssertNear("mass", actual.mass, mass, 1e-5);
+            AssertNear("kinetic energy", actual.kineticEnergy, energy, 1e-5);
+            Assert.That(math.length(actual.momentum - momentum), Is.LessThan(1e-5 * math.sqrt(2.0 * mass * energy)), "momentum");
+            Assert.That(math.length(actual.centerOfMass - center / mass), Is.LessThan(1e-5 * math.length(center) / mass), "center of mass");
+        }
+
         [TestCase(1)]
         [TestCase(999)]
         [TestCase(1000)]
@@ -243,22 +272,27 @@ namespace Rill.Tests
         }
 
         // Measures particles where they stand, through the stage alone.
-        static FluidStatistics Measure(ParticleState state)
+        static FluidStatistics Measure(ParticleState state, uint[] phases = null)
         {
-            using (var stages = new SolverStages(state, SolverStages.Still()))
+            StepInput input = SolverStages.Still();
+            for (int phase = 1; phases != null && phase < 8; phase++)
+                input.phases.Set(phase, 300f * phase, 0f);
+            using (var stages = new SolverStages(state, input))
             using (var pass = new StatisticsPass(stages.Layout.Capacity))
+            using (var tags = new ParticleTags(stages.Layout.Capacity))
             {
+                if (phases != null)
+                    tags.Current.SetData(phases.Select(phase => phase << ParticleTags.PhaseShift).ToArray());
                 // Counters that only a step writes, as after one that overflowed nothing.
                 uint[] counters = GpuTest.Read<uint>(stages.Particles.Counters, ParticleBuffers.CounterCount);
                 counters[(int)ParticleCounter.Overflow] = counters[(int)ParticleCounter.MaxNeighbors] = 0;
                 stages.Particles.Counters.SetData(counters);
-                GpuTest.Run(cmd => pass.Record(stages.Context(cmd)));
+                GpuTest.Run(cmd => pass.Record(new StepContext(cmd, stages.Constants, stages.Particles, stages.Search, stages.Constraint.Lists,
+                    stages.Layout, input, tags: tags)));
                 pass.Request();
                 AsyncGPUReadback.WaitAllRequests();
-                return FluidStatistics.From(pass.Latest, stages.Layout, new StepInput
-                {
-                    material = FluidMaterial.Water, gravity = new float3(0f, -9.81f, 0f), timeStep = 1f / 60f,
-                });
+                input.gravity = new float3(0f, -9.81f, 0f);
+                return FluidStatistics.From(pass.Latest, stages.Layout, input);
             }
         }
 
