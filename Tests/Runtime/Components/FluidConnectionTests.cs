@@ -97,27 +97,90 @@ namespace Rill.Tests
             Assert.That(Sleeps(right), Is.False, "which has no sleep speed");
         }
 
-        // Oil is phase 1 of one fluid; in the other that is the mercury.
+        // Each liquid has another number on the other side, and back it has another one than there.
         [UnityTest]
-        public IEnumerator A_liquid_keeps_its_material_in_a_fluid_that_numbers_its_phases_otherwise()
+        public IEnumerator A_liquid_keeps_its_material_in_a_fluid_that_numbers_its_phases_otherwise([Values] bool fromLeft)
         {
-            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 900f), mercury = FluidMaterialAsset.Create("Mercury", 13500f);
-            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.2f, 0.8f, 0.5f), Vector3.zero, DeepWater.On,
-                fluid => fluid.PhaseMaterials = new[] { fluid.name == "Left" ? oil : mercury });
-            left.GetComponentInChildren<FluidVolume>().Material = oil;
-            left.Restart();
+            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 900f), mercury = FluidMaterialAsset.Create("Mercury", 13500f),
+                tar = FluidMaterialAsset.Create("Tar", 1100f);
+            Vector3 water = new Vector3(1.2f, 0.8f, 0.5f);
+            (FluidSimulation left, FluidSimulation right) = Pair(fromLeft ? water : Vector3.zero, fromLeft ? Vector3.zero : water, DeepWater.On,
+                fluid => fluid.PhaseMaterials = fluid.name == "Left" ? new[] { oil, mercury, tar } : new[] { mercury, tar, oil });
+            FluidSimulation from = fromLeft ? left : right, to = fromLeft ? right : left;
+            from.GetComponentInChildren<FluidVolume>().Material = oil;
+            from.Restart();
             Connect(left, right);
-            yield return Frames(60);
-            Assert.That((left.PhaseOf(oil), left.PhaseOf(mercury)), Is.EqualTo((1, 2)));
-            Assert.That((right.PhaseOf(mercury), right.PhaseOf(oil)), Is.EqualTo((1, 2)));
-            Assert.That(PhasesOf(left).Distinct(), Is.EqualTo(new[] { 1u }));
-            uint[] arrived = PhasesOf(right);
+            yield return Frames(45);
+            Assert.That((left.PhaseOf(oil), left.PhaseOf(mercury), left.PhaseOf(tar)), Is.EqualTo((1, 2, 3)));
+            Assert.That((right.PhaseOf(oil), right.PhaseOf(mercury), right.PhaseOf(tar)), Is.EqualTo((3, 1, 2)));
+            Assert.That(PhasesOf(from).Distinct(), Is.EqualTo(new[] { fromLeft ? 1u : 3u }));
+            uint[] arrived = PhasesOf(to);
             Assert.That(arrived.Length, Is.GreaterThan(20), "oil crossed");
-            Assert.That(arrived.Distinct(), Is.EqualTo(new[] { 2u }), "and is oil there");
+            Assert.That(arrived.Distinct(), Is.EqualTo(new[] { fromLeft ? 3u : 1u }), "and is oil there");
             Assert.That(left.Input.phases.Heaviest(left.Material), Is.EqualTo(right.Input.phases.Heaviest(right.Material)),
                 "both weigh against the same");
-            UnityEngine.Object.Destroy(oil);
-            UnityEngine.Object.Destroy(mercury);
+            foreach (FluidMaterialAsset material in new[] { oil, mercury, tar })
+                UnityEngine.Object.Destroy(material);
+        }
+
+        // Three bits a phase: those in which the two numbers differ.
+        [Test]
+        public void A_phase_without_a_material_keeps_its_number_unless_a_material_has_it_there()
+        {
+            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 900f), mercury = FluidMaterialAsset.Create("Mercury", 13500f);
+            using (SourceScene one = new SourceScene(Vector3.one, 0.1f, 100), other = new SourceScene(Vector3.one, 0.1f, 100))
+            {
+                one.Fluid.PhaseMaterials = new[] { mercury, oil };
+                other.Fluid.PhaseMaterials = new[] { oil, null, mercury };
+                // 1 becomes 2, 2 without a material becomes 0, 3 becomes 1; 4 to 7 stay.
+                Assert.That(one.Fluid.Phases.ChangesFrom(other.Fluid.Phases), Is.EqualTo(3u << 3 | 2u << 6 | 2u << 9));
+                // 1 becomes 3, 2 becomes 1, 3 without a material becomes 0.
+                Assert.That(other.Fluid.Phases.ChangesFrom(one.Fluid.Phases), Is.EqualTo(2u << 3 | 3u << 6 | 3u << 9));
+            }
+            UnityEngine.Object.DestroyImmediate(oil);
+            UnityEngine.Object.DestroyImmediate(mercury);
+        }
+
+        [UnityTest]
+        public IEnumerator A_connection_that_is_opened_again_counts_from_nothing()
+        {
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.2f, 0.8f, 0.5f), Vector3.zero);
+            FluidConnection connection = Connect(left, right);
+            yield return Frames(50);
+            int first = connection.HandedToSecond;
+            Assert.That(first, Is.GreaterThan(20));
+            connection.enabled = false;
+            Assert.That(connection.HandedToSecond, Is.Zero);
+            yield return Frames(5);
+            int before = Own(right).Length;
+            connection.enabled = true;
+            Assert.That(connection.HandedToSecond, Is.Zero);
+            yield return Frames(12);
+            Assert.That(connection.HandedToSecond - connection.HandedToFirst, Is.EqualTo(Own(right).Length - before).Within(30),
+                "three frames late");
+            Assert.That(connection.HandedToSecond, Is.LessThan(first));
+        }
+
+        // While they were apart each was filled where the other has water too.
+        [UnityTest]
+        public IEnumerator Fluids_that_are_connected_again_are_parted_again()
+        {
+            var water = new Vector3(Box.x, 0.3f, Box.z);
+            (FluidSimulation left, FluidSimulation right) = Pair(water, water, DeepWater.Off, Weightless);
+            FluidConnection connection = Connect(left, right);
+            yield return Frames(2);
+            int parted = Own(left).Length + Own(right).Length;
+            Assert.That(parted, Is.EqualTo(32 * 3 * 5).Within(20), "both boxes together, 3.2 m long");
+            connection.enabled = false;
+            yield return null;
+            Vector3 overlap = new Vector3(0f, -0.45f, 0f);
+            left.Fill(FluidShape.Box(overlap, new Vector3(Overlap, 0.3f, 0.5f)));
+            right.Fill(FluidShape.Box(overlap, new Vector3(Overlap, 0.3f, 0.5f)));
+            yield return null;
+            Assert.That(Own(left).Length + Own(right).Length, Is.GreaterThan(parted + 80), "it lies in both");
+            connection.enabled = true;
+            yield return Frames(2);
+            Assert.That(Own(left).Length + Own(right).Length, Is.EqualTo(parted).Within(20));
         }
 
         static uint[] PhasesOf(FluidSimulation fluid)
