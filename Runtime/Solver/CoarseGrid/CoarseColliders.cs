@@ -39,6 +39,9 @@ namespace Rill
         /// <summary>uint2 [cells], see PackFaces and PackOpen in CoarseColliders.hlsl.</summary>
         public GraphicsBuffer Open => open;
 
+        /// <summary>uint4 [cells], centers of what is open of a cell and of its low faces, see PackCenter.</summary>
+        public GraphicsBuffer Centers => centers;
+
         /// <summary>float4 [cells], xyz displacement of the solid at the low faces in the substep, d.</summary>
         public GraphicsBuffer Flow => flow;
 

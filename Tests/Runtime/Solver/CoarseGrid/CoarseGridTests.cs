@@ -50,6 +50,28 @@ namespace Rill.Tests
             Assert.That(grid.Level(CoarseGrid.MaxLevels), Is.EqualTo(grid.Level(grid.LevelCount)), "beyond the last");
         }
 
+        // Halved until 64 cells are left, and 4 along each axis: a long one would need more sweeps than it gets.
+        [TestCase(100f, 8f, 8f, 3)]         // 25 x 2 x 2, 13, 7, 4
+        [TestCase(8f, 100f, 8f, 3)]
+        [TestCase(8f, 8f, 68f, 3)]          // 17, 9, 5, 3
+        [TestCase(16f, 16f, 16f, 1)]        // 4 x 4 x 4, 2
+        [TestCase(48f, 48f, 48f, 2)]        // 12, 6, 3
+        [TestCase(8192f, 2f, 2f, 7)]        // 2048 and as many levels as there can be
+        public void Levels_go_on_until_few_cells_are_left_in_all_and_along_each_axis(float x, float y, float z, int levels)
+            => Assert.That(new CoarseGrid(new float3(x, y, z), 4f).LevelCount, Is.EqualTo(levels));
+
+        // By 2048 cells, or 1024 of 16 KB of groupshared memory: 216, 27 and 8 cells are left below 1728.
+        [Test]
+        public void A_tail_of_half_the_memory_holds_half_the_cells()
+        {
+            var large = new CoarseSolverPath(false, false);
+            var small = new CoarseSolverPath(true, true);
+            Assert.That((large.TailCells, small.TailCells), Is.EqualTo((2048, 1024)));
+            var domain = new float3(92f, 92f, 92f);         // 23³ cells, 12³, 6³, 3³
+            Assert.That(new CoarseGrid(domain, 4f, large.TailCells).FirstTailLevel, Is.EqualTo(1));
+            Assert.That(new CoarseGrid(domain, 4f, small.TailCells).FirstTailLevel, Is.EqualTo(2));
+        }
+
         [TestCaseSource(nameof(Domains))]
         public void The_tail_holds_as_many_levels_as_fit_one_thread_group(float3 domain)
         {

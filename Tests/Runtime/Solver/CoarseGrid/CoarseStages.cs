@@ -23,12 +23,15 @@ namespace Rill.Tests
         readonly ParticleBuffers particles;
         readonly NeighborSearch search;
         readonly GraphicsBuffer constants;
+        readonly Colliders colliders;
         bool isProjected;
 
         /// <param name="gravity">m/s².</param>
         /// <param name="substeps">In which the device takes <see cref="TimeStep"/>; what this class computes itself is for one.</param>
         /// <param name="openFaces">Ends of the box that neighbors cover, see SolverConstants.openFaces.</param>
-        public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f, int substeps = 1, uint openFaces = 0)
+        /// <param name="solids">d; null for none.</param>
+        public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f, int substeps = 1, uint openFaces = 0,
+            ColliderMotion[] solids = null)
         {
             this.state = state;
             Gravity = gravity;
@@ -37,6 +40,12 @@ namespace Rill.Tests
             input.settings.substeps = substeps;
             input.gravity = gravity;
             layout = new SolverLayout(state.box * SolverStages.Spacing, SolverStages.Spacing, state.Count + 5, 96, 1f);
+            if (solids != null)
+            {
+                (input.colliders, input.frameTo) = (new ColliderSet { Count = solids.Length, Version = 1 }, 1f);
+                solids.CopyTo(input.colliders.Items, 0);
+                colliders = new Colliders(layout);
+            }
             particles = new ParticleBuffers(state.Count + 5);
             state.WriteTo(particles);
             search = new NeighborSearch(layout);
@@ -83,7 +92,21 @@ namespace Rill.Tests
         public float4[] Velocities => GpuTest.Read<float4>(particles.Velocities, state.Count);
         public uint[] Bins => GpuTest.Read<uint>(Correction.Bins, Correction.Bins.count);
 
-        StepContext Context(CommandBuffer cmd) => new StepContext(cmd, constants, particles, search, null, layout, input, Correction);
+        StepContext Context(CommandBuffer cmd)
+            => new StepContext(cmd, constants, particles, search, null, layout, input, Correction, colliders: colliders);
+
+        /// <summary>Projects beside the solids, and leaves the particles as they are.</summary>
+        public CoarseStages ProjectBesideSolids()
+        {
+            GpuTest.Run(cmd =>
+            {
+                StepContext step = Context(cmd);
+                colliders.RecordSubstep(step, 0);
+                Correction.RecordColliders(step);
+                Correction.RecordProjection(step);
+            });
+            return this;
+        }
 
         public CoarseStages Project()
         {
@@ -109,6 +132,7 @@ namespace Rill.Tests
         public void Dispose()
         {
             Correction.Dispose();
+            colliders?.Dispose();
             particles.Dispose();
             search.Dispose();
             constants.Release();
