@@ -74,25 +74,50 @@ namespace Rill.Tests
             }
         }
 
+        // The other liquid is twice as heavy, and has none: what acts on this one is its own.
         [Test]
-        public void A_wall_draws_each_liquid_by_its_own_contact_angle([Values(60f, 120f)] float angle)
+        public void A_wall_draws_each_liquid_by_its_own_contact_angle_and_mass([Values(60f, 120f)] float angle, [Values] bool isCollider)
         {
             const float Height = 0.9f;
+            float floor = isCollider ? 8f : 0f;
             using (TestFluid fluid = FreeDrop.Make(24f, p => false, 0.0, 2))
             {
                 fluid.Input.phases.Set(1, 1000f, 0f, FreeDrop.Tension(0.02), angle);
-                fluid.Input.phases.Set(2, 1000f, 0f, FreeDrop.Tension(0.0));
-                AddTagged(fluid, 1, new float3(6f, Height, 12f));
-                AddTagged(fluid, 2, new float3(18f, Height, 12f));
+                fluid.Input.phases.Set(2, 2000f, 0f, FreeDrop.Tension(0.0));
+                if (isCollider)
+                    ColliderTests.Use(fluid, Floor(floor));
+                AddTagged(fluid, 1, new float3(6f, floor + Height, 12f));
+                AddTagged(fluid, 2, new float3(18f, floor + Height, 12f));
                 fluid.Step();
                 double pass = 2.6 * 0.02 / 2.0 * (angle == 60f ? 1.25 : 0.35355339), height = Height;      // of WallFraction
                 for (int i = 0; i < 2; i++)
                     height -= pass * Reference.Tension.Plane(height);
                 float4[] ends = fluid.Read().positions.OrderBy(p => p.x).ToArray();
                 Assert.That(height, Is.LessThan(Height - 0.005), "the case");
-                Assert.That(ends[0].y, Is.EqualTo(height).Within(1e-4));
-                Assert.That(ends[1].y, Is.EqualTo(Height).Within(1e-6));
+                Assert.That(ends[0].y - floor, Is.EqualTo(height).Within(1e-4));
+                Assert.That(ends[1].y - floor, Is.EqualTo(Height).Within(2e-6));
             }
+        }
+
+        static ColliderMotion Floor(float height)
+            => ColliderTests.Still(ColliderShape.Plane, 1f, new float3(12f, height, 12f), quaternion.identity);
+
+        // Nothing attracts like more than all that lies behind the surface.
+        [Test]
+        public void Colliders_in_one_place_draw_a_particle_in_as_one_of_them_does()
+        {
+            double End(int planes)
+            {
+                using (TestFluid fluid = FreeDrop.Make(24f, p => false, 1.0, 2, 60f))
+                {
+                    ColliderTests.Use(fluid, Enumerable.Repeat(Floor(8f), planes).ToArray());
+                    fluid.Add(new[] { new float3(12f, 8.9f, 12f) * FreeDrop.Spacing }).Step();
+                    return fluid.Read().positions[0].y;
+                }
+            }
+            double one = End(1);
+            Assert.That(one, Is.LessThan(8.88), "it is drawn in");
+            Assert.That(End(3), Is.EqualTo(one).Within(1e-5));
         }
 
         static void AddTagged(TestFluid fluid, int phase, float3 position)
