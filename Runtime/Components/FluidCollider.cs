@@ -346,6 +346,7 @@ namespace Rill
         void OnEnable()
         {
             SceneColliders.Enabled.Add(this);
+            Teleport();     // wherever it was before: also where no fluid has taken a step since
             shaders.Hold();
         }
 

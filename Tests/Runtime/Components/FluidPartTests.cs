@@ -21,7 +21,7 @@ namespace Rill.Tests
         // From one side of the box to the other, both outside of it.
         [Test]
         public void What_moves_while_time_stands_still_does_not_move_through_the_fluid([Values("drain", "emitter", "obstacle")] string what,
-            [Values("paused", "restarted", "box lost")] string still)
+            [Values("paused", "restarted", "box lost", "disabled")] string still)
         {
             using (var scene = new SourceScene(Box, Spacing, 5000).Fill(0.3f))
             {
@@ -52,6 +52,12 @@ namespace Rill.Tests
                     scene.Step();
                     holder.transform.localScale = Vector3.one;
                     holder.transform.position -= path;
+                }
+                else if (still == "disabled")
+                {
+                    mover.SetActive(false);     // and enabled again before the next step, as of a pool
+                    mover.transform.position += path;
+                    mover.SetActive(true);
                 }
                 else
                 {
