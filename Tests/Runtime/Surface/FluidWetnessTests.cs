@@ -390,6 +390,30 @@ namespace Rill.Tests
             Assert.That(FractionOf(wet, dry, Pixel(-0.3f, 0.15f)), Is.EqualTo(1f - Darkening).Within(0.001f));
         }
 
+        [UnityTest]
+        public IEnumerator A_box_of_another_size_has_a_grid_of_its_own()
+        {
+            yield return Wet();
+            scene.Root.GetComponentInChildren<FluidVolume>(true).transform.localPosition = new Vector3(0.45f, -0.4f, 0f);
+            scene.Root.GetComponentInChildren<FluidVolume>(true).Size = new Vector3(0.1f, 0.2f, 0.6f);
+            scene.Fluid.Configure(new Vector3(1.6f, 1f, 1f), WaterScene.Spacing, 3000);
+            yield return Wet();
+            float4[] wet = scene.Pixels(), dry = null;
+            yield return Dry(pixels => dry = pixels);
+            Assert.That(FractionOf(wet, dry, Pixel(0.45f)), Is.EqualTo(1f - Darkening).Within(0.001f));
+            Assert.That(FractionOf(wet, dry, Pixel(0.58f)), Is.EqualTo(1f), "beyond the water, and the old box");
+            Assert.That(FractionOf(wet, dry, Pixel(-0.3f)), Is.EqualTo(1f), "where the old water was");
+        }
+
+        [UnityTest]
+        public IEnumerator A_camera_is_as_it_was_once_the_last_is_off()
+        {
+            yield return Wet();
+            Assert.That(scene.Camera.commandBufferCount, Is.GreaterThan(0));
+            wetness.enabled = false;
+            Assert.That(scene.Camera.commandBufferCount, Is.Zero);
+        }
+
         // A script may do so after the fluid's steps, before what they left is marked: what it removes is nowhere.
         [UnityTest]
         public IEnumerator Particles_that_a_script_has_removed_wet_nothing()

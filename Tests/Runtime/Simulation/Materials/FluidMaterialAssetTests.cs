@@ -108,6 +108,12 @@ namespace Rill.Tests
                 Assert.That(scene.Fluid.PhaseOf(lava), Is.Zero);      // and is logged once
                 Assert.That(scene.Fluid.PhaseOf(made[3]), Is.EqualTo(4));
                 Assert.That(ProblemsOf(scene.Fluid), Has.Some.Contains("'Lava'"));
+                BeginAgain(scene.Fluid);
+                Assert.That(ProblemsOf(scene.Fluid), Is.Empty);
+                for (int i = 1; i < PhaseMaterials.Phases; i++)
+                    scene.Fluid.PhaseOf(made[i - 1]);
+                LogAssert.Expect(LogType.Warning, new Regex("no phase left for the material 'Lava'"));
+                scene.Fluid.PhaseOf(lava);
             }
         }
 
@@ -124,6 +130,13 @@ namespace Rill.Tests
                 emitter.Material = Material("Oil", 900f, 0.08f);
                 Assert.That(HasViscosity(emitter));
             }
+        }
+
+        static void BeginAgain(FluidSimulation fluid)
+        {
+            fluid.KeepStateOnDisable = false;
+            fluid.enabled = false;
+            fluid.enabled = true;
         }
 
         static List<string> ProblemsOf(FluidSimulation fluid)
@@ -161,6 +174,10 @@ namespace Rill.Tests
                 mercury.SurfaceTension = 200f;
                 scene.Step();
                 Assert.That(ProblemsOf(scene.Fluid), Is.Empty);
+                mercury.SurfaceTension = 900f;
+                BeginAgain(scene.Fluid);
+                LogAssert.Expect(LogType.Warning, new Regex("the surface tension of its material 'Mercury', 900 N/m, acts like 304 N/m"));
+                scene.Step(2);
             }
         }
 
@@ -304,6 +321,22 @@ namespace Rill.Tests
             }
         }
 
+        [Test]
+        public void Statistics_of_phases_of_one_material_count_each_where_phases_are_tracked([Values] bool areTracked)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 4000))
+            {
+                scene.Fluid.TrackPhases = areTracked;
+                scene.Step();
+                scene.Fluid.Fill(FluidShape.Box(new Vector3(-0.3f, -0.4f, 0f), new Vector3(0.2f, 0.2f, 0.5f)), phase: 3);
+                scene.Fluid.Fill(FluidShape.Box(new Vector3(0.3f, -0.4f, 0f), new Vector3(0.2f, 0.2f, 0.2f)));
+                FluidStatistics measured = scene.Step().Measure();
+                Assert.That((measured.VolumeOf(0), measured.VolumeOf(3)),
+                    Is.EqualTo(((areTracked ? 64 : 224) * scene.ParticleVolume, (areTracked ? 160 : 0) * scene.ParticleVolume)).Within(1e-6));
+                Assert.That(measured.mass, Is.EqualTo(224 * 1000f * scene.ParticleVolume).Within(1e-2));
+            }
+        }
+
         // Nothing of the measurement before, which knew two.
         [Test]
         public void Statistics_of_liquids_that_became_alike_count_all_as_phase_0()
@@ -331,10 +364,15 @@ namespace Rill.Tests
             {
                 AddVolume(scene, new Vector3(0.5f, 0.2f, 0.5f), new Vector3(-0.25f, -0.4f, 0f), oil);
                 AddVolume(scene, new Vector3(0.25f, 0.2f, 0.5f), new Vector3(0.2f, -0.4f, 0f), null);
+                foreach (FluidVolume volume in scene.Fluid.GetComponentsInChildren<FluidVolume>())
+                    volume.Velocity = new Vector3(0f, 0f, 0.4f);
                 scene.Fluid.Restart();
                 FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d => d.Size = Box);
+                Assert.That(detector.MeasureNow().MassOf(1), Is.EqualTo(500f * 0.05f).Within(0.1f), "before the first step");
                 scene.Step();
                 FluidDetectorSample sample = detector.MeasureNow();
+                Assert.That(sample.velocity.z, Is.EqualTo(0.4f).Within(0.05f));
+                Assert.That(sample.momentum.z, Is.EqualTo(50f * sample.velocity.z).Within(0.05f), "kg m/s");
                 Assert.That(sample.MassOf(1), Is.EqualTo(500f * 0.05f).Within(0.01f));
                 Assert.That(sample.MassOf(0), Is.EqualTo(1000f * 0.025f).Within(0.01f));
                 Assert.That(sample.mass, Is.EqualTo(50f).Within(0.02f));

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
@@ -132,6 +133,23 @@ namespace Rill.Tests
             Assert.That(gate.Decide(Features.Sleep), Is.True);
             Assert.That(gate.Decide(Features.Sleep), Is.False);
             Assert.That(gate.Refusals.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void A_feature_that_is_refused_again_is_logged_once()
+        {
+            var owner = new GameObject("Owner");
+            var gate = new FeatureGate(owner);
+            gate.Begin(new DeviceLimits(8, 8, 256, 16384), null);
+            LogAssert.Expect(LogType.Error, new Regex("Rill: GameObject 'Owner' goes on without sleep: "));
+            gate.Decide(Features.Sleep);
+            gate.Decide(Features.Sleep | Features.Vorticity);
+            gate.Decide(Features.Sleep);
+            LogAssert.NoUnexpectedReceived();
+            gate.Begin(new DeviceLimits(8, 8, 256, 16384), null);
+            LogAssert.Expect(LogType.Error, new Regex("Rill: GameObject 'Owner' goes on without sleep: "));
+            gate.Decide(Features.Sleep);
+            UnityEngine.Object.DestroyImmediate(owner);
         }
 
         [Test]

@@ -65,6 +65,22 @@ namespace Rill.Tests
             }
         }
 
+        // What asks by one field is not all of it.
+        [Test]
+        public void A_feature_that_is_asked_for_by_several_fields_is_turned_off_by_each()
+        {
+            var step = new StepInput { settings = SolverSettings.Default, material = FluidMaterial.Water, tracksPhases = true };
+            step.phases.Set(1, 500f, 0f);
+            Assert.That(Features.Tags.IsAsked(null, step));
+            Features.Tags.TurnOff(ref step);
+            Assert.That((Features.Tags.IsAsked(null, step), Features.Materials.IsAsked(null, step)), Is.EqualTo((false, false)));
+            step.material.velocitySmoothing = 0f;
+            step.needsDensity = true;
+            Assert.That(Features.VelocitySmoothing.IsAsked(null, step));
+            Features.VelocitySmoothing.TurnOff(ref step);
+            Assert.That(Features.VelocitySmoothing.IsAsked(null, step), Is.False);
+        }
+
         // Else a build would miss its shaders: the Editor has all, and a player would go on without it.
         [Test]
         public void A_stage_that_settings_alone_ask_for_belongs_to_those_of_settings([Values(0f, 1f)] float vorticity)

@@ -4,6 +4,7 @@ using System.Linq;
 using NUnit.Framework;
 using Rill.Tests.Reference;
 using Unity.Mathematics;
+using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.TestTools;
 
@@ -197,6 +198,18 @@ namespace Rill.Tests
                 FluidStatistics statistics = fluid.Step(7).Measure();
                 Assert.That(statistics.step, Is.EqualTo(7));
                 Assert.That(statistics.time, Is.EqualTo(7.0 / 60.0).Within(1e-6));
+            }
+        }
+
+        [Test]
+        public void Time_that_a_long_frame_dropped_is_told()
+        {
+            using (SourceScene scene = new SourceScene(Vector3.one, 0.1f, 1000).Fill(0.2f))
+            {
+                scene.Step();
+                scene.Fluid.Advance(1f);
+                Assert.That(scene.Fluid.StepCount, Is.InRange(2, 30));
+                Assert.That(scene.Measure().droppedTime, Is.EqualTo(1.0 - (scene.Fluid.StepCount - 1) / 60.0).Within(1.0 / 60.0));
             }
         }
 
