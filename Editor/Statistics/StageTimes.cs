@@ -34,6 +34,7 @@ namespace Rill.Editor
             ("Rill.HandOver", "Hand-over between fluids"),
             ("Rill.Rest", "Water at rest"),
             ("Rill.Fields", "Force fields"),
+            ("Rill.Borders", "Borders"),
             ("Rill.CoarseColliders", "Colliders on the coarse grid"),
             ("Rill.Projection", "Deep water: projection"),
             ("Rill.Colliders", "Colliders"),

@@ -25,6 +25,7 @@ namespace Rill
             problems.AddIfAny(fluid.Editing.Recentering.OutsideProblem);
             problems.AddIfAny(fluid.Editing.Recentering.TakerProblem);
             problems.AddIfAny(fluid.Steps.Problem);
+            problems.AddIfAny(fluid.Steps.BordersProblem);
             fluid.Steps.Tension.List(problems);
             foreach ((Feature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);

@@ -100,6 +100,10 @@ namespace Rill
         /// <summary>Acceleration in world space, m/s². One that is not finite becomes the default, with a warning.</summary>
         public Vector3 Gravity { get => gravity; set { gravity = value; Changed(); } }
 
+        /// <summary>What the four sides of the box are to the water. Acts from the next step on. Out-of-range values are clamped with a
+        /// warning.</summary>
+        public FluidBorders Borders { get => borders; set { borders = value; Changed(); } }
+
         /// <summary>Fixed steps in a second of fluid time, 10 to 1000. Acts from the next step on. Out-of-range values are clamped with a
         /// warning.</summary>
         public float StepRate { get => stepRate; set { stepRate = value; Changed(); } }

@@ -53,6 +53,9 @@ namespace Rill
         [Tooltip("Acceleration in world space, m/s².")]
         [SerializeField] Vector3 gravity = DefaultGravity;
 
+        [Tooltip("What the four sides of the box are to the water: walls, bands that absorb waves, or open water.")]
+        [SerializeField] FluidBorders borders = FluidBorders.Default;
+
         [Tooltip("Fixed steps in a second of fluid time. 10 to 1000.")]
         [Range(10f, MaxStepRate)]
         [SerializeField] float stepRate = DefaultStepRate;
@@ -415,6 +418,8 @@ namespace Rill
             Limit.Append(ref problem, materialProblem);
             budget.Validate(out string budgetProblem);
             Limit.Append(ref problem, budgetProblem);
+            borders.Validate(out string borderProblem);
+            Limit.Append(ref problem, borderProblem);
             Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
             Limit.Clamp("step rate", ref stepRate, 10f, MaxStepRate, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);

@@ -9,7 +9,7 @@ namespace Rill
     /// <summary>Makes the input of a fluid's steps from its settings and the scene, and records them.</summary>
     sealed class StepRecorder
     {
-        const int TooViscous = 0;       // problem of the log
+        const int TooViscous = 0, BordersDiffer = 1;       // problems of the log
 
         readonly FluidSimulation fluid;
         SolverSettings settings;        // of the steps of this frame, as the budget has them
@@ -52,6 +52,9 @@ namespace Rill
         /// <summary>Why a dynamic viscosity is not reached; null where it is.</summary>
         public string Problem => isTooViscous ? TooViscousProblem : null;
 
+        /// <summary>Why the borders act otherwise than they are set; null where they do not.</summary>
+        public string BordersProblem => fluid.Borders.ProblemIn(fluid.DomainSize, fluid.ParticleSpacing);
+
         /// <summary>Lets problems be logged again, as the fluid begins.</summary>
         public void Begin()
         {
@@ -85,6 +88,7 @@ namespace Rill
                 material = fluid.Material,
                 phases = fluid.Phases.ForStep(),
                 needsDensity = NeedsDensity,
+                borders = fluid.Borders.In(fluid.DomainSize, fluid.ParticleSpacing),
                 colliders = inputs.Colliders.Set,
                 tracksPhases = fluid.TrackPhases,
                 foam = NeedsFoam ?? default,
@@ -102,6 +106,7 @@ namespace Rill
             input.settings.relaxation = settings.StableRelaxation(fluid.Solver.IsDeep(input));
             input.settings.substeps = settings.StableSubsteps(GravityStep);
             CheckViscosity();
+            CheckBorders();
             Tension.Check(input);
         }
 
@@ -171,6 +176,12 @@ namespace Rill
                 && ImplicitViscosity.Strength(input, fluid.Solver.Layout) > ImplicitViscosity.MaxStrength;
             if (isTooViscous && log.ShouldLog(TooViscous))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {TooViscousProblem}", fluid);
+        }
+
+        void CheckBorders()
+        {
+            if (log.ShouldLog(BordersDiffer, fluid.Borders.DifferIn(fluid.DomainSize, fluid.ParticleSpacing)))
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {BordersProblem}", fluid);
         }
 
         string TooViscousProblem

@@ -27,6 +27,7 @@ namespace Rill
             {
                 Resting?.Record(step);
                 Fields?.Record(step);
+                Borders?.Record(step, WaterDepth(input.gravity));
                 Colliders?.RecordSubstep(step, substep);
                 RecordStart(step);
                 Coarse?.RecordColliders(step);
@@ -90,6 +91,7 @@ namespace Rill
         ImplicitViscosity Viscosity => (ImplicitViscosity)stages[Features.Viscosity.Index];
         VelocityExtrapolation Extrapolation => (VelocityExtrapolation)stages[Features.Extrapolation.Index];
         VorticityConfinement Vorticity => (VorticityConfinement)stages[Features.Vorticity.Index];
+        Borders Borders => (Borders)stages[Features.Borders.Index];
         ForceFields Fields => (ForceFields)stages[Features.ForceFields.Index];
         Emitters Emitters => (Emitters)stages[Features.Emitters.Index];
         Drains Drains => (Drains)stages[Features.Drains.Index];
@@ -116,6 +118,7 @@ namespace Rill
                 ParticleTransfer.Describe(Transfer, input.connections?.count ?? 0, ParticleTags != null, outside),
                 RestingRegions.Describe(Resting, input),
                 ForceFields.Describe(Fields, input),
+                Borders.Describe(Borders, input),
                 CoarseCorrection.Describe(Coarse, input, WaterDepth(input.gravity)),
                 Colliders.Describe(Colliders, input),
                 ImplicitViscosity.Describe(Viscosity, step),
@@ -155,6 +158,7 @@ namespace Rill
             bool wakes = hadColliders && Colliders == null || hadFields && Fields == null;
             wakes |= Colliders != null && Colliders.ConsumeChanges(input.colliders);
             wakes |= Fields != null && Fields.Upload(cmd, input.sources);
+            wakes |= Borders != null && Borders.ConsumeChanges(input.borders) && !isRestored;
             if (wakes)
                 Wake();
         }

@@ -17,6 +17,8 @@ namespace Rill
         public PhaseMaterials phases;
         /// <summary>Whether something reads the density that comes with the velocities.</summary>
         public bool needsDensity;
+        /// <summary>Validated, with bands that the box has room for.</summary>
+        public FluidBorders borders;
         /// <summary>Solid colliders over the frame that the step belongs to; null for none.</summary>
         public ColliderSet colliders;
         /// <summary>Fractions of that frame at which the step starts and ends.</summary>

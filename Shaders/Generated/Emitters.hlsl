@@ -40,6 +40,8 @@ cbuffer RillEmitter
 #define _Spin (_SpinAndInterval.xyz)    // the same of its angular velocity, rad/s
 #define _Interval (_SpinAndInterval.w)    // between two particles, s
 
+static const uint kNoneWaits = 2147483647;    // instead of a limit: what finds no room was not due, and is not counted as given up
+
 static const uint kMaxCandidates = 16384;    // most positions that one emitter tries in a step
 static const float kClearance = 0.7;    // nothing is put nearer to a particle, d
 

@@ -70,6 +70,14 @@ namespace Rill
             turnOff: (ref StepInput step) => step.sources?.LeaveOutFields(),
             make: (PbfSolver solver, in StepInput step) => new Rill.ForceFields());
 
+        // An open side holds its level by what emitters and drains do.
+        public static readonly Feature Borders = new Feature("absorbing and open borders", "make its borders walls",
+            stages: new[] { "Borders" },
+            asked: (PbfSolver solver, in StepInput step) => Rill.Borders.IsNeeded(step),
+            turnOff: (ref StepInput step) => step.borders = default,
+            make: (PbfSolver solver, in StepInput step) => new Rill.Borders(),
+            ofSettings: true);
+
         public static readonly Feature Viscosity = new Feature("dynamic viscosity", "set the dynamic viscosity to 0",
             stages: new[] { "ImplicitViscosity" },
             asked: (PbfSolver solver, in StepInput step) => ImplicitViscosity.IsNeeded(step),
@@ -162,7 +170,7 @@ namespace Rill
 
         /// <summary>The most important first: where a device does not hold two of them together, the first stays.</summary>
         public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Materials,
-            Drains, ForceFields, Viscosity, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Foam, Statistics, SurfaceParticles, Queries,
+            Drains, ForceFields, Borders, Viscosity, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Foam, Statistics, SurfaceParticles, Queries,
             ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness, ParticleRenderer, DomainRenderer,
             Baking);
 

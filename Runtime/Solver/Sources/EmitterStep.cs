@@ -5,6 +5,9 @@ namespace Rill
     /// <summary>Work of one emitter in one step. Lengths in d, times in seconds, directions in the domain's frame.</summary>
     struct EmitterStep
     {
+        /// <summary>instead of a limit: what finds no room was not due, and is not counted as given up</summary>
+        [GenerateHlsl("Emitters")] public const int NoneWaits = int.MaxValue;
+
         const float MinPressDepth = 2f;     // d
 
         /// <summary>Its number, below <see cref="StepSources.MaxEmitters"/>.</summary>
@@ -27,7 +30,7 @@ namespace Rill
         public int layerPositions;
         /// <summary>Positions tried in this step, 1 to <see cref="Emitters.MaxCandidates"/>.</summary>
         public int candidates;
-        /// <summary>Particles that wait for room at most; what is beyond is given up.</summary>
+        /// <summary>Particles that wait for room at most; what is beyond is given up. Or <see cref="NoneWaits"/>.</summary>
         public int maxWaiting;
         /// <summary>Whether it does nothing from here on.</summary>
         public bool isLast;

@@ -1,0 +1,50 @@
+using System;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What one side of a fluid's box is, and the band of water beside it.</summary>
+    [Serializable]
+    public struct FluidBorder
+    {
+        /// <summary>Fastest flow through a side, m/s.</summary>
+        internal const float MaxVelocity = 100f;
+
+        /// <summary>Longest length that a border can be given, m.</summary>
+        internal const float MaxLength = 1e6f;
+
+        /// <summary>Wall: waves come back. Absorbing: a band takes the waves. Open: the water goes on beyond, and in a band velocity and level
+        /// are held.</summary>
+        [Tooltip("Wall: waves come back. Absorbing: a band takes the waves. Open: the water goes on beyond, and in a band velocity and level " +
+            "are held.")]
+        public BorderKind kind;
+
+        /// <summary>Width of the band, m, at least four particle spacings. An absorbing one takes waves up to three times as long.</summary>
+        [Tooltip("Width of the band, m, at least four particle spacings. An absorbing one takes waves up to three times as long.")]
+        public float width;
+
+        /// <summary>Velocity of the water through an open side, m/s: above 0 into the box, below 0 out of it, 0 for a level alone. -100 to
+        /// 100.</summary>
+        [Tooltip("Velocity of the water through an open side, m/s: above 0 into the box, below 0 out of it, 0 for a level alone. -100 to 100.")]
+        public float velocity;
+
+        /// <summary>Level that an open side holds, m above the floor of the box.</summary>
+        [Tooltip("Level that an open side holds, m above the floor of the box.")]
+        public float level;
+
+        /// <summary>A wall; the values that another kind starts with.</summary>
+        public static FluidBorder Default => new FluidBorder { width = 1f, level = 1f };
+
+        /// <summary>Whether another border is set alike.</summary>
+        internal readonly bool IsSame(in FluidBorder other)
+            => kind == other.kind && width == other.width && velocity == other.velocity && level == other.level;
+
+        /// <summary>Puts every value into its range.</summary>
+        internal void Validate(string side, ref string problem)
+        {
+            Limit.Clamp($"width of the border {side}", ref width, 0f, MaxLength, Default.width, ref problem);
+            Limit.Clamp($"velocity of the border {side}", ref velocity, -MaxVelocity, MaxVelocity, 0f, ref problem);
+            Limit.Clamp($"level of the border {side}", ref level, 0f, MaxLength, Default.level, ref problem);
+        }
+    }
+}
