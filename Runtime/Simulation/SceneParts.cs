@@ -17,6 +17,8 @@ namespace Rill
         readonly FluidPart[] detectors = new FluidPart[Queries.MaxDetectors];
         int actingCount;
         uint goneEmitters, goneDrains;      // since the last step, a bit for each number
+        readonly BorderLevels levels = new BorderLevels();
+        uint levelNumbers;                  // of the emitters and drains at open borders in the last step, a bit for each
         int stepsSinceReadback;
         StepSources sources;
 
@@ -95,7 +97,11 @@ namespace Rill
         /// <param name="input">The step, of which the part of the frame is known.</param>
         public StepSources Collect(in StepInput input)
         {
-            if (actingCount == 0 && goneEmitters == 0 && goneDrains == 0)
+            uint atBorders = BorderLevels.NumbersOf(input.borders) & ~TakenNumbers;
+            goneEmitters |= levelNumbers & ~atBorders;
+            goneDrains |= levelNumbers & ~atBorders;
+            levelNumbers = atBorders;
+            if (actingCount == 0 && goneEmitters == 0 && goneDrains == 0 && atBorders == 0)
             {
                 Release();
                 return null;
@@ -134,8 +140,24 @@ namespace Rill
                 if (part != null && part is IForceField field && !field.IsUniform && gate.IsLoaded(Features.ForceFields)
                     && field.TryGetStep(frame, spacing, out FieldRegion region))
                     sources.Add(region);
+            if (atBorders != 0 && gate.IsLoaded(Features.Emitters) && gate.IsLoaded(Features.Drains))
+                levels.AddTo(sources, input.borders, atBorders, fluid.Solver.Layout, fluid.FixedStep);
             sources.needsLifetimes = sources.needsLifetimes && gate.IsLoaded(Features.Drains);
             return sources;
+        }
+
+        /// <summary>Whether emitters or drains have a number that an open border needs.</summary>
+        public bool LacksNumbers(in FluidBorders borders) => (BorderLevels.NumbersOf(borders) & TakenNumbers) != 0;
+
+        uint TakenNumbers
+        {
+            get
+            {
+                uint taken = 0;
+                for (int number = BorderLevels.FirstNumber; number < StepSources.MaxEmitters; number++)
+                    taken |= emitters[number] != null || drains[number] != null ? 1u << number : 0u;
+                return taken;
+            }
         }
 
         /// <summary>Returns what uniform fields add to gravity, m/s² in the domain's frame. Like gravity they also pull in the solver's walls
@@ -211,7 +233,7 @@ namespace Rill
         /// <summary>Begins again with the fluid.</summary>
         public void Restart()
         {
-            goneEmitters = goneDrains = 0;
+            goneEmitters = goneDrains = levelNumbers = 0;
             stepsSinceReadback = 0;
             foreach (FluidPart emitter in emitters)
                 if (emitter != null)

@@ -9,7 +9,7 @@ namespace Rill
     /// <summary>Makes the input of a fluid's steps from its settings and the scene, and records them.</summary>
     sealed class StepRecorder
     {
-        const int TooViscous = 0, BordersDiffer = 1;       // problems of the log
+        const int TooViscous = 0, BordersDiffer = 1, LevelsLack = 2;       // problems of the log
 
         readonly FluidSimulation fluid;
         SolverSettings settings;        // of the steps of this frame, as the budget has them
@@ -53,7 +53,9 @@ namespace Rill
         public string Problem => isTooViscous ? TooViscousProblem : null;
 
         /// <summary>Why the borders act otherwise than they are set; null where they do not.</summary>
-        public string BordersProblem => fluid.Borders.ProblemIn(fluid.DomainSize, fluid.ParticleSpacing);
+        public string BordersProblem => fluid.Inputs.Parts.LacksNumbers(fluid.Borders) ? LevelsProblem : DifferProblem;
+
+        string DifferProblem => fluid.Borders.ProblemIn(fluid.DomainSize, fluid.ParticleSpacing);
 
         /// <summary>Lets problems be logged again, as the fluid begins.</summary>
         public void Begin()
@@ -181,8 +183,13 @@ namespace Rill
         void CheckBorders()
         {
             if (log.ShouldLog(BordersDiffer, fluid.Borders.DifferIn(fluid.DomainSize, fluid.ParticleSpacing)))
-                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {BordersProblem}", fluid);
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {DifferProblem}", fluid);
+            if (log.ShouldLog(LevelsLack, fluid.Inputs.Parts.LacksNumbers(input.borders)))
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {LevelsProblem}", fluid);
         }
+
+        static string LevelsProblem => Invariant($"an open border holds its level by one of {StepSources.MaxEmitters} emitters and drains, and the ") +
+            "scene's take its number, so the level is not held. Disable an emitter or a drain, the last enabled first.";
 
         string TooViscousProblem
         {

@@ -77,8 +77,9 @@ namespace Rill
         void ReachDown(in EmitterStep emitter, float3 gravity)
         {
             float3 down = math.normalizesafe(gravity) * math.length(Layout.DomainSize);
-            float3 low = math.min(emitter.start.position, emitter.end.position) - emitter.positions.Radius,
-                high = math.max(emitter.start.position, emitter.end.position) + emitter.positions.Radius;
+            float3 reach = emitter.HoldsLevel ? emitter.positions.HalfExtent : emitter.positions.Radius;
+            float3 low = math.min(emitter.start.position, emitter.end.position) - reach,
+                high = math.max(emitter.start.position, emitter.end.position) + reach;
             minAdded = math.min(minAdded, math.clamp(math.min(low, low + down), 0f, Layout.DomainSize));
             maxAdded = math.max(maxAdded, math.clamp(math.max(high, high + down), 0f, Layout.DomainSize));
         }

@@ -103,7 +103,7 @@ namespace Rill
                 features = WithSupported(features, Features.Elasticity);
             if (contents.Has(SnapshotSection.NeighborCounts) && ImplicitViscosity.IsNeeded(still))
                 features = WithSupported(features, Features.Viscosity);
-            if (contents.Has(SnapshotSection.EmitterStates) && inputs.Parts.HasEmitters)
+            if (contents.Has(SnapshotSection.EmitterStates) && (inputs.Parts.HasEmitters || fluid.Borders.HasOpen))
                 features = WithSupported(features, Features.Emitters);
             if (contents.Has(SnapshotSection.DrainStates) || contents.Has(SnapshotSection.Tags))
                 features = WithSupported(features, Features.Drains);

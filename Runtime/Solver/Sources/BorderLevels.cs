@@ -7,30 +7,40 @@ namespace Rill
     /// <remarks>A side uses one of the last numbers of the emitters and of the drains.</remarks>
     sealed class BorderLevels
     {
-        const float Strip = 8f;             // d: two cells of the coarse grid
-        const float Above = 0.5f;           // d: over the level from which water is taken out, so that still water is left alone
+        const float LevelPart = 0.5f;       // of a band, beside its side: where water comes and goes
+        const float Above = 0.25f;          // d: over the level from which water is taken out, so that still water is left alone
 
         readonly EmitterPositions[] positions = new EmitterPositions[FluidBorders.Sides];
         readonly float3[] sizes = new float3[FluidBorders.Sides];
 
-        /// <summary>Number of the emitter and of the drain of a side.</summary>
-        public static int NumberOf(int side) => StepSources.MaxEmitters - FluidBorders.Sides + side;
+        /// <summary>First of the numbers of emitters and drains that open sides use.</summary>
+        public const int FirstNumber = StepSources.MaxEmitters - FluidBorders.Sides;
+
+        /// <summary>Returns the numbers of emitters and drains that the open sides use, a bit for each.</summary>
+        public static uint NumbersOf(in FluidBorders borders)
+        {
+            uint numbers = 0;
+            for (int side = 0; side < FluidBorders.Sides; side++)
+                numbers |= borders[side].kind == BorderKind.Open ? 1u << FirstNumber + side : 0u;
+            return numbers;
+        }
 
         /// <summary>Adds what happens at the open sides in a step.</summary>
-        public void AddTo(StepSources sources, in FluidBorders borders, float3 box, float spacing, float step)
+        /// <param name="numbers">Those that they may use, of <see cref="NumbersOf"/>.</param>
+        /// <param name="step">Length of the step, s.</param>
+        public void AddTo(StepSources sources, in FluidBorders borders, uint numbers, SolverLayout layout, float step)
         {
             for (int side = 0; side < FluidBorders.Sides; side++)
             {
-                FluidBorder border = borders[side];
-                if (border.kind == BorderKind.Open)
-                    Add(sources, side, border, box / spacing, spacing, step);
+                if ((numbers >> FirstNumber + side & 1) != 0)
+                    Add(sources, side, borders[side], layout.DomainSize, layout.Spacing, step);
             }
         }
 
         void Add(StepSources sources, int side, in FluidBorder border, float3 box, float spacing, float step)
         {
             int axis = FluidBorders.AxisOf(side);
-            float thickness = math.min(Strip, border.width / spacing), level = border.level / spacing;
+            float thickness = LevelPart * border.width / spacing, level = border.level / spacing;
             float3 size = box;
             size[axis] = thickness;
             float3 center = 0.5f * box;
@@ -45,13 +55,13 @@ namespace Rill
                 sources.Add(new DrainRegion
                 {
                     rotation = quaternion.identity.value, lastRotation = quaternion.identity.value, center = middle, lastCenter = middle,
-                    inverseHalf = 1f / half, limit = DrainRegion.NoLimit, emitter = DrainRegion.NoEmitter, number = (uint)NumberOf(side)
+                    inverseHalf = 1f / half, limit = DrainRegion.NoLimit, emitter = DrainRegion.NoEmitter, number = (uint)(FirstNumber + side)
                 });
             }
             size.y = math.floor(level);
             if (size.y < 1f)
                 return;
-            center.y = 0.5f * size.y;
+            center.y = 0.5f * size.y + Above;
             if (positions[side] == null || !sizes[side].Equals(size))
             {
                 positions[side] = EmitterPositions.Of(EmitterShape.Box, EmitterMode.Fill, size * spacing, 0f, null, 1f, spacing, out _);
@@ -64,7 +74,7 @@ namespace Rill
             var pose = new RigidPose(center, quaternion.identity);
             var emitter = new EmitterStep
             {
-                number = NumberOf(side), positions = positions[side], start = pose, end = pose, velocity = velocity, cosSpread = 1f,
+                number = FirstNumber + side, positions = positions[side], start = pose, end = pose, velocity = velocity, cosSpread = 1f,
                 due = Emitters.MaxCandidates, maxWaiting = EmitterStep.NoneWaits
             };
             emitter.ChoosePositions(0f, step);

@@ -15,7 +15,7 @@ namespace Rill
         const float AbsorbingStrength = 2.2f;
 
         // The same of an open side, whose level is held: near 1 its water ends as if it went on.
-        const float OpenStrength = 1.5f;
+        const float OpenStrength = 1.5f, FlowStrength = 60f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Borders");
 
@@ -53,9 +53,10 @@ namespace Rill
                 if (border.kind == BorderKind.Wall)
                     continue;
                 bool isOpen = border.kind == BorderKind.Open;
-                float speed = math.sqrt(gravity * (isOpen ? border.level : depth * spacing)) + (isOpen ? math.abs(border.velocity) : 0f);
+                float celerity = math.sqrt(gravity * (isOpen ? border.level : depth * spacing));     // of long waves
+                float speed = isOpen ? OpenStrength * celerity + FlowStrength * math.abs(border.velocity) : AbsorbingStrength * celerity;
                 inverseWidths[side] = spacing / border.width;
-                rates[side] = 2f * (isOpen ? OpenStrength : AbsorbingStrength) * speed / border.width;
+                rates[side] = 2f * speed / border.width;
                 velocities[side] = isOpen ? (FluidBorders.IsUpper(side) ? -border.velocity : border.velocity) / spacing : 0f;
             }
             cmd.SetComputeVectorParam(shader, Ids.InverseWidths, inverseWidths);

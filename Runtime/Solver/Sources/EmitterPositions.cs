@@ -28,6 +28,7 @@ namespace Rill
                 Data[2 * i] = new float4(positions[i], 0f);
                 Data[2 * i + 1] = new float4(directions != null ? directions[i] : new float3(0f, 0f, 1f), 0f);
                 Radius = math.max(Radius, math.length(positions[i]));
+                HalfExtent = math.max(HalfExtent, math.abs(positions[i]));
             }
         }
 
@@ -36,6 +37,8 @@ namespace Rill
         public int Count => Data.Length / 2;
         /// <summary>Furthest position from the origin, d.</summary>
         public float Radius { get; }
+        /// <summary>Furthest positions from the origin along each axis, d.</summary>
+        public float3 HalfExtent { get; }
         /// <summary>Half of what the positions of a plane cross-section take, along x and y, d; y is 0 for a round one, whose radius x is. 0 for a
         /// volume and for a surface.</summary>
         public float2 HalfSection { get; private set; }

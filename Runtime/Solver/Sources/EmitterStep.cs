@@ -32,6 +32,8 @@ namespace Rill
         public int candidates;
         /// <summary>Particles that wait for room at most; what is beyond is given up. Or <see cref="NoneWaits"/>.</summary>
         public int maxWaiting;
+        /// <summary>Whether it fills what lacks of a level, at a border.</summary>
+        public bool HoldsLevel => maxWaiting == NoneWaits;
         /// <summary>Whether it does nothing from here on.</summary>
         public bool isLast;
         /// <summary>0 to 255; 0 for none.</summary>
