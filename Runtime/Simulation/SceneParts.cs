@@ -141,7 +141,7 @@ namespace Rill
                     && field.TryGetStep(frame, spacing, out FieldRegion region))
                     sources.Add(region);
             if (atBorders != 0 && gate.IsLoaded(Features.Emitters) && gate.IsLoaded(Features.Drains))
-                levels.AddTo(sources, input.borders, atBorders, fluid.Solver.Layout, fluid.FixedStep);
+                levels.AddTo(sources, input, atBorders, fluid.Solver.Layout, fluid.Solver.StepIndex);
             sources.needsLifetimes = sources.needsLifetimes && gate.IsLoaded(Features.Drains);
             return sources;
         }

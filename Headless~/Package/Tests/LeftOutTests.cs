@@ -23,7 +23,7 @@ namespace Host.Tests
         static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
             "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
             "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure", "WithTension",
-            "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
+            "Emitters", "Drain", "ForceFields", "Rill.Fields", "Borders", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
             "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
             "Queries", "QueryBatch", "ParticleTransfer", "Rill.Transfer", "Rill.Kept" };
 
@@ -164,6 +164,12 @@ namespace Host.Tests
             ("a force field without bounds", null, Part<FluidForceField>(f => f.Strength = 0.01f), new string[0]),
             ("a force field", null, Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere),
                 new[] { "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *" }),
+            ("an absorbing border", null, s => s.Borders = Border(BorderKind.Absorbing), new[] { "+1 Borders.compute RelaxAtBorders" }),
+            ("an open border", null, s => s.Borders = Border(BorderKind.Open), new[]
+            {
+                "+1 Borders.compute RelaxAtBorders", "+1 Drains.compute Drain", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *",
+                "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.*",
+            }),
             ("a second force field", Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere),
                 Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), new string[0]),
             ("a wind without viscosity", Inviscid, Part<FluidForceField>(f => f.Kind = ForceFieldKind.Wind), new[]
@@ -500,6 +506,13 @@ namespace Host.Tests
         }
 
         static void Still(FluidEmitter emitter) => emitter.Rate = 0f;
+
+        static FluidBorders Border(BorderKind kind)
+        {
+            FluidBorders borders = FluidBorders.Default;
+            borders.maxX = new FluidBorder { kind = kind, width = 4f * Spacing, level = Spacing };
+            return borders;
+        }
 
         static void Aside(FluidDrain drain) => drain.transform.localPosition = new Vector3(0f, 5f, 0f);
 

@@ -13,23 +13,20 @@ namespace Rill
         /// <summary>Longest length that a border can be given, m.</summary>
         internal const float MaxLength = 1e6f;
 
-        /// <summary>Wall: waves come back. Absorbing: a band takes the waves. Open: the water goes on beyond, and in a band velocity and level
-        /// are held.</summary>
-        [Tooltip("Wall: waves come back. Absorbing: a band takes the waves. Open: the water goes on beyond, and in a band velocity and level " +
-            "are held.")]
+        /// <summary>Wall: waves come back. Absorbing: a band takes them. Open: water enters and leaves.</summary>
+        [Tooltip("Wall: waves come back. Absorbing: a band takes them. Open: water enters and leaves.")]
         public BorderKind kind;
 
-        /// <summary>Width of the band, m, at least four particle spacings. An absorbing one takes waves up to three times as long.</summary>
-        [Tooltip("Width of the band, m, at least four particle spacings. An absorbing one takes waves up to three times as long.")]
+        /// <summary>Width of the band, m, at least four particle spacings. Absorbing: a third of the longest wave.</summary>
+        [Tooltip("Width of the band, m, at least four particle spacings. Absorbing: a third of the longest wave.")]
         public float width;
 
-        /// <summary>Velocity of the water through an open side, m/s: above 0 into the box, below 0 out of it, 0 for a level alone. -100 to
-        /// 100.</summary>
-        [Tooltip("Velocity of the water through an open side, m/s: above 0 into the box, below 0 out of it, 0 for a level alone. -100 to 100.")]
+        /// <summary>Velocity through an open side, m/s, above 0 into the box. -100 to 100.</summary>
+        [Tooltip("Velocity through an open side, m/s, above 0 into the box. -100 to 100.")]
         public float velocity;
 
-        /// <summary>Level that an open side holds, m above the floor of the box.</summary>
-        [Tooltip("Level that an open side holds, m above the floor of the box.")]
+        /// <summary>Level at an open side, m above the floor of the box.</summary>
+        [Tooltip("Level at an open side, m above the floor of the box.")]
         public float level;
 
         /// <summary>A wall; the values that another kind starts with.</summary>

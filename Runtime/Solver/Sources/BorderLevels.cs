@@ -9,6 +9,9 @@ namespace Rill
     {
         const float LevelPart = 0.5f;       // of a band, beside its side: where water comes and goes
         const float Above = 0.25f;          // d: over the level from which water is taken out, so that still water is left alone
+        const float InflowHead = 5f;      // d: over the level to which water that flows in may stand
+        const float MaxWait = 0.5f;         // s
+        const float OutflowHead = 1.5f;     // u²/g, measured: what the water before a side loses as it flows out
 
         readonly EmitterPositions[] positions = new EmitterPositions[FluidBorders.Sides];
         readonly float3[] sizes = new float3[FluidBorders.Sides];
@@ -27,47 +30,33 @@ namespace Rill
 
         /// <summary>Adds what happens at the open sides in a step.</summary>
         /// <param name="numbers">Those that they may use, of <see cref="NumbersOf"/>.</param>
-        /// <param name="step">Length of the step, s.</param>
-        public void AddTo(StepSources sources, in FluidBorders borders, uint numbers, SolverLayout layout, float step)
+        /// <param name="stepIndex">Its number since the reset.</param>
+        public void AddTo(StepSources sources, in StepInput input, uint numbers, SolverLayout layout, uint stepIndex)
         {
             for (int side = 0; side < FluidBorders.Sides; side++)
             {
                 if ((numbers >> FirstNumber + side & 1) != 0)
-                    Add(sources, side, borders[side], layout.DomainSize, layout.Spacing, step);
+                    Add(sources, side, input.borders[side], layout.DomainSize, layout.Spacing, input.timeStep, stepIndex, math.max(math.length(input.gravity), 1e-3f));
             }
         }
 
-        void Add(StepSources sources, int side, in FluidBorder border, float3 box, float spacing, float step)
+        // Where water flows in, its volume is given and its level follows, as beyond it a river brings as much as it does. Elsewhere the level is
+        // given. Both at once would need the head that the flow has, which depends on all of the scene.
+        void Add(StepSources sources, int side, in FluidBorder border, float3 box, float spacing, float step, uint stepIndex, float gravity)
         {
             int axis = FluidBorders.AxisOf(side);
+            bool flowsIn = border.velocity > 0f;
             float thickness = LevelPart * border.width / spacing, level = border.level / spacing;
-            float3 size = box;
+            float3 size = box, center = 0.5f * box;
             size[axis] = thickness;
-            float3 center = 0.5f * box;
             center[axis] = FluidBorders.IsUpper(side) ? box[axis] - 0.5f * thickness : 0.5f * thickness;
-            float top = level + Above;
-            if (top < box.y)
-            {
-                float3 half = 0.5f * size, middle = center;
-                half.y = 0.5f * (box.y - top);
-                middle.y = top + half.y;
-                sources.keepsDrains = true;
-                sources.Add(new DrainRegion
-                {
-                    rotation = quaternion.identity.value, lastRotation = quaternion.identity.value, center = middle, lastCenter = middle,
-                    inverseHalf = 1f / half, limit = DrainRegion.NoLimit, emitter = DrainRegion.NoEmitter, number = (uint)(FirstNumber + side)
-                });
-            }
-            size.y = math.floor(level);
-            if (size.y < 1f)
-                return;
-            center.y = 0.5f * size.y + Above;
-            if (positions[side] == null || !sizes[side].Equals(size))
-            {
-                positions[side] = EmitterPositions.Of(EmitterShape.Box, EmitterMode.Fill, size * spacing, 0f, null, 1f, spacing, out _);
-                sizes[side] = size;
-            }
-            if (positions[side] == null)
+            bool flowsOut = border.velocity < 0f;
+            float top = flowsOut ? level - Above - OutflowHead * border.velocity * border.velocity / (gravity * spacing) : level + Above;
+            if (!flowsIn && top < box.y)
+                AddDrain(sources, side, size, center, box.y, math.max(top, 0f));
+            size.y = math.min(math.floor(flowsIn ? level + InflowHead : flowsOut ? top - 1f : level), math.floor(box.y));
+            center.y = math.min(0.5f * size.y + Above, box.y - 0.5f * size.y);
+            if (size.y < 1f || PositionsOf(side, size, spacing) == null)
                 return;
             float3 velocity = 0f;
             velocity[axis] = (FluidBorders.IsUpper(side) ? -border.velocity : border.velocity) / spacing;
@@ -77,9 +66,38 @@ namespace Rill
                 number = FirstNumber + side, positions = positions[side], start = pose, end = pose, velocity = velocity, cosSpread = 1f,
                 due = Emitters.MaxCandidates, maxWaiting = EmitterStep.NoneWaits
             };
+            if (flowsIn)
+            {
+                double perStep = (double)border.velocity / spacing * step * level * box[2 - axis];
+                double before = math.floor(perStep * stepIndex);
+                emitter.due = (int)math.min(math.floor(perStep * (stepIndex + 1.0)) - before, Emitters.MaxCandidates);
+                emitter.maxWaiting = (int)math.min(perStep * (MaxWait / step), int.MaxValue / 2);
+            }
             emitter.ChoosePositions(0f, step);
             sources.keepsEmitters = true;
             sources.Add(emitter);
+        }
+
+        static void AddDrain(StepSources sources, int side, float3 size, float3 center, float top, float bottom)
+        {
+            size.y = top - bottom;
+            center.y = 0.5f * (top + bottom);
+            sources.keepsDrains = true;
+            sources.Add(new DrainRegion
+            {
+                rotation = quaternion.identity.value, lastRotation = quaternion.identity.value, center = center, lastCenter = center,
+                inverseHalf = 2f / size, limit = DrainRegion.NoLimit, emitter = DrainRegion.NoEmitter, number = (uint)(FirstNumber + side)
+            });
+        }
+
+        EmitterPositions PositionsOf(int side, float3 size, float spacing)
+        {
+            if (positions[side] == null || !sizes[side].Equals(size))
+            {
+                positions[side] = EmitterPositions.Of(EmitterShape.Box, EmitterMode.Fill, size * spacing, 0f, null, 1f, spacing, out _);
+                sizes[side] = size;
+            }
+            return positions[side];
         }
     }
 }

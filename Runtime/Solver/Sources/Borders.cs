@@ -15,7 +15,7 @@ namespace Rill
         const float AbsorbingStrength = 2.2f;
 
         // The same of an open side, whose level is held: near 1 its water ends as if it went on.
-        const float OpenStrength = 1.5f, FlowStrength = 60f;
+        const float OpenStrength = 1.5f, FlowStrength = 8f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Borders");
 

@@ -79,7 +79,7 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator What_is_switched_on_without_its_stage_stays_off_after_one_error_and_the_fluid_goes_on(
             [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
-            "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
+            "Colliders", "Emitters", "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
         {
             FluidSimulation fluid = Fluid();
             fluid.StatisticsInterval = 0;
@@ -126,7 +126,7 @@ namespace Rill.Tests
             Build(fluid.gameObject);
             fluid.gameObject.SetActive(true);
             foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters",
-                "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries" })
+                "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries" })
                 SwitchOn(stage, fluid);
             fluid.gameObject.AddComponent<ParticleRenderer>();
             fluid.gameObject.AddComponent<DomainRenderer>();
@@ -166,6 +166,25 @@ namespace Rill.Tests
             fluid.Material = material;
             Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Viscosity
                 | Features.Elasticity | Features.Vorticity));
+        }
+
+        [Test]
+        public void An_open_border_refers_to_what_holds_its_level_too()
+        {
+            FluidSimulation fluid = Fluid();
+            fluid.StatisticsInterval = 0;
+            fluid.Settings = With(fluid.Settings, DeepWater.Off, 0f);
+            SetBorder(fluid, BorderKind.Absorbing);
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Borders));
+            SetBorder(fluid, BorderKind.Open);
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Borders | Features.Emitters | Features.Drains));
+        }
+
+        static void SetBorder(FluidSimulation fluid, BorderKind kind)
+        {
+            FluidBorders borders = FluidBorders.Default;
+            borders.maxX.kind = kind;
+            fluid.Borders = borders;
         }
 
         [Test]
@@ -218,6 +237,7 @@ namespace Rill.Tests
                 case "Emitters": Add<FluidEmitter>(fluid.transform); break;
                 case "Drains": Add<FluidDrain>(fluid.transform); break;
                 case "Queries": Add<FluidProbe>(fluid.transform); break;
+                case "Borders": SetBorder(fluid, BorderKind.Absorbing); break;
                 case "ForceFields": Add<FluidForceField>(fluid.transform, field => field.Bounds = ForceFieldBounds.Sphere); break;
                 default: throw new ArgumentException(stage);
             }

@@ -13,7 +13,7 @@ namespace Rill.Tests
     {
         static readonly FeatureSet Everything = Features.Colliders | Features.DeepWater | Features.VelocitySmoothing
             | Features.Emitters | Features.Tags | Features.Drains
-            | Features.ForceFields | Features.Viscosity | Features.Elasticity | Features.Vorticity
+            | Features.ForceFields | Features.Borders | Features.Viscosity | Features.Elasticity | Features.Vorticity
             | Features.Reactions | Features.Sleep | Features.Extrapolation | Features.Foam | Features.Statistics
             | Features.SurfaceParticles | Features.Queries | Features.ParticleAccess;
 
@@ -55,7 +55,7 @@ namespace Rill.Tests
             FeatureGate gate = With(8);
             Assert.That(gate.ProblemOf(FeatureSet.None), Is.Null);
             gate.Decide(Features.DeepWater | Features.VelocitySmoothing | Features.Emitters | Features.Drains
-                | Features.ForceFields | Features.Vorticity | Features.Extrapolation | Features.Foam
+                | Features.ForceFields | Features.Borders | Features.Vorticity | Features.Extrapolation | Features.Foam
                 | Features.Statistics | Features.Queries | Features.ParticleAccess);
             Assert.That(gate.Refused, Is.EqualTo(FeatureSet.None), string.Join("\n", gate.Refusals));
         }

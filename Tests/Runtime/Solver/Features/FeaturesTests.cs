@@ -55,6 +55,7 @@ namespace Rill.Tests
                 var step = new StepInput { settings = SolverSettings.Default, material = FluidMaterial.Water };
                 step.material.dynamicViscosity = step.material.shearModulus = step.material.vorticity = 1f;
                 step.settings.sleepSpeed = 1f;
+                step.borders.minX.kind = BorderKind.Absorbing;
                 step.phases.Set(1, 500f, 2f);
                 if (feature == Features.Sleep)
                     step.material.vorticity = 0f;

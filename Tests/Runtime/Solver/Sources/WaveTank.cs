@@ -12,7 +12,7 @@ namespace Rill.Tests
     sealed class WaveTank : IDisposable
     {
         const float Spacing = 0.05f;
-        const int Thickness = 8, Bin = 2;
+        const int Thickness = 4, Bin = 2;
         const float Between = 1f;               // wave lengths between the two ends' bands
         const float Measured = 0.5f;            // the last of them, wave lengths
 
@@ -65,7 +65,7 @@ namespace Rill.Tests
 
         /// <summary>Plays until the waves are steady, and then some periods.</summary>
         /// <returns>Amplitude of the waves that run to the end, d, and the energy of those that come back over theirs.</returns>
-        public (double Amplitude, double Reflected) Run(int settle = 4, int periods = 4)
+        public (double Amplitude, double Reflected) Run(int settle = 3, int periods = 2)
         {
             float dt = fluid.Input.timeStep;
             int every = Math.Max((int)(Period / dt / 24), 1);
