@@ -31,7 +31,10 @@ namespace Rill
             {
                 if (fluid.ShadersInBuild == ShadersInBuild.AllFeatures)
                     return Features.OfFluids;
-                var stored = new StepInput { settings = fluid.Settings, material = fluid.Material, phases = fluid.Phases.ForStep(), borders = fluid.Borders };
+                var stored = new StepInput
+                {
+                    settings = fluid.Settings, material = fluid.Material, phases = fluid.Phases.ForStep(), borders = fluid.Borders
+                };
                 FeatureSet used = ((FeatureSet)Features.Core).With(Features.DeepWater, stored.settings.deepWater != DeepWater.Off)
                     .With(Features.Statistics, fluid.StatisticsInterval > 0)
                     .With(Features.Emitters, stored.borders.HasOpen).With(Features.Drains, stored.borders.HasOpen);

@@ -188,8 +188,8 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {LevelsProblem}", fluid);
         }
 
-        static string LevelsProblem => Invariant($"an open border holds its level by one of {StepSources.MaxEmitters} emitters and drains, and the ") +
-            "scene's take its number, so the level is not held. Disable an emitter or a drain, the last enabled first.";
+        static string LevelsProblem => Invariant($"an open border holds its level by one of {StepSources.MaxEmitters} emitters and drains, and ") +
+            "the scene's take its number, so the level is not held. Disable an emitter or a drain, the last enabled first.";
 
         string TooViscousProblem
         {

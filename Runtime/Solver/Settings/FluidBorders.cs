@@ -123,15 +123,16 @@ namespace Rill
                 FluidBorder border = this[side];
                 if (border.kind == BorderKind.Wall)
                     continue;
+                string name = NameOf(side);
                 if (border.width < MinWidth * spacing)
-                    Limit.Append(ref problem, Invariant($"its border {NameOf(side)} has a band {border.width:0.###} m wide, and it takes ") +
-                        Invariant($"{MinWidth} particle spacings: {MinWidth * spacing:0.###} m are used. Widen it or lower the spacing."));
+                    Limit.Append(ref problem, Invariant($"its border {name} has a band {border.width:0.###} m wide, and it takes {MinWidth} ") +
+                        Invariant($"particle spacings: {MinWidth * spacing:0.###} m are used. Widen it or lower the spacing."));
                 else if (fitted[side].width < border.width)
-                    Limit.Append(ref problem, Invariant($"its border {NameOf(side)} has a band {border.width:0.###} m wide, and the bands on this ") +
-                        Invariant($"axis have {box[AxisOf(side)]:0.###} m of the box together: {fitted[side].width:0.###} m are used. Narrow it or ") +
+                    Limit.Append(ref problem, Invariant($"its border {name} has a band {border.width:0.###} m wide, and the bands on this axis ") +
+                        Invariant($"have {box[AxisOf(side)]:0.###} m of the box together: {fitted[side].width:0.###} m are used. Narrow it or ") +
                         "enlarge the box.");
                 if (border.kind == BorderKind.Open && border.level > box.y)
-                    Limit.Append(ref problem, Invariant($"its border {NameOf(side)} holds a level of {border.level:0.###} m, and the box is ") +
+                    Limit.Append(ref problem, Invariant($"its border {name} holds a level of {border.level:0.###} m, and the box is ") +
                         Invariant($"{box.y:0.###} m high: that is used. Lower the level or enlarge the box."));
             }
             return problem;
@@ -149,6 +150,7 @@ namespace Rill
         readonly float Shrink(int side, float3 box, float spacing)
             => math.min(1f, box[AxisOf(side)] / math.max(WidthOf(side, spacing) + WidthOf(side ^ 1, spacing), spacing));
 
-        readonly float WidthOf(int side, float spacing) => this[side].kind == BorderKind.Wall ? 0f : math.max(this[side].width, MinWidth * spacing);
+        readonly float WidthOf(int side, float spacing)
+            => this[side].kind == BorderKind.Wall ? 0f : math.max(this[side].width, MinWidth * spacing);
     }
 }

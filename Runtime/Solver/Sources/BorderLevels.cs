@@ -2,8 +2,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>Holds the level at the open sides of a box: lets water in where it stands lower, and takes out what stands higher, in a strip beside
-    /// each side.</summary>
+    /// <summary>Holds the level at the open sides of a box: in a part of each band it lets in what lacks and takes out what is more.</summary>
     /// <remarks>A side uses one of the last numbers of the emitters and of the drains.</remarks>
     sealed class BorderLevels
     {
@@ -36,14 +35,17 @@ namespace Rill
             for (int side = 0; side < FluidBorders.Sides; side++)
             {
                 if ((numbers >> FirstNumber + side & 1) != 0)
-                    Add(sources, side, input.borders[side], layout.DomainSize, layout.Spacing, input.timeStep, stepIndex, math.max(math.length(input.gravity), 1e-3f));
+                    Add(sources, side, input, layout, stepIndex);
             }
         }
 
         // Where water flows in, its volume is given and its level follows, as beyond it a river brings as much as it does. Elsewhere the level is
         // given. Both at once would need the head that the flow has, which depends on all of the scene.
-        void Add(StepSources sources, int side, in FluidBorder border, float3 box, float spacing, float step, uint stepIndex, float gravity)
+        void Add(StepSources sources, int side, in StepInput input, SolverLayout layout, uint stepIndex)
         {
+            FluidBorder border = input.borders[side];
+            float3 box = layout.DomainSize;
+            float spacing = layout.Spacing, step = input.timeStep, gravity = math.max(math.length(input.gravity), 1e-3f);
             int axis = FluidBorders.AxisOf(side);
             bool flowsIn = border.velocity > 0f;
             float thickness = LevelPart * border.width / spacing, level = border.level / spacing;
