@@ -482,6 +482,7 @@ namespace Rill
             new KernelNeed("RestingRegions", "MeasureMotion", "", 128, 2560, 4, 1, 0),
             new KernelNeed("RestingRegions", "CountQuiet", "", 128, 0, 2, 2, 0),
             new KernelNeed("RestingRegions", "Spread", "", 128, 0, 2, 2, 0),
+            new KernelNeed("Borders", "RelaxAtBorders", "", 128, 0, 3, 1, 0),
             new KernelNeed("Drains", "CountRandomRanks", "", 128, 0, 6, 3, 0),
             new KernelNeed("Drains", "CountRandomRanks", "RILL_RECYCLING", 128, 0, 6, 3, 0),
             new KernelNeed("Drains", "CountRandomRanks", "RILL_LIFETIMES", 128, 0, 6, 3, 0),
