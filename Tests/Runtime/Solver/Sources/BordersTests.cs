@@ -30,7 +30,7 @@ namespace Rill.Tests
 
         static void AssertReflected(BorderKind kind, float width, int axis, bool isReversed, double least, double most)
         {
-            using (var tank = new WaveTank(Wave, Layers, 3f, kind, width, axis, isReversed))
+            using (var tank = new WaveTank(Wave, Layers, 1.5f, kind, width, axis, isReversed))
             {
                 (double incident, double reflected) = tank.Run();
                 TestContext.WriteLine(Invariant($"{kind} {width} d: waves of {incident:0.00} d, {100 * reflected:0.0} % of their energy come back"));

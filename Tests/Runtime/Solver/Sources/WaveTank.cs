@@ -65,7 +65,7 @@ namespace Rill.Tests
 
         /// <summary>Plays until the waves are steady, and then some periods.</summary>
         /// <returns>Amplitude of the waves that run to the end, d, and the energy of those that come back over theirs.</returns>
-        public (double Amplitude, double Reflected) Run(int settle = 3, int periods = 2)
+        public (double Amplitude, double Reflected) Run(int settle = 4, int periods = 2)
         {
             float dt = fluid.Input.timeStep;
             int every = Math.Max((int)(Period / dt / 24), 1);
