@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using static System.FormattableString;
 
 namespace Rill
 {
@@ -31,6 +32,11 @@ namespace Rill
 
         /// <summary>A wall; the values that another kind starts with.</summary>
         public static FluidBorder Default => new FluidBorder { width = 1f, level = 1f };
+
+        /// <summary>Says what the side is, with its values.</summary>
+        public override readonly string ToString() => kind == BorderKind.Wall ? "wall"
+            : kind == BorderKind.Absorbing ? Invariant($"absorbing, {width} m wide")
+            : Invariant($"open, {width} m wide, {velocity} m/s, level {level} m");
 
         /// <summary>Whether another border is set alike.</summary>
         internal readonly bool IsSame(in FluidBorder other)

@@ -21,6 +21,8 @@ namespace Rill.Tests
         [Test]
         public void Water_that_breaks_has_a_closed_mesh_of_its_volume([ValueSource(nameof(Cells))] float cell, [Values] bool deep)
         {
+            double bound = cell > Medium ? 0.01 : 0.004;
+            int reversed = 0, triangles = 0;
             using (TestFluid fluid = Dam(deep))
                 for (int time = 0; time < 4; time++)
                 {
@@ -33,8 +35,11 @@ namespace Rill.Tests
                     Assert.That(mesh[SurfaceMesh.Counter.Holes], Is.Zero, at);
                     Assert.That((mesh.Volume + drops) / fluid.Added, Is.EqualTo(1.0).Within(cell > Medium ? 0.04 : 0.025), at);
                     Assert.That(mesh.CrowdedEdges, Is.LessThan(cell > Medium ? 0.02 : 0.01), at);
-                    AssertNormals(mesh, cell > Medium ? 0.01 : 0.004, at);
+                    reversed += AssertNormals(mesh, 2.0 * bound, at);       // of one splash: how it breaks up is chance
+                    triangles += mesh.indices.Length / 3;
                 }
+            TestContext.Out.WriteLine($"{100.0 * reversed / triangles:0.000} % of the triangles have reversed normals");
+            Assert.That(reversed, Is.LessThan(bound * triangles), "triangles whose normals are reversed, of all times");
         }
 
         [Test]
@@ -608,7 +613,8 @@ namespace Rill.Tests
         }
 
         // They are of length 1 and look to where the triangles do.
-        static void AssertNormals(DrawnMesh mesh, double fraction, string at)
+        // Returns how many triangles have normals that are reversed.
+        static int AssertNormals(DrawnMesh mesh, double fraction, string at)
         {
             int against = 0;
             for (int i = 0; i < mesh.indices.Length; i += 3)
@@ -624,6 +630,7 @@ namespace Rill.Tests
             Assert.That(against, Is.LessThan(fraction * mesh.indices.Length / 3 + 1), $"triangles whose normals are reversed, {at}");
             foreach (double3 normal in mesh.normals)
                 Assert.That(math.length(normal), Is.EqualTo(1.0).Within(1e-3));
+            return against;
         }
 
         // Squares of d² through which nothing is met from above.

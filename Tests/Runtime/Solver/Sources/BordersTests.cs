@@ -118,7 +118,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_still_level_is_held()
         {
             const float Spacing = 0.05f;
