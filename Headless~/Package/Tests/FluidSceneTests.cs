@@ -97,8 +97,8 @@ namespace Host.Tests
             List<StageDescription> off = simulation.Results.Describe().Where(stage => !stage.IsUsed).ToList();
             Assert.That(off.Select(stage => stage.Name),
                 Is.EquivalentTo(new[] { "Particle access", "Drains", "Transfer", "Resting regions", "Force fields", "Borders",
-                "Coarse correction", "Colliders", "Particle tags", "Materials", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam",
-                "Emitters", "Queries", "Query batches", "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
+                "Coarse correction", "Colliders", "Particle tags", "Materials", "Implicit viscosity", "Viscoelasticity",
+                "Velocity extrapolation", "Vorticity confinement", "Foam", "Emitters", "Queries", "Query batches", "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
         }
