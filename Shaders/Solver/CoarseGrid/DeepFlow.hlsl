@@ -1,5 +1,5 @@
-// What the coarse grid changes of a particle's velocity before the prediction: the projection's displacement and, deep in the water, a blend
-// to the grid's flow, which calms the noise of the passes. Include after CoarseDisplacement.hlsl and CoarseSlip.hlsl.
+// Finds how the coarse grid changes a particle's velocity before the prediction: by the projection's displacement and, deep in the water, by a
+// blend to the grid's flow, which calms the noise of the passes. Include after CoarseDisplacement.hlsl and CoarseSlip.hlsl.
 #ifndef RILL_DEEP_FLOW_INCLUDED
 #define RILL_DEEP_FLOW_INCLUDED
 

@@ -545,7 +545,7 @@ namespace Rill.Tests
                 i => 1e-3 + 1e-5 * math.length(state.velocities[i].xyz));
         }
 
-        // Of 6.3 / s in a step of 1/60 s; see Research~/solver-study.md, "Blend to the coarse flow".
+        // 6.3 / s in a step of 1/60 s; see Research~/solver-study.md, "Blend to the coarse flow".
         const double TakenOfDeparture = 0.09968;
 
         // Fraction of the projection that a particle of this density takes: spray none, the edge of still water all of it.
