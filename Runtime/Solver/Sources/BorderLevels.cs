@@ -48,7 +48,9 @@ namespace Rill
             float spacing = layout.Spacing, step = input.timeStep, gravity = math.max(math.length(input.gravity), 1e-3f);
             int axis = FluidBorders.AxisOf(side);
             bool flowsIn = border.velocity > 0f;
-            float thickness = LevelPart * border.width / spacing, level = border.level / spacing;
+            // A long side has more room than an emitter has positions: then a thinner strip of the band holds the level.
+            float longest = math.floor(EmitterPositions.MaxPositions / (math.ceil(box.y) * math.ceil(box[2 - axis])));
+            float thickness = math.min(LevelPart * border.width / spacing, longest), level = border.level / spacing;
             float3 size = box, center = 0.5f * box;
             size[axis] = thickness;
             center[axis] = FluidBorders.IsUpper(side) ? box[axis] - 0.5f * thickness : 0.5f * thickness;

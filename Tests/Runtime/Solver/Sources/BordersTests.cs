@@ -201,6 +201,23 @@ namespace Rill.Tests
                 Is.EqualTo(new[] { 2f, 2f, 3f, 3f }).Within(1e-5f));
         }
 
+        // Half of a band of 40 spacings beside 600 has 1.2 million positions, more than an emitter takes.
+        [Test]
+        public void A_long_side_holds_its_level_by_a_thinner_strip()
+        {
+            const float Spacing = 0.1f;
+            var layout = new SolverLayout(new float3(600f, 100f, 600f) * Spacing, Spacing, 1000, 64, 1f);
+            StepInput input = SolverStages.Still();
+            input.timeStep = 1f / 60f;
+            input.gravity = new float3(0f, -9.81f, 0f);
+            input.borders = FluidBorders.Default;
+            input.borders.minX = new FluidBorder { kind = BorderKind.Open, width = 4f, level = 10f };
+            var sources = new StepSources();
+            new BorderLevels().AddTo(sources, input, BorderLevels.NumbersOf(input.borders), layout, 0);
+            Assert.That(sources.emitterCount, Is.EqualTo(1));
+            Assert.That(sources.emitters[0].positions.Count, Is.InRange(900_000, 1 << 20));
+        }
+
         static FluidBorders Absorbing(float width)
         {
             var border = new FluidBorder { kind = BorderKind.Absorbing, width = width };
