@@ -151,11 +151,11 @@ namespace Rill
         // Makes the stages that a step asks for and releases those that none does. What comes, goes or changes beside water at rest wakes it.
         void UpdateStages(CommandBuffer cmd, in StepInput input)
         {
-            bool hadColliders = Colliders != null, hadFields = Fields != null;
+            bool hadColliders = Colliders != null, hadFields = Fields != null, hadBorders = Borders != null;
             foreach (Feature feature in Features.All)
                 if (feature.FollowsSteps)
                     Update(feature, input);
-            bool wakes = hadColliders && Colliders == null || hadFields && Fields == null;
+            bool wakes = hadColliders && Colliders == null || hadFields && Fields == null || hadBorders && Borders == null;
             wakes |= Colliders != null && Colliders.ConsumeChanges(input.colliders);
             wakes |= Fields != null && Fields.Upload(cmd, input.sources);
             wakes |= Borders != null && Borders.ConsumeChanges(input.borders) && !isRestored;

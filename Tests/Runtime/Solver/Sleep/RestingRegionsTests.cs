@@ -189,6 +189,20 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Borders_that_come_change_or_go_wake_the_water()
+        {
+            using (TestFluid fluid = Pool(SleepSpeed))
+            {
+                foreach ((BorderKind kind, float width) in new[] { (BorderKind.Absorbing, 0.2f), (BorderKind.Absorbing, 0.3f), (BorderKind.Wall, 0.3f) })
+                {
+                    FallAsleep(fluid);
+                    fluid.Input.borders.minX = new FluidBorder { kind = kind, width = width };
+                    Assert.That(States(fluid.Step()), Is.All.EqualTo(Awake), $"{kind} {width} m");
+                }
+            }
+        }
+
+        [Test]
         public void Sleep_comes_and_goes_beside_a_collider()
         {
             using (TestFluid fluid = Pool(SleepSpeed))
@@ -286,7 +300,7 @@ namespace Rill.Tests
         // Inputs that do not change how particles at rest move: readers of them, and what wakes regions by itself.
         // those that are removed wake what is around them, and a connected fluid does not sleep
         static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed",
-            "removesKilled", "tracksPhases", "connections", "takesParticles" };
+            "removesKilled", "tracksPhases", "connections", "takesParticles", "borders" };
 
         static IEnumerable<string> FieldsOfTheInput() => typeof(StepInput).GetFields().Where(field => !Others.Contains(field.Name))
             .SelectMany(field => field.FieldType == typeof(SolverSettings) || field.FieldType == typeof(FluidMaterial)

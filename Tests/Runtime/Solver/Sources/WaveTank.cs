@@ -90,7 +90,7 @@ namespace Rill.Tests
             for (int b = 0; b < bins; b++)
             {
                 Complex turn = Complex.FromPolarCoordinates(0.5 / bins, WaveNumber * (b + 0.5) * Bin);
-                Complex other = flux[b] * (WaveNumber / Frequency);
+                Complex other = flux[b] * new Complex(WaveNumber / Frequency, 0.0);
                 up += (height[b] + other) * Complex.Conjugate(turn);
                 down += (height[b] - other) * turn;
             }
@@ -108,9 +108,9 @@ namespace Rill.Tests
                 double x = (isReversed ? length - along : along) - start;
                 if (x < 0 || x >= height.Length * Bin)
                     continue;
-                Complex part = weight / (Bin * Thickness);
+                Complex part = weight / new Complex(Bin * Thickness, 0.0);
                 height[(int)(x / Bin)] += part;
-                flux[(int)(x / Bin)] += part * (isReversed ? -1.0 : 1.0) * state.velocities[i][axis];
+                flux[(int)(x / Bin)] += part * new Complex((isReversed ? -1.0 : 1.0) * state.velocities[i][axis], 0.0);
             }
         }
 
