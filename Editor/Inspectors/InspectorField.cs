@@ -32,7 +32,14 @@ namespace Rill.Editor
         public GUIContent Label(SerializedObject inspected, SerializedProperty property)
         {
             tooltip ??= FieldTooltip.Of(inspected.targetObject.GetType(), Path);
-            return new GUIContent(property.displayName, tooltip);
+            return new GUIContent(Owner(inspected) + property.displayName, tooltip);
+        }
+
+        // A value of one of several structs alike, as borders.minX.width, is named with its struct: Min X Width.
+        string Owner(SerializedObject inspected)
+        {
+            int end = Path.LastIndexOf('.');
+            return end > 0 && Path.IndexOf('.') < end ? inspected.FindProperty(Path.Substring(0, end)).displayName + " " : "";
         }
     }
 }

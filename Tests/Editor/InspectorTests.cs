@@ -56,6 +56,16 @@ namespace Rill.Editor.Tests
             }
         }
 
+        [Test]
+        public void Values_of_structs_alike_are_labeled_with_their_struct()
+        {
+            RillEditor editor = Inspect(scene.Add(typeof(FluidSimulation)));
+            string[] labels = editor.Sections.Single(section => section.Title == "Borders").Fields
+                .Select(field => field.Label(editor.serializedObject, editor.serializedObject.FindProperty(field.Path)).text).ToArray();
+            Assert.That(labels.Take(2), Is.EqualTo(new[] { "Min X Kind", "Min X Width" }));
+            Assert.That(labels, Is.Unique);
+        }
+
         [TestCaseSource(nameof(Components))]
         public void Several_of_a_kind_can_be_edited_together(Type component)
         {
@@ -74,7 +84,7 @@ namespace Rill.Editor.Tests
                 SerializedProperty property = editor.serializedObject.FindProperty(field.Path);
                 string unit = field.Unit(editor.serializedObject);
                 GUIContent label = field.Label(editor.serializedObject, property);
-                Assert.That(label.text, Is.EqualTo(property.displayName));
+                Assert.That(label.text, Does.EndWith(property.displayName));
                 bool isSi = new[] { "m", "s", "m/s", "m/s²", "m³/s", "kg/m³", "ms", "1/s" }.Contains(unit);
                 if (isSi && unit != "1/s")
                     Assert.That(label.tooltip, Does.Match($@"(^|[ (,]){unit}($|[ ,.:;)])"), field.Path);
@@ -224,7 +234,7 @@ namespace Rill.Editor.Tests
                     if (!isOurs)
                         yield return prefix + field.Name;
                     else
-                        foreach (string path in Fields(field.FieldType, field.Name + "."))
+                        foreach (string path in Fields(field.FieldType, prefix + field.Name + "."))
                             yield return path;
                 }
         }
