@@ -40,6 +40,7 @@ namespace Host.Tests
                 "-1 NeighborSearch.compute CountCells", "+1 NeighborSearch.compute CountCellsDeep",
                 "-1 DensityConstraint.compute BuildList", "+1 DensityConstraint.compute BuildListDeep",
                 "-1 DensityConstraint.compute ApplyDeltaP", "+1 DensityConstraint.compute ApplyDeltaPDeep",
+                "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocityDeep",
             }),
             ("vorticity", null, Material((ref FluidMaterial v) => v.vorticity = 1f), new[]
             {
@@ -130,7 +131,7 @@ namespace Host.Tests
                 "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepWithColliders",
             }
                 .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "WithColliders"))
-                    .Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "WithColliders"))
+                    .Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityDeep", "WithColliders"))
                 .Concat(new[] { "BinFlow", "FindSurface", "FindDivergence", "DisplaceFlow", "FindErrors",
                     "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "WithColliders")))
                 .Concat(new[] { "Smooth", "RestrictGrid",
@@ -254,6 +255,7 @@ namespace Host.Tests
             simulation.BeforeStep -= Nothing;
             simulation.TrackPhases = false;
             simulation.PhaseMaterials = null;
+            simulation.Borders = FluidBorders.Default;
             if (simulation.Solver.Tags != null)
                 simulation.Restart();       // until then there may be particles with tags
             simulation.Settings = settings;
