@@ -193,7 +193,8 @@ namespace Rill.Tests
         {
             using (TestFluid fluid = Pool(SleepSpeed))
             {
-                foreach ((BorderKind kind, float width) in new[] { (BorderKind.Absorbing, 0.2f), (BorderKind.Absorbing, 0.3f), (BorderKind.Wall, 0.3f) })
+                var borders = new[] { (BorderKind.Absorbing, 0.2f), (BorderKind.Absorbing, 0.3f), (BorderKind.Wall, 0.3f) };
+                foreach ((BorderKind kind, float width) in borders)
                 {
                     FallAsleep(fluid);
                     fluid.Input.borders.minX = new FluidBorder { kind = kind, width = width };
