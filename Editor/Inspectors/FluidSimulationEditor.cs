@@ -25,23 +25,7 @@ namespace Rill.Editor
                 new InspectorField("fluidColliderLayers"),
                 new InspectorField("seed"),
                 new InspectorField("startState")),
-            new InspectorSection("Borders", false,
-                new InspectorField("borders.minX.kind"),
-                new InspectorField("borders.minX.width", "m", When.IsNot("borders.minX.kind", BorderKind.Wall)),
-                new InspectorField("borders.minX.velocity", "m/s", When.Is("borders.minX.kind", BorderKind.Open)),
-                new InspectorField("borders.minX.level", "m", When.Is("borders.minX.kind", BorderKind.Open)),
-                new InspectorField("borders.maxX.kind"),
-                new InspectorField("borders.maxX.width", "m", When.IsNot("borders.maxX.kind", BorderKind.Wall)),
-                new InspectorField("borders.maxX.velocity", "m/s", When.Is("borders.maxX.kind", BorderKind.Open)),
-                new InspectorField("borders.maxX.level", "m", When.Is("borders.maxX.kind", BorderKind.Open)),
-                new InspectorField("borders.minZ.kind"),
-                new InspectorField("borders.minZ.width", "m", When.IsNot("borders.minZ.kind", BorderKind.Wall)),
-                new InspectorField("borders.minZ.velocity", "m/s", When.Is("borders.minZ.kind", BorderKind.Open)),
-                new InspectorField("borders.minZ.level", "m", When.Is("borders.minZ.kind", BorderKind.Open)),
-                new InspectorField("borders.maxZ.kind"),
-                new InspectorField("borders.maxZ.width", "m", When.IsNot("borders.maxZ.kind", BorderKind.Wall)),
-                new InspectorField("borders.maxZ.velocity", "m/s", When.Is("borders.maxZ.kind", BorderKind.Open)),
-                new InspectorField("borders.maxZ.level", "m", When.Is("borders.maxZ.kind", BorderKind.Open))),
+            new InspectorSection("Borders", false, Border("minX").With(Border("maxX")).With(Border("minZ")).With(Border("maxZ"))),
             new InspectorSection(FluidTitle, true, MaterialFields.Usual.With(
                 new InspectorField("phaseMaterials"),
                 new InspectorField("gravity", "m/s²"))),
@@ -93,6 +77,17 @@ namespace Rill.Editor
         [NonSerialized] int memoryAt = -MemoryInterval;
 
         internal override InspectorSection[] Sections => AllSections;
+
+        static InspectorField[] Border(string side)
+        {
+            string path = $"borders.{side}.", kind = path + "kind";
+            return new[]
+            {
+                new InspectorField(kind), new InspectorField(path + "width", "m", When.IsNot(kind, BorderKind.Wall)),
+                new InspectorField(path + "velocity", "m/s", When.Is(kind, BorderKind.Open)),
+                new InspectorField(path + "level", "m", When.Is(kind, BorderKind.Open)),
+            };
+        }
 
         internal override bool TryGetFrame(Object of, out Bounds bounds) => FrameBounds.TryGet((FluidSimulation)of, out bounds);
 

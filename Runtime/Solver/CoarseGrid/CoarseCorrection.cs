@@ -32,7 +32,7 @@ namespace Rill
         readonly Kernel extendDisplacements;
         CoarseColliders coarseColliders;
         readonly GraphicsBuffer cellDensities;      // null for one material
-        readonly GraphicsBuffer flow, deepFlow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
+        readonly GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize) : this(layout, cellSize, DeviceLimits.Current) { }
@@ -61,7 +61,7 @@ namespace Rill
             Solver = new CoarseSolver(Grid, path);
             Bins = Buffers.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
             flow = Buffers.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
-            deepFlow = Buffers.Structured<float4>("Rill.Coarse.DeepFlow", Grid.Total);
+            DeepFlow = hasMaterials ? null : Buffers.Structured<float4>("Rill.Coarse.DeepFlow", Grid.Total);
             fill = Buffers.Structured<float>("Rill.Coarse.Fill", Grid.Total);
             surface = Buffers.Structured<uint>("Rill.Coarse.Surface", Grid.Total);
             weightedCounts = Buffers.Structured<uint>("Rill.Coarse.WeightedCounts", (hasMaterials ? 3L : 1L) * Grid.Total);
@@ -90,8 +90,9 @@ namespace Rill
         /// <summary>float4 [cells], xyz displacement at a cell's center, d.</summary>
         public GraphicsBuffer Displacements { get; }
 
-        /// <summary>float4 [cells], see DeepFlow.hlsl.</summary>
-        public GraphicsBuffer DeepFlow => deepFlow;
+        /// <summary>float4 [cells], see DeepFlow.hlsl: deep particles are blended to it. Null for several materials: their mean flow is that of
+        /// none.</summary>
+        public GraphicsBuffer DeepFlow { get; }
 
         /// <summary>uint [cells, 8], see CoarseBins.hlsl; the density constraint sums its errors there.</summary>
         public GraphicsBuffer Bins { get; }
@@ -191,16 +192,15 @@ namespace Rill
         /// Research~/solver-study.md, "Blend to the coarse flow".</summary>
         public const float FlowBlendRate = 6.3f;
 
-        /// <summary>Whether deep particles are blended to the coarse flow; of several liquids the mean is that of none.</summary>
-        public bool Blends => !WithMaterials;
-
         /// <summary>Records what a kernel reads that takes up the projection, see DeepFlow.hlsl.</summary>
         public void BindChange(in StepContext step, ComputeShader reads, int kernel)
         {
             step.BindCoarseConstants(reads);
-            step.Commands.SetComputeFloatParam(reads, CoarseIds.FlowBlend, 1f - math.exp(-FlowBlendRate * step.SubstepTime));
             step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.Displacements, Displacements);
-            step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.DeepFlow, deepFlow);
+            if (DeepFlow == null)
+                return;
+            step.Commands.SetComputeFloatParam(reads, CoarseIds.FlowBlend, 1f - math.exp(-FlowBlendRate * step.SubstepTime));
+            step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.DeepFlow, DeepFlow);
         }
 
         /// <summary>Records the density correction: <see cref="Displacements"/> from the errors in <see cref="Bins"/>.</summary>

@@ -34,8 +34,8 @@ namespace Rill
 
         /// <summary>Whether particles deep in the water are left out of the smoothing: the blend to the coarse flow has calmed them as much
         /// as water's own smoothing would. Who shows densities or asks for more smoothing gets it everywhere.</summary>
-        bool LeavesOutDeep(in StepContext step) => holdsDeep && VisitsNeighbors(step) && step.Coarse != null && step.Coarse.Blends
-            && step.Extrapolation == null && !step.Input.needsDensity && !step.SmoothsLater
+        bool LeavesOutDeep(in StepContext step) => holdsDeep && VisitsNeighbors(step) && step.Coarse?.DeepFlow != null
+            && step.Extrapolation == null && !step.Input.needsDensity
             && step.Input.material.velocitySmoothing <= FluidMaterial.Water.velocitySmoothing;
 
         public void Record(in StepContext step)

@@ -138,6 +138,9 @@ namespace Rill
             return problem;
         }
 
+        /// <summary>Velocity through a side along its axis, m/s.</summary>
+        internal readonly float VelocityAt(int side) => IsUpper(side) ? -this[side].velocity : this[side].velocity;
+
         internal static int AxisOf(int side) => side < 2 ? 0 : 2;
 
         internal static bool IsUpper(int side) => (side & 1) != 0;

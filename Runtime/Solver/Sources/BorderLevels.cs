@@ -63,7 +63,7 @@ namespace Rill
             if (size.y < 1f || PositionsOf(side, size, spacing) == null)
                 return;
             float3 velocity = 0f;
-            velocity[axis] = (FluidBorders.IsUpper(side) ? -border.velocity : border.velocity) / spacing;
+            velocity[axis] = input.borders.VelocityAt(side) / spacing;
             var pose = new RigidPose(center, quaternion.identity);
             var emitter = new EmitterStep
             {

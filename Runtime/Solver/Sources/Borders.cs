@@ -57,7 +57,7 @@ namespace Rill
                 float speed = isOpen ? OpenStrength * celerity + FlowStrength * math.abs(border.velocity) : AbsorbingStrength * celerity;
                 inverseWidths[side] = spacing / border.width;
                 rates[side] = 2f * speed / border.width;
-                velocities[side] = isOpen ? (FluidBorders.IsUpper(side) ? -border.velocity : border.velocity) / spacing : 0f;
+                velocities[side] = isOpen ? step.Input.borders.VelocityAt(side) / spacing : 0f;
             }
             cmd.SetComputeVectorParam(shader, Ids.InverseWidths, inverseWidths);
             cmd.SetComputeVectorParam(shader, Ids.Rates, rates);

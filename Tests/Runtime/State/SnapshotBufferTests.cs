@@ -110,7 +110,11 @@ namespace Rill.Tests
             field = true, moves = true, sleepSpeed = 0.02f, draws = true,
         };
 
-        static SnapshotCase ElasticStages => new SnapshotCase { name = "elastic stages", shearModulus = 100f, vorticity = 0.3f, colliders = true };
+        // Deep, of one liquid: several are not blended to the coarse flow.
+        static SnapshotCase ElasticStages => new SnapshotCase
+        {
+            name = "elastic stages", shearModulus = 100f, vorticity = 0.3f, colliders = true, deepWater = DeepWater.On, depth = 0.5f
+        };
 
         [Test]
         public void Every_buffer_is_stored_or_has_a_reason_not_to_be()
