@@ -100,7 +100,7 @@ namespace Rill
         /// <summary>Acceleration in world space, m/s². One that is not finite becomes the default, with a warning.</summary>
         public Vector3 Gravity { get => gravity; set { gravity = value; Changed(); } }
 
-        /// <summary>What the four sides of the box are to the water. Acts from the next step on. Out-of-range values are clamped with a
+        /// <summary>The four sides of the box: walls, bands that absorb waves, or open water. Acts from the next step on. Out-of-range values are clamped with a
         /// warning.</summary>
         public FluidBorders Borders { get => borders; set { borders = value; Changed(); } }
 

@@ -53,7 +53,7 @@ namespace Rill
         [Tooltip("Acceleration in world space, m/s².")]
         [SerializeField] Vector3 gravity = DefaultGravity;
 
-        [Tooltip("What the four sides of the box are to the water: walls, bands that absorb waves, or open water.")]
+        [Tooltip("The four sides of the box: walls, bands that absorb waves, or open water.")]
         [SerializeField] FluidBorders borders = FluidBorders.Default;
 
         [Tooltip("Fixed steps in a second of fluid time. 10 to 1000.")]

@@ -55,6 +55,28 @@ namespace Host.Tests
                 "| Amount | 2 | 0.5 or more | How much, m. |\n"));
         }
 
+        [Serializable]
+        struct Pair
+        {
+            [Tooltip("The one.")] public Group first;
+            [Tooltip("The other.")] public Group second;
+        }
+
+        [AddComponentMenu("Planted/Nested Part")]
+        sealed class Nested : MonoBehaviour
+        {
+            [SerializeField] Pair both = new Pair { first = new Group { amount = 3f } };
+
+            public int Unused => (int)both.first.amount;
+        }
+
+        [Test]
+        public void Groups_within_a_group_have_one_table_of_their_fields()
+        {
+            Assert.That(ReferencePage.Describe(typeof(Nested)), Does.Contain("\n**Both**\n").And.Contain("|  | The other. |\n").And.EndWith(
+                "\n**Group**\n\n| field | default | range | |\n| --- | --- | --- | --- |\n| Amount | 3 | 0.5 or more | How much, m. |\n"));
+        }
+
         [Test]
         public void Costs_stand_beside_their_fields_and_rows_of_no_field_are_faults()
         {

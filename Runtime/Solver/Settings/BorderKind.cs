@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>What a side of a fluid's box is to the water.</summary>
+    /// <summary>Kind of a side of a fluid's box.</summary>
     public enum BorderKind
     {
         /// <summary>A wall: waves come back from it.</summary>

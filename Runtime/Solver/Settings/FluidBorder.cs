@@ -4,7 +4,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What one side of a fluid's box is, and the band of water beside it.</summary>
+    /// <summary>One side of a fluid's box: a wall, or a band of water that absorbs waves or lets water through.</summary>
     [Serializable]
     public struct FluidBorder
     {

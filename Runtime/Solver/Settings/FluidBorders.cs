@@ -5,7 +5,7 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>What the four sides of a fluid's box are to the water. Floor and lid are walls.</summary>
+    /// <summary>The four sides of a fluid's box. Floor and lid are walls.</summary>
     [Serializable]
     public struct FluidBorders
     {

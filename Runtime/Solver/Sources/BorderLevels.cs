@@ -6,7 +6,9 @@ namespace Rill
     /// <remarks>A side uses one of the last numbers of the emitters and of the drains.</remarks>
     sealed class BorderLevels
     {
-        const float LevelPart = 0.5f;       // of a band, beside its side: where water comes and goes
+        /// <summary>part of a band, from its side, where water comes and goes; its flow grows from none at the side</summary>
+        [GenerateHlsl("Borders")] const float LevelPart = 0.5f;
+
         const float Above = 0.25f;          // d: over the level from which water is taken out, so that still water is left alone
         const float InflowHead = 5f;      // d: over the level to which water that flows in may stand
         const float MaxWait = 0.5f;         // s
@@ -39,8 +41,7 @@ namespace Rill
             }
         }
 
-        // Where water flows in, its volume is given and its level follows, as beyond it a river brings as much as it does. Elsewhere the level is
-        // given. Both at once would need the head that the flow has, which depends on all of the scene.
+        // A side with inflow gives the volume, as a river beyond it does, and its level follows. The other sides give the level. Both at once would need the head that the flow has, which depends on all of the scene.
         void Add(StepSources sources, int side, in StepInput input, SolverLayout layout, uint stepIndex)
         {
             FluidBorder border = input.borders[side];

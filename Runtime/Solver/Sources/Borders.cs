@@ -14,7 +14,7 @@ namespace Rill
         // band. See Research~/solver-study.md, "Borders".
         const float AbsorbingStrength = 2.2f;
 
-        // The same of an open side, whose level is held: near 1 its water ends as if it went on.
+        // Such integrals for an open side, whose level is held: near 1 its water ends as if it went on.
         const float OpenStrength = 1.5f, FlowStrength = 8f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Borders");

@@ -77,13 +77,22 @@ namespace Host.Check
                 }
                 AppendTable(text, null, rows, costs);
                 foreach ((string name, object value) in groups)
-                    AppendTable(text, name, Fields(value.GetType()).Select(field => Row(field, field.GetValue(value), title, costs)), costs);
+                    AppendGroup(text, name, value, title, costs);
                 return text.ToString();
             }
             finally
             {
                 UnityEngine.Object.DestroyImmediate(holder);
             }
+        }
+
+        // Groups within a group are alike and get one table, named after their type.
+        static void AppendGroup(StringBuilder text, string name, object value, string component, FieldCosts costs)
+        {
+            FieldInfo[] fields = Fields(value.GetType()).ToArray();
+            AppendTable(text, name, fields.Select(field => Row(field, field.GetValue(value), component, costs)), costs);
+            foreach (var inner in fields.Where(field => IsGroup(field.FieldType)).GroupBy(field => field.FieldType))
+                AppendGroup(text, ObjectNames.NicifyVariableName(inner.Key.Name), inner.First().GetValue(value), component, costs);
         }
 
         static string Title(Type component) => component.GetCustomAttribute<AddComponentMenu>().componentMenu.Split('/').Last();
