@@ -35,12 +35,18 @@ namespace Rill
                 bool solvesViscosity = Viscosity != null && hasLists;      // which adds the projection to the velocities
                 if (solvesViscosity)
                     Viscosity.Record(step);
-                neighborSearch.RecordSort(step, takesProjection: Coarse != null && !solvesViscosity, Viscoelasticity?.PreviousIndices);
+                bool solvesFriction = Friction != null && Coarse != null;
+                if (solvesFriction)
+                    Friction.RecordBefore(step);
+                neighborSearch.RecordSort(step, takesProjection: Coarse != null && !solvesViscosity && !solvesFriction,
+                    Viscoelasticity?.PreviousIndices);
                 ParticleTags?.RecordSort(step);
                 densityConstraint.Record(step);
                 velocityUpdate.Record(step);
                 Viscoelasticity?.Record(step);
                 Vorticity?.Record(step);
+                if (solvesFriction)
+                    Friction.RecordAfter(step);
                 hasLists = true;
                 particles.Advance();
                 if (substep < step.Substeps - 1)
@@ -89,6 +95,7 @@ namespace Rill
 
         MaterialTable Materials => (MaterialTable)stages[Features.Materials.Index];
         ImplicitViscosity Viscosity => (ImplicitViscosity)stages[Features.Viscosity.Index];
+        GrainFriction Friction => (GrainFriction)stages[Features.GrainFriction.Index];
         VelocityExtrapolation Extrapolation => (VelocityExtrapolation)stages[Features.Extrapolation.Index];
         VorticityConfinement Vorticity => (VorticityConfinement)stages[Features.Vorticity.Index];
         Borders Borders => (Borders)stages[Features.Borders.Index];
@@ -122,6 +129,7 @@ namespace Rill
                 CoarseCorrection.Describe(Coarse, input, WaterDepth(input.gravity)),
                 Colliders.Describe(Colliders, input),
                 ImplicitViscosity.Describe(Viscosity, step),
+                GrainFriction.Describe(Friction, step),
                 neighborSearch.Describe(step, Coarse != null && Viscosity == null),
                 ParticleTags.Describe(ParticleTags, step),
                 MaterialTable.Describe(Materials, input),

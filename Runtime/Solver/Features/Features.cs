@@ -85,6 +85,13 @@ namespace Rill
             make: (PbfSolver solver, in StepInput step) => new ImplicitViscosity(solver.Layout.Capacity),
             ofSettings: true);
 
+        public static readonly Feature GrainFriction = new Feature("friction of grains", "set the friction angle and the cohesion to 0",
+            stages: new[] { "GrainFriction" },
+            asked: (PbfSolver solver, in StepInput step) => Rill.GrainFriction.IsNeeded(step),
+            turnOff: (ref StepInput step) => (step.material.frictionAngle, step.material.cohesion) = (0f, 0f),
+            make: (PbfSolver solver, in StepInput step) => new Rill.GrainFriction(solver.Layout),
+            ofSettings: true);
+
         public static readonly Feature Elasticity = new Feature("elasticity", "set the shear modulus to 0",
             stages: new[] { "Viscoelasticity" },
             asked: (PbfSolver solver, in StepInput step) => Viscoelasticity.IsNeeded(step),
@@ -170,7 +177,7 @@ namespace Rill
 
         /// <summary>The most important first: where a device does not hold two of them together, the first stays.</summary>
         public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Materials,
-            Drains, ForceFields, Borders, Viscosity, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Foam, Statistics, SurfaceParticles,
+            Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Foam, Statistics, SurfaceParticles,
             Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness, ParticleRenderer,
             DomainRenderer, Baking);
 

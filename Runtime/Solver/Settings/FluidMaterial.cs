@@ -72,6 +72,17 @@ namespace Rill
             "forms beads, below it spreads. An angle below 90 is approximate.")]
         [Range(0f, 180f)] public float contactAngle;
 
+        /// <summary>Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It needs
+        /// Deep Water.</summary>
+        [Tooltip("Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It needs " +
+            "Deep Water.")]
+        [Range(0f, 45f)] public float frictionAngle;
+
+        /// <summary>Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It needs Deep
+        /// Water.</summary>
+        [Tooltip("Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It needs Deep Water.")]
+        [Range(0f, 5000f)] public float cohesion;
+
         internal const float MaxTension = 1000f;
 
         /// <summary>Water: 1000 kg/m³, with as much smoothing as keeps it calm.</summary>
@@ -89,6 +100,8 @@ namespace Rill
             relaxationTime = 1f,
             surfaceTension = 0f,
             contactAngle = 90f,
+            frictionAngle = 0f,
+            cohesion = 0f,
         };
 
         /// <summary>A fluid as thick as a real one, the same at every spacing and step; else as water.</summary>
@@ -137,7 +150,7 @@ namespace Rill
         {
             FluidMaterial still = this;
             still.velocitySmoothing = still.dynamicViscosity = still.shearModulus = still.vorticity = still.artificialPressure = 0f;
-            still.surfaceTension = 0f;
+            still.surfaceTension = still.frictionAngle = still.cohesion = 0f;
             return still;
         }
 
@@ -160,6 +173,8 @@ namespace Rill
             Limit.Clamp("relaxation time", ref relaxationTime, 1e-3f, 1e3f, water.relaxationTime, ref problem);
             Limit.Clamp("surface tension", ref surfaceTension, 0f, MaxTension, water.surfaceTension, ref problem);
             Limit.Clamp("contact angle", ref contactAngle, 0f, 180f, water.contactAngle, ref problem);
+            Limit.Clamp("friction angle", ref frictionAngle, 0f, 45f, water.frictionAngle, ref problem);
+            Limit.Clamp("cohesion", ref cohesion, 0f, 5000f, water.cohesion, ref problem);
             return problem == null;
         }
     }
