@@ -19,7 +19,11 @@ namespace Rill.Editor
             if (mode != DeepWater.Off && fluid.IsRunning && fluid.StepCount > 0 && fluid.Input.settings.deepWater == DeepWater.Off)
                 return "off: this device or build does without, see the Console";
             float layers = Layers(fluid);
-            string text = (CoarseCorrection.IsNeeded(mode, layers, isPresent) ? "on: " : "off: ") + CoarseCorrection.Reason(mode, layers, isPresent);
+            var input = new StepInput { settings = fluid.Settings, material = fluid.Material };
+            if (fluid.IsRunning)
+                input.phases = fluid.Input.phases;
+            string text = (CoarseCorrection.IsNeeded(input, layers, isPresent) ? "on: " : "off: ") +
+                CoarseCorrection.Reason(input, layers, isPresent);
             return mode == DeepWater.Automatic ? text : text + Invariant($", water {layers:0} layers deep");
         }
 

@@ -12,7 +12,9 @@ namespace Rill.Editor
                 new InspectorField("density", "kg/m³"),
                 new InspectorField("dynamicViscosity", "Pa s"),
                 new InspectorField("surfaceTension", "N/m"),
-                new InspectorField("contactAngle", "degrees", When.IsPositive("surfaceTension"))),
+                new InspectorField("contactAngle", "degrees", When.IsPositive("surfaceTension")),
+                new InspectorField("frictionAngle", "degrees"),
+                new InspectorField("cohesion", "Pa")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

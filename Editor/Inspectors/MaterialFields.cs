@@ -14,6 +14,8 @@ namespace Rill.Editor
             new InspectorField("material.relaxationTime", "s", When.IsPositive("material.shearModulus")),
             new InspectorField("material.surfaceTension", "N/m"),
             new InspectorField("material.contactAngle", "degrees", When.IsPositive("material.surfaceTension")),
+            new InspectorField("material.frictionAngle", "degrees"),
+            new InspectorField("material.cohesion", "Pa"),
         };
 
         /// <summary>Rows that few fluids need.</summary>

@@ -39,6 +39,7 @@ namespace Rill.Editor
             ("Rill.Projection", "Deep water: projection"),
             ("Rill.Colliders", "Colliders"),
             ("Rill.ImplicitViscosity", "Dynamic viscosity"),
+            ("Rill.GrainFriction", "Friction of grains"),
             ("Rill.Sort", "Sort"),
             ("Rill.List", "Neighbor list"),
             ("Rill.Lambda", "Pressure"),

@@ -31,13 +31,15 @@ namespace Rill
                 Colliders?.RecordSubstep(step, substep);
                 RecordStart(step);
                 Coarse?.RecordColliders(step);
+                bool solvesFriction = Friction != null && Coarse != null;
+                if (solvesFriction)
+                    Friction.RecordAnticipation(step);
                 Coarse?.RecordProjection(step);
                 bool solvesViscosity = Viscosity != null && hasLists;      // which adds the projection to the velocities
                 if (solvesViscosity)
                     Viscosity.Record(step);
-                bool solvesFriction = Friction != null && Coarse != null;
                 if (solvesFriction)
-                    Friction.RecordBefore(step);
+                    Friction.RecordBefore(step, takesProjection: !solvesViscosity);
                 neighborSearch.RecordSort(step, takesProjection: Coarse != null && !solvesViscosity && !solvesFriction,
                     Viscoelasticity?.PreviousIndices);
                 ParticleTags?.RecordSort(step);

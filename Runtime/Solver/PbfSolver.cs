@@ -185,8 +185,7 @@ namespace Rill
 
         /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
         public bool IsDeep(in StepInput input)
-            => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity), Coarse != null)
-            || GrainFriction.IsNeeded(input) && input.settings.deepWater == DeepWater.Automatic;
+            => CoarseCorrection.IsNeeded(input, WaterDepth(input.gravity), Coarse != null);
 
         /// <summary>Starts the readback of what was measured last; at most one is pending.</summary>
         public void RequestStatistics() => Statistics.Request();

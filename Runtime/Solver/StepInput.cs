@@ -41,7 +41,14 @@ namespace Rill
         /// <summary>Whether all particles have phases: a script asks for them, or they are of several materials.</summary>
         public readonly bool HasPhases => tracksPhases || MaterialTable.IsNeeded(this);
 
+        /// <summary>Makes all grains liquids.</summary>
+        public void LeaveOutGrains()
+        {
+            material.frictionAngle = material.cohesion = 0f;
+            phases = phases.WithoutFriction();
+        }
+
         /// <summary>Length of a substep, s.</summary>
-        public float SubstepTime => timeStep / settings.substeps;
+        public readonly float SubstepTime => timeStep / settings.substeps;
     }
 }

@@ -16,6 +16,6 @@ cbuffer RillFriction
 #define _FrictionCells (_FrictionCellsAndFrictionTotal.xyz)    // cells along x, y, z
 #define _FrictionTotal (_FrictionCellsAndFrictionTotal.w)    // their product
 #define _InverseFrictionSize (_InverseFrictionSizeAndFriction.xyz)    // 1/d
-#define _Friction (_InverseFrictionSizeAndFriction.w)    // tangent of the friction angle
+#define _Friction (_InverseFrictionSizeAndFriction.w)    // see GrainFriction.Coefficient
 
 #endif

@@ -28,6 +28,15 @@ namespace Rill
         [Range(0f, 180f)]
         [SerializeField] float contactAngle = 90f;
 
+        [Tooltip("Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35.")]
+        [Range(0f, 45f)]
+        [SerializeField] float frictionAngle;
+
+        [Tooltip("Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. Among as many particles of " +
+            "another liquid it is gone.")]
+        [Range(0f, FluidMaterial.MaxCohesion)]
+        [SerializeField] float cohesion;
+
         [NonSerialized] ClampedSettings clamped;
 
         /// <summary>Rest density, kg/m³, 0.001 to 1e6. Out-of-range values are clamped with a warning.</summary>
@@ -45,6 +54,14 @@ namespace Rill
         /// warning.</summary>
         public float ContactAngle { get => contactAngle; set { contactAngle = value; ChangedSettings.Apply(this); } }
 
+        /// <summary>Angle of internal friction of grains, degrees, 0 (a liquid) to 45. Out-of-range values are clamped with a
+        /// warning.</summary>
+        public float FrictionAngle { get => frictionAngle; set { frictionAngle = value; ChangedSettings.Apply(this); } }
+
+        /// <summary>Shear stress that grains bear without pressure, Pa, 0 to 5000. Out-of-range values are clamped with a warning.</summary>
+        /// <remarks>It falls to 0 where half of the particles around are of another liquid: damp sand that is flooded.</remarks>
+        public float Cohesion { get => cohesion; set { cohesion = value; ChangedSettings.Apply(this); } }
+
         /// <summary>Returns a new material, for scripts.</summary>
         /// <param name="name">Name, for messages.</param>
         /// <param name="density">kg/m³.</param>
@@ -59,7 +76,10 @@ namespace Rill
         }
 
         /// <summary>Features of a fluid that has it besides its own material.</summary>
-        internal FeatureSet UsedFeatures => ((FeatureSet)Features.Materials).With(Features.Viscosity, dynamicViscosity > 0f);
+        internal FeatureSet UsedFeatures => ((FeatureSet)Features.Materials).With(Features.Viscosity, dynamicViscosity > 0f)
+            .With(Features.GrainFriction, IsGranular).With(Features.DeepWater, IsGranular);
+
+        bool IsGranular => frictionAngle > 0f || cohesion > 0f;
 
         void OnValidate() => ChangedSettings.ApplyLater(this);
 
@@ -70,6 +90,8 @@ namespace Rill
             Limit.Clamp("dynamic viscosity", ref dynamicViscosity, 0f, 1e6f, 0f, ref problem);
             Limit.Clamp("surface tension", ref surfaceTension, 0f, FluidMaterial.MaxTension, 0f, ref problem);
             Limit.Clamp("contact angle", ref contactAngle, 0f, 180f, 90f, ref problem);
+            Limit.Clamp("friction angle", ref frictionAngle, 0f, FluidMaterial.MaxFrictionAngle, 0f, ref problem);
+            Limit.Clamp("cohesion", ref cohesion, 0f, FluidMaterial.MaxCohesion, 0f, ref problem);
             clamped.Set(problem);
         }
 

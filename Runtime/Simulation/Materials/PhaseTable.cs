@@ -106,7 +106,8 @@ namespace Rill
                 FluidMaterialAsset material = this[phase];
                 if (material == null)
                     continue;
-                phases.Set(phase, Mathf.Max(material.Density, lightest), material.DynamicViscosity, material.SurfaceTension, material.ContactAngle);
+                phases.Set(phase, Mathf.Max(material.Density, lightest), material.DynamicViscosity, material.SurfaceTension, material.ContactAngle,
+                    material.FrictionAngle, material.Cohesion);
                 tooLight = material.Density < lightest ? $"material '{material.name}'" : tooLight;
             }
             if (log.ShouldLog(TooLight, tooLight != null))

@@ -124,6 +124,15 @@ namespace Rill
         public static bool IsNeeded(DeepWater mode, float layers, bool present) =>
             mode == DeepWater.On || mode == DeepWater.Automatic && math.round(layers) > (present ? StaysAboveLayers : MaxShallowLayers);
 
+        /// <summary>Whether a step needs the correction: for the depth of its water, or for the pressure between grains.</summary>
+        public static bool IsNeeded(in StepInput input, float layers, bool present)
+            => IsNeeded(input.settings.deepWater, layers, present) || GrainFriction.IsNeeded(input);
+
+        /// <summary>Says why a step runs the correction, or why not.</summary>
+        public static string Reason(in StepInput input, float layers, bool present)
+            => IsNeeded(input.settings.deepWater, layers, present) || !GrainFriction.IsNeeded(input)
+            ? Reason(input.settings.deepWater, layers, present) : "grains need its pressure";
+
         /// <summary>Layers of particles up to which plain iterations hold the water; see Research~/solver-study.md.</summary>
         public const float MaxShallowLayers = 4f;
 
@@ -137,7 +146,7 @@ namespace Rill
         /// draft: it stands in 14 layers and not in 24, see Research~/report.md, "Floating bodies".</summary>
         public const float MaxLayersWithout = 14f;
 
-        /// <summary>Says why a correction runs, or why not; the arguments are those of <see cref="IsNeeded"/>.</summary>
+        /// <summary>Says why a correction runs, or why not; the arguments are those of <see cref="IsNeeded(DeepWater, float, bool)"/>.</summary>
         public static string Reason(DeepWater mode, float layers, bool present)
         {
             string depth = Invariant($"water {layers:0} layers deep");
@@ -230,8 +239,8 @@ namespace Rill
         /// <param name="stage">The stage, or null where none was made.</param>
         public static StageDescription Describe(CoarseCorrection stage, in StepInput input, float layers)
         {
-            bool needed = IsNeeded(input.settings.deepWater, layers, stage != null);
-            var description = new StageDescription("Coarse correction", needed, Reason(input.settings.deepWater, layers, stage != null));
+            bool needed = IsNeeded(input, layers, stage != null);
+            var description = new StageDescription("Coarse correction", needed, Reason(input, layers, stage != null));
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;

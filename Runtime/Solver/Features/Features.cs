@@ -26,7 +26,11 @@ namespace Rill
             stages: new[] { "CoarseGrid", "CoarseSolver", "CoarseColliders" },
             defines: new[] { "DEEP" },
             asked: (PbfSolver solver, in StepInput step) => solver.IsDeep(step),
-            turnOff: (ref StepInput step) => step.settings.deepWater = Rill.DeepWater.Off,
+            turnOff: (ref StepInput step) =>
+            {
+                step.settings.deepWater = Rill.DeepWater.Off;
+                step.LeaveOutGrains();      // which ask for it
+            },
             make: (PbfSolver solver, in StepInput step) => new CoarseCorrection(solver.Layout, solver.CoarseCellSize(step), solver.Limits,
                 MaterialTable.IsNeeded(step)));
 
@@ -88,7 +92,7 @@ namespace Rill
         public static readonly Feature GrainFriction = new Feature("friction of grains", "set the friction angle and the cohesion to 0",
             stages: new[] { "GrainFriction" },
             asked: (PbfSolver solver, in StepInput step) => Rill.GrainFriction.IsNeeded(step),
-            turnOff: (ref StepInput step) => (step.material.frictionAngle, step.material.cohesion) = (0f, 0f),
+            turnOff: (ref StepInput step) => step.LeaveOutGrains(),
             make: (PbfSolver solver, in StepInput step) => new Rill.GrainFriction(solver.Layout),
             ofSettings: true);
 

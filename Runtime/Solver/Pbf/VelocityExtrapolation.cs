@@ -33,7 +33,8 @@ namespace Rill
             BufferClear.Now(means);
         }
 
-        public static bool IsNeeded(in StepInput input) => input.settings.numericalDamping < 1f && !Viscoelasticity.IsNeeded(input);
+        public static bool IsNeeded(in StepInput input) => input.settings.numericalDamping < 1f && !Viscoelasticity.IsNeeded(input)
+            && !GrainFriction.IsNeeded(input);
 
         /// <summary>β of a step; 0 where there is none.</summary>
         public static float WeightFor(in StepInput input)
@@ -93,7 +94,7 @@ namespace Rill
             var description = new StageDescription("Velocity extrapolation", needed, needed
                 ? Invariant($"numerical damping {input.settings.numericalDamping} of a first-order ") +
                 "step's" : Viscoelasticity.IsNeeded(input)
-                ? "the fluid is elastic" : "the numerical damping is 1");
+                ? "the fluid is elastic" : GrainFriction.IsNeeded(input) ? "grains need the damping" : "the numerical damping is 1");
             if (!needed || stage == null)
                 return description;
             description.Kernel(step.Search.GatherMeans, step.Substeps, step.Search.Variant(step));

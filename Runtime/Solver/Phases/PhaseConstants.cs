@@ -13,7 +13,8 @@ namespace Rill
         /// to the largest</summary>
         public PhaseRows phases;
 
-        /// <summary>x: attraction by walls, relative to that of a pair with the largest surface tension</summary>
+        /// <summary>x: attraction by walls, relative to that of a pair with the largest surface tension; y: friction of grains over the mass of
+        /// a particle, z: their cohesion, d²</summary>
         public PhaseRows walls;
 
         /// <summary>largest phase of a particle</summary>
@@ -33,7 +34,9 @@ namespace Rill
                 float tension = (float)(SurfaceTension.Strength(input, phase, spacing, deepWater) / maxTension);
                 double wall = SurfaceTension.WallFraction(input.phases.Angle(phase, own));
                 constants.phases[phase] = new float4(mass, 1f / mass, input.phases.Viscosity(phase, own) / maxViscosity, tension);
-                constants.walls[phase] = new float4((float)(tension * wall), 0f, 0f, 0f);
+                float friction = GrainFriction.Coefficient(input.phases.FrictionAngle(phase, own)) / mass;
+                float cohesion = GrainFriction.Cohesion(input.phases.Cohesion(phase, own), mass * heaviest, spacing, input.SubstepTime);
+                constants.walls[phase] = new float4((float)(tension * wall), friction, cohesion, 0f);
             }
             return constants;
         }

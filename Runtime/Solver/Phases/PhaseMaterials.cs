@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>Densities, viscosities and surface tensions of the phases of a fluid. A phase without a material of its own has the
+    /// <summary>Densities, viscosities, surface tensions and frictions of the phases of a fluid. A phase without a material of its own has the
     /// fluid's.</summary>
     struct PhaseMaterials
     {
@@ -19,6 +19,8 @@ namespace Rill
             public float viscosity;     // Pa s
             public float tension;       // N/m
             public float angle;         // degrees
+            public float friction;      // angle, degrees
+            public float cohesion;      // Pa
         }
 
         int last;
@@ -33,9 +35,19 @@ namespace Rill
         /// <param name="viscosity">Dynamic viscosity, Pa s.</param>
         /// <param name="tension">Surface tension, N/m.</param>
         /// <param name="angle">Contact angle, degrees.</param>
-        public void Set(int phase, float density, float viscosity, float tension = 0f, float angle = 90f)
+        /// <param name="friction">Friction angle of grains, degrees.</param>
+        /// <param name="cohesion">Cohesion of grains, Pa.</param>
+        public void Set(int phase, float density, float viscosity, float tension = 0f, float angle = 90f, float friction = 0f, float cohesion = 0f)
         {
-            RowOf(ref this, phase) = new Row { density = density, viscosity = viscosity, tension = tension, angle = angle };
+            RowOf(ref this, phase) = new Row
+            {
+                density = density,
+                viscosity = viscosity,
+                tension = tension,
+                angle = angle,
+                friction = friction,
+                cohesion = cohesion,
+            };
             last = math.max(last, phase);
         }
 
@@ -58,6 +70,35 @@ namespace Rill
         /// <summary>Returns the contact angle of a phase, degrees.</summary>
         /// <param name="own">The fluid's own material.</param>
         public float Angle(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).angle : own.contactAngle;
+
+        /// <summary>Returns the friction angle of a phase, degrees.</summary>
+        /// <param name="own">The fluid's own material.</param>
+        public float FrictionAngle(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).friction : own.frictionAngle;
+
+        /// <summary>Returns the cohesion of a phase, Pa.</summary>
+        /// <param name="own">The fluid's own material.</param>
+        public float Cohesion(int phase, in FluidMaterial own) => Has(phase) ? RowOf(ref this, phase).cohesion : own.cohesion;
+
+        /// <summary>Returns the largest friction angle, degrees.</summary>
+        public float MaxFrictionAngle(in FluidMaterial own)
+        {
+            float most = own.frictionAngle;
+            for (int phase = 1; phase <= last; phase++)
+                most = math.max(most, FrictionAngle(phase, own));
+            return most;
+        }
+
+        /// <summary>Returns the largest cohesion, Pa.</summary>
+        public float MaxCohesion(in FluidMaterial own)
+        {
+            float most = own.cohesion;
+            for (int phase = 1; phase <= last; phase++)
+                most = math.max(most, Cohesion(phase, own));
+            return most;
+        }
+
+        /// <summary>Returns whether any phase is of grains.</summary>
+        public bool HaveGrains(in FluidMaterial own) => MaxFrictionAngle(own) > 0f || MaxCohesion(own) > 0f;
 
         /// <summary>Returns whether any phase has surface tension.</summary>
         public bool HaveTension(in FluidMaterial own)
@@ -110,6 +151,7 @@ namespace Rill
             bool differ = false;
             for (int phase = 1; phase <= last; phase++)
                 differ |= Density(phase, own) != own.density || Viscosity(phase, own) != own.dynamicViscosity
+                    || FrictionAngle(phase, own) != own.frictionAngle || Cohesion(phase, own) != own.cohesion
                     || Tension(phase, own) != own.surfaceTension || Tension(phase, own) > 0f && Angle(phase, own) != own.contactAngle;
             return differ;
         }
@@ -121,6 +163,15 @@ namespace Rill
             for (int phase = 1; phase <= last; phase++)
                 RowOf(ref thin, phase).viscosity = 0f;
             return thin;
+        }
+
+        /// <summary>Returns the same materials as liquids.</summary>
+        public PhaseMaterials WithoutFriction()
+        {
+            PhaseMaterials liquid = this;
+            for (int phase = 1; phase <= last; phase++)
+                RowOf(ref liquid, phase).friction = RowOf(ref liquid, phase).cohesion = 0f;
+            return liquid;
         }
 
         bool Has(int phase) => phase > 0 && phase <= last && RowOf(ref this, phase).density > 0f;

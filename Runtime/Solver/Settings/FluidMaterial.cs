@@ -72,18 +72,18 @@ namespace Rill
             "forms beads, below it spreads. An angle below 90 is approximate.")]
         [Range(0f, 180f)] public float contactAngle;
 
-        /// <summary>Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It needs
-        /// Deep Water.</summary>
-        [Tooltip("Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It needs " +
-            "Deep Water.")]
-        [Range(0f, 45f)] public float frictionAngle;
+        /// <summary>Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It turns
+        /// Deep Water on.</summary>
+        [Tooltip("Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It turns " +
+            "Deep Water on.")]
+        [Range(0f, MaxFrictionAngle)] public float frictionAngle;
 
-        /// <summary>Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It needs Deep
-        /// Water.</summary>
-        [Tooltip("Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It needs Deep Water.")]
-        [Range(0f, 5000f)] public float cohesion;
+        /// <summary>Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It turns Deep Water
+        /// on.</summary>
+        [Tooltip("Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It turns Deep Water on.")]
+        [Range(0f, MaxCohesion)] public float cohesion;
 
-        internal const float MaxTension = 1000f;
+        internal const float MaxTension = 1000f, MaxFrictionAngle = 45f, MaxCohesion = 5000f;
 
         /// <summary>Water: 1000 kg/m³, with as much smoothing as keeps it calm.</summary>
         public static FluidMaterial Water => new FluidMaterial
@@ -173,8 +173,8 @@ namespace Rill
             Limit.Clamp("relaxation time", ref relaxationTime, 1e-3f, 1e3f, water.relaxationTime, ref problem);
             Limit.Clamp("surface tension", ref surfaceTension, 0f, MaxTension, water.surfaceTension, ref problem);
             Limit.Clamp("contact angle", ref contactAngle, 0f, 180f, water.contactAngle, ref problem);
-            Limit.Clamp("friction angle", ref frictionAngle, 0f, 45f, water.frictionAngle, ref problem);
-            Limit.Clamp("cohesion", ref cohesion, 0f, 5000f, water.cohesion, ref problem);
+            Limit.Clamp("friction angle", ref frictionAngle, 0f, MaxFrictionAngle, water.frictionAngle, ref problem);
+            Limit.Clamp("cohesion", ref cohesion, 0f, MaxCohesion, water.cohesion, ref problem);
             return problem == null;
         }
     }

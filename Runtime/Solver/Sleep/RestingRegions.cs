@@ -36,7 +36,8 @@ namespace Rill
         /// <summary>words of a region in _RegionMotion</summary>
         [GenerateHlsl("RestingRegions")] const int MotionStride = 5;
 
-        const int TensionBytes = 2 * sizeof(float);     // the last of a material: tension and angle
+        const int TensionBytes = 2 * sizeof(float);     // of a material, before the last: tension and angle
+        const int GrainBytes = 2 * sizeof(float);       // the last: friction and cohesion
         const float GravityChange = 0.01f;      // fraction of it that wakes everything
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");
@@ -163,11 +164,14 @@ namespace Rill
             return description;
         }
 
-        /// <summary>Checksum of a material. One without surface tension has that from before there was any, for older snapshots.</summary>
+        /// <summary>Checksum of a material. One without friction or surface tension has that from before there was any, for older
+        /// snapshots.</summary>
         public static uint Checksum(FluidMaterial material)
         {
             ReadOnlySpan<byte> bytes = StructBytes.Of(ref material);
-            return Crc32C.Of(material.surfaceTension == 0f ? bytes.Slice(0, bytes.Length - TensionBytes) : bytes);
+            bool isGranular = material.frictionAngle != 0f || material.cohesion != 0f;
+            int newer = isGranular ? 0 : material.surfaceTension != 0f ? GrainBytes : GrainBytes + TensionBytes;
+            return Crc32C.Of(bytes.Slice(0, bytes.Length - newer));
         }
 
         static int Total(SolverLayout layout)

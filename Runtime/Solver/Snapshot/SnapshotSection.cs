@@ -79,5 +79,11 @@ namespace Rill
         CellStarts,
         /// <summary>float [moved], see PhaseSlip.hlsl, since version 5.</summary>
         Slips,
+        /// <summary>float4 [friction nodes], d, since version 5.</summary>
+        FrictionChange,
+        /// <summary>float4 [2 friction cells], d², since version 5.</summary>
+        FrictionStress,
+        /// <summary>float4 [2 friction cells], d², since version 5.</summary>
+        FrictionStressAfter,
     }
 }

@@ -27,6 +27,12 @@ float InverseMass(uint i)
     return PhaseRow(i).y;
 }
 
+// Friction and cohesion of a particle, see GrainFriction.compute; both 0 for a liquid.
+float2 GrainRow(uint i)
+{
+    return _Walls[min(_Tags[i] >> kTagPhaseShift, kMaxPhase)].yz;
+}
+
 // Viscosity with which a particle is braked by a wall, over its mass.
 float OwnViscosity(uint i)
 {

@@ -17,13 +17,10 @@ namespace Rill.Tests
             rate = int.Parse(Environment.GetEnvironmentVariable("RHZ") ?? "60");
             d = float.Parse(Environment.GetEnvironmentVariable("RD") ?? "0.01");
             aspect = float.Parse(Environment.GetEnvironmentVariable("RA") ?? "1");
-            GrainFriction.Steps = int.Parse(Environment.GetEnvironmentVariable("RS") ?? "16");
-            GrainFriction.BlendRate = float.Parse(Environment.GetEnvironmentVariable("RBL") ?? "60");
-            GrainFriction.After = Environment.GetEnvironmentVariable("RAF") != "0";
             SolverSettings settings = SolverSettings.Default;
             settings.iterations = int.Parse(Environment.GetEnvironmentVariable("RK") ?? "2");
             settings.deepWater = DeepWater.On;
-            settings.sleepSpeed = 0f;
+            settings.sleepSpeed = float.Parse(Environment.GetEnvironmentVariable("RSL") ?? "0");
             int side = (int)(size * radius) / 4 * 4, height = (int)math.round(aspect * radius);
             var box = new float3(side, 2 * height + 8, side);
             float3 middle = 0.5f * box;
@@ -34,13 +31,60 @@ namespace Rill.Tests
                 fluid.Input.timeStep = 1f / rate;
                 fluid.Input.material.frictionAngle = math.degrees(math.atan(friction));
                 fluid.Input.material.wallFriction = 1f;
+                fluid.Input.material.cohesion = float.Parse(Environment.GetEnvironmentVariable("RC") ?? "0");
                 fluid.Add(points);
+                fluid.Input.material.cohesion = 5000f;
+                fluid.Step(int.Parse(Environment.GetEnvironmentVariable("RW") ?? "0") * rate / 60);
+                fluid.Input.material.cohesion = 0f;
                 float seconds = float.Parse(Environment.GetEnvironmentVariable("RT") ?? "2");
+                if (Environment.GetEnvironmentVariable("RDBG") == "1")
+                    for (int k = 0; k < 10; k++)
+                    {
+                        fluid.Step(1);
+                        float phi = GpuTest.Read<float>(fluid.Solver.Coarse.Cells.flowPotential, fluid.Solver.Coarse.Grid.Total).Max();
+                        TestContext.Out.WriteLine($"step {k} phi {phi:0.00} hydrostatic {9.81f / rate / rate / d * (height - 2):0.00}");
+                        Profile(fluid, middle, radius, height, (k + 1f) / rate);
+                    }
                 for (int part = 0; part < (int)(seconds * 4); part++)
                 {
                     fluid.Step(rate / 4);
                     Profile(fluid, middle, radius, height, (part + 1) * 0.25f);
                 }
+            }
+        }
+
+        [Test]
+        public void Slope()
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.iterations = 2;
+            settings.deepWater = DeepWater.On;
+            settings.sleepSpeed = 0f;
+            const float d = 0.01f;
+            int depth = int.Parse(Environment.GetEnvironmentVariable("RH") ?? "12");
+            foreach (float angle in new[] { 15f, 20f, 25f, 29f, 33f, 38f })
+            using (var fluid = new TestFluid(new float3(80, 40, 8) * d, d, 80 * depth * 8, settings))
+            {
+                fluid.Input.material.frictionAngle = 31f;
+                fluid.Input.gravity = 9.81f * new float3(math.sin(math.radians(angle)), -math.cos(math.radians(angle)), 0f);
+                fluid.AddBlock(0f, new float3(80, depth, 8) * d);
+                string line = "";
+                for (int part = 0; part < 8; part++)
+                {
+                    fluid.Step(8);
+                    ParticleState state = fluid.Read();
+                    double v = 0, n = 0, top = 0;
+                    for (int i = 0; i < state.Count; i++)
+                        if (state.positions[i].x > 30 && state.positions[i].x < 50)
+                        {
+                            v += state.velocities[i].x * d;
+                            n++;
+                            if (state.positions[i].y > depth - 2)
+                                top = Math.Max(top, state.velocities[i].x * d);
+                        }
+                    line += $"{v / n:0.000}/{top:0.000} ";
+                }
+                TestContext.Out.WriteLine($"{angle}: t mean/top " + line);
             }
         }
 
