@@ -156,11 +156,9 @@ namespace Rill.Tests
 
         static FluidConnection Connection(FluidSimulation lake, FluidSimulation basin)
         {
-            #region Make a connection (components.md)
             var connection = new GameObject("Opening").AddComponent<FluidConnection>();
-            connection.First = lake;                                    // both with the same spacing, material, step rate and rotation
-            connection.Second = basin;                                  // whose box overlaps that of the lake by 8 spacings
-            #endregion
+            connection.First = lake;
+            connection.Second = basin;
             return connection;
         }
 
