@@ -19,6 +19,7 @@ namespace Host.Check
             new StageAssets(),
             new ReferencePage(),
             new ArchitecturePage(),
+            new PerformancePage(),
             new ManualHtml(),
         };
 
