@@ -7,7 +7,7 @@ cbuffer RillFriction
 {
     uint4 _FrictionCellsAndFrictionTotal;
     float4 _InverseFrictionSizeAndFriction;
-    float _Cohesion;    // d²: least limit of the stress
+    float _Cohesion;    // d^2: least limit of the stress
     float _WallFriction;    // of the domain's walls, relative to that of grains among themselves
     float _InverseCellGrains;    // 1 over the particles of a full cell
     float _GrainBlend;    // part of a grain's departure from the flow around it that a substep takes

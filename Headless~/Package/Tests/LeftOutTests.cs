@@ -20,7 +20,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "GrainFriction", "Rill.Friction", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
             "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
             "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure", "WithTension",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Borders", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
@@ -52,6 +52,15 @@ namespace Host.Tests
                 "+1 ImplicitViscosity.compute FindCoefficients", "+1 ImplicitViscosity.compute FindResidual",
                     "+1 ImplicitViscosity.compute FirstPass", "+2 ImplicitViscosity.compute NextPass",
                 "+1 Rill.ViscousVelocities *", "+1 Rill.NextViscousVelocities *", "+1 Rill.ViscousChanges *", "+1 Rill.ViscousHolds *",
+            }),
+            ("friction of grains", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On),
+                Material((ref FluidMaterial v) => v.frictionAngle = 30f), new[]
+            {
+                "+1 GrainFriction.compute Anticipate", "+1 GrainFriction.compute AddGrainsBefore", "+1 GrainFriction.compute AddGrains",
+                "+2 GrainFriction.compute FindNodes", "+1 GrainFriction.compute FindCellsBefore", "+1 GrainFriction.compute FindCells",
+                "+18 GrainFriction.compute MoveNodes", "+16 GrainFriction.compute StressCells", "+1 GrainFriction.compute MoveGrainsBefore",
+                "+1 GrainFriction.compute MoveGrains", "+1 Rill.Friction.*",
+                "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCells",
             }),
             ("elasticity", null, Material((ref FluidMaterial v) => v.shearModulus = 100f), new[]
             {

@@ -34,8 +34,8 @@ namespace Rill
                 float tension = (float)(SurfaceTension.Strength(input, phase, spacing, deepWater) / maxTension);
                 double wall = SurfaceTension.WallFraction(input.phases.Angle(phase, own));
                 constants.phases[phase] = new float4(mass, 1f / mass, input.phases.Viscosity(phase, own) / maxViscosity, tension);
-                float friction = GrainFriction.Coefficient(input.phases.FrictionAngle(phase, own)) / mass;
-                float cohesion = GrainFriction.Cohesion(input.phases.Cohesion(phase, own), mass * heaviest, spacing, input.SubstepTime);
+                float angle = input.phases.FrictionAngle(phase, own), friction = GrainFriction.Coefficient(angle) / mass;
+                float cohesion = GrainFriction.Cohesion(input.phases.Cohesion(phase, own), angle, mass * heaviest, spacing, input.SubstepTime);
                 constants.walls[phase] = new float4((float)(tension * wall), friction, cohesion, 0f);
             }
             return constants;

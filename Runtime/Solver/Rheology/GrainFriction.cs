@@ -98,18 +98,18 @@ namespace Rill
         /// <summary>Slope of the limit, √(s:s/2) over the pressure: the cone of Drucker and Prager that meets Mohr's and Coulomb's limit where
         /// grains are pressed together along one axis.</summary>
         /// <param name="angle">Friction angle, degrees.</param>
-        public static float Coefficient(float angle)
-        {
-            double sine = Math.Sin(angle * Math.PI / 180.0);
-            return (float)(6.0 * sine / (Math.Sqrt(3.0) * (3.0 - sine)));
-        }
+        public static float Coefficient(float angle) => (float)OfCone(angle, Math.Sin(angle * Math.PI / 180.0));
 
-        /// <summary>Cohesion of a substep, d²: over the density, times the square of the substep.</summary>
+        /// <summary>The same cone's limit without pressure, d²: over the density, times the square of the substep.</summary>
         /// <param name="cohesion">Pa.</param>
+        /// <param name="angle">Friction angle, degrees.</param>
         /// <param name="density">kg/m³.</param>
         /// <param name="spacing">m.</param>
-        public static float Cohesion(float cohesion, float density, float spacing, float substep)
-            => (float)(cohesion / (double)density * substep * substep / ((double)spacing * spacing));
+        /// <param name="substep">s.</param>
+        public static float Cohesion(float cohesion, float angle, float density, float spacing, float substep)
+            => (float)(OfCone(angle, Math.Cos(angle * Math.PI / 180.0)) * cohesion / density * substep * substep / ((double)spacing * spacing));
+
+        static double OfCone(float angle, double part) => 6.0 * part / (Math.Sqrt(3.0) * (3.0 - Math.Sin(angle * Math.PI / 180.0)));
 
         public override bool Survives(ParticleChange change) => false;
 
@@ -231,7 +231,7 @@ namespace Rill
                 frictionTotal = (uint)Cells,
                 inverseFrictionSize = 1f / size,
                 friction = Coefficient(material.frictionAngle),
-                cohesion = Cohesion(material.cohesion, material.density, step.Layout.Spacing, step.SubstepTime),
+                cohesion = Cohesion(material.cohesion, material.frictionAngle, material.density, step.Layout.Spacing, step.SubstepTime),
                 wallFriction = material.wallFriction,
                 inverseCellGrains = 1f / (size.x * size.y * size.z),
                 grainBlend = 1f - math.exp(-BlendRate * step.SubstepTime),

@@ -146,12 +146,12 @@ namespace Rill.Tests
             {
                 density = bad, velocitySmoothing = bad, dynamicViscosity = bad, wallFriction = bad,
                 vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad, shearModulus = bad,
-                relaxationTime = bad, surfaceTension = bad, contactAngle = bad
+                relaxationTime = bad, surfaceTension = bad, contactAngle = bad, frictionAngle = bad, cohesion = bad
             };
             Assert.That(material.Validate(out string problem), Is.False);
             foreach (string name in new[] { "density", "velocity smoothing", "dynamic viscosity", "wall friction", "vorticity",
                 "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time",
-                "surface tension", "contact angle" })
+                "surface tension", "contact angle", "friction angle", "cohesion" })
                 Assert.That(problem, Does.Contain(Invariant($"{name} {bad} is outside")));
             Assert.That(material.Validate(out problem), Is.True, problem);
         }

@@ -78,7 +78,7 @@ namespace Rill.Tests
 
         [UnityTest]
         public IEnumerator What_is_switched_on_without_its_stage_stays_off_after_one_error_and_the_fluid_goes_on(
-            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
+            [Values("ImplicitViscosity", "GrainFriction", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
             "Colliders", "Emitters", "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
         {
             FluidSimulation fluid = Fluid();
@@ -125,7 +125,7 @@ namespace Rill.Tests
             fluid.ShadersInBuild = ShadersInBuild.AllFeatures;
             Build(fluid.gameObject);
             fluid.gameObject.SetActive(true);
-            foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters",
+            foreach (string stage in new[] { "ImplicitViscosity", "GrainFriction", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters",
                 "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries" })
                 SwitchOn(stage, fluid);
             fluid.gameObject.AddComponent<ParticleRenderer>();
@@ -160,6 +160,12 @@ namespace Rill.Tests
             fluid.Settings = With(fluid.Settings, DeepWater.Automatic, 0.1f);
             Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Sleep));
             FluidMaterial material = fluid.Material;
+            fluid.Settings = With(fluid.Settings, DeepWater.Off, 0.1f);
+            material.frictionAngle = 30f;       // which needs deep water
+            fluid.Material = material;
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Sleep | Features.GrainFriction));
+            fluid.Settings = With(fluid.Settings, DeepWater.Automatic, 0.1f);
+            material.frictionAngle = 0f;
             material.shearModulus = 100f;
             material.dynamicViscosity = 1f;
             material.vorticity = 1f;        // nothing sleeps beside it
@@ -226,6 +232,7 @@ namespace Rill.Tests
             switch (stage)
             {
                 case "ImplicitViscosity": material.dynamicViscosity = 1f; fluid.Material = material; break;
+                case "GrainFriction": material.frictionAngle = 30f; fluid.Material = material; break;
                 case "Viscoelasticity": material.shearModulus = 100f; fluid.Material = material; break;
                 case "VorticityConfinement": material.vorticity = 1f; fluid.Material = material; break;
                 case "RestingRegions": fluid.Settings = With(fluid.Settings, fluid.Settings.deepWater, 0.1f); break;

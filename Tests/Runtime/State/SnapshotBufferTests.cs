@@ -64,6 +64,14 @@ namespace Rill.Tests
             { "Rill.NextViscousVelocities", (Why.Rewritten, "a pass writes it") },
             { "Rill.ViscousChanges", (Why.Rewritten, "FindResidual writes it") },
             { "Rill.ViscousHolds", (Why.Rewritten, "FindCoefficients writes it") },
+            { "Rill.Friction.Constants", (Why.Follows, "from the material, in each step") },
+            { "Rill.Friction.NodeSums", (Why.Zero, "FindNodes clears what it has read") },
+            { "Rill.Friction.CellSums", (Why.Zero, "FindCells clears what it has read") },
+            { "Rill.Friction.NodeFlows", (Why.Rewritten, "FindNodes writes it") },
+            { "Rill.Friction.NewFlows", (Why.Rewritten, "FindNodes writes it") },
+            { "Rill.Friction.NodeSolids", (Why.Rewritten, "FindSolids writes it") },
+            { "Rill.Friction.Trial", (Why.Rewritten, "FindCells writes it") },
+            { "Rill.Friction.Limits", (Why.Rewritten, "FindCells writes it before the prediction") },
             { "Rill.DeformedConformation", (Why.Rewritten, "Deform writes it") },
             { "Rill.Stress", (Why.Rewritten, "Deform writes it") },
             { "Rill.PreviousIndices", (Why.Rewritten, "the sort writes it") },
@@ -113,7 +121,7 @@ namespace Rill.Tests
         // Deep, of one liquid: several are not blended to the coarse flow.
         static SnapshotCase ElasticStages => new SnapshotCase
         {
-            name = "elastic stages", shearModulus = 100f, vorticity = 0.3f, colliders = true, deepWater = DeepWater.On, depth = 0.5f
+            name = "elastic stages", shearModulus = 100f, vorticity = 0.3f, frictionAngle = 30f, colliders = true, deepWater = DeepWater.On, depth = 0.5f
         };
 
         [Test]

@@ -34,6 +34,7 @@ namespace Rill.Tests
             material.dynamicViscosity = made.dynamicViscosity;
             material.shearModulus = made.shearModulus;
             material.relaxationTime = 0.5f;
+            material.frictionAngle = made.frictionAngle;
             material.vorticity = made.vorticity;
             scene.Fluid.Material = material;
             if (made.colliders)
@@ -162,7 +163,7 @@ namespace Rill.Tests
         public string name;
         public DeepWater deepWater = DeepWater.Off;
         public int substeps = 1;
-        public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frameSteps = 1f, density;
+        public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frictionAngle, frameSteps = 1f, density;
         public bool colliders, emitter, drain, field, moves, stands, draws;
         public int steps = 12;
 

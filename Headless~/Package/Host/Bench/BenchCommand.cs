@@ -39,6 +39,8 @@ namespace Host.Bench
                 DefaultValueFactory = _ => FluidMaterial.Water.dynamicViscosity };
             var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.",
                 DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
+            var friction = new Option<float>("--friction-angle") { Description = "Of grains, degrees; 0 for a liquid.",
+                DefaultValueFactory = _ => FluidMaterial.Water.frictionAngle };
             var densityRatio = new Option<float>("--density-ratio") {
                 Description = "The upper half is a liquid that is lighter by this factor; 1 for one liquid.", DefaultValueFactory = _ => 1f };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.",
@@ -52,7 +54,7 @@ namespace Host.Bench
             Option<string> shaders = ShadersOption.Create();
 
             var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
-                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, densityRatio, deepWater, window, steps, kernels, json, shaders,
+                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, deepWater, window, steps, kernels, json, shaders,
                 BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(),
                 PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
                 SurfaceBench.Create() };
@@ -69,6 +71,7 @@ namespace Host.Bench
                 FluidMaterial material = FluidMaterial.Water;
                 material.velocitySmoothing = parsed.GetValue(smoothing);
                 material.dynamicViscosity = parsed.GetValue(viscosity);
+                material.frictionAngle = parsed.GetValue(friction);
                 material.shearModulus = parsed.GetValue(shearModulus);
                 if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))
                     System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());

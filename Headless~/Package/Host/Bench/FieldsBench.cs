@@ -33,6 +33,7 @@ namespace Host.Bench
             ("Vorticity 0.1", (ref SolverSettings s, ref FluidMaterial m) => m.vorticity = 0.1f),
             ("Artificial Pressure 0.1", (ref SolverSettings s, ref FluidMaterial m) => m.artificialPressure = 0.1f),
             ("Surface Tension 1", (ref SolverSettings s, ref FluidMaterial m) => m.surfaceTension = 1f),
+            ("Friction Angle 31", (ref SolverSettings s, ref FluidMaterial m) => m.frictionAngle = 31f),
             ("Shear Modulus 1000", (ref SolverSettings s, ref FluidMaterial m) => m.shearModulus = 1000f),
         };
 

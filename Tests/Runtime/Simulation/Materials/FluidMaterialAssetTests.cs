@@ -129,6 +129,10 @@ namespace Rill.Tests
                 Assert.That(HasViscosity(scene.Fluid));
                 emitter.Material = Material("Oil", 900f, 0.08f);
                 Assert.That(HasViscosity(emitter));
+                FluidMaterialAsset sand = Material("Sand", 1600f, 0f);
+                sand.Cohesion = 100f;
+                emitter.Material = sand;
+                Assert.That(((IUsesFeatures)emitter).UsedFeatures.HasAll(Features.Materials | Features.GrainFriction | Features.DeepWater));
             }
         }
 

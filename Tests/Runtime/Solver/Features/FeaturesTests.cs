@@ -53,10 +53,10 @@ namespace Rill.Tests
             foreach (Feature feature in Features.OfSettings)
             {
                 var step = new StepInput { settings = SolverSettings.Default, material = FluidMaterial.Water };
-                step.material.dynamicViscosity = step.material.shearModulus = step.material.vorticity = 1f;
+                step.material.dynamicViscosity = step.material.shearModulus = step.material.vorticity = step.material.frictionAngle = 1f;
                 step.settings.sleepSpeed = 1f;
                 step.borders.minX.kind = BorderKind.Absorbing;
-                step.phases.Set(1, 500f, 2f);
+                step.phases.Set(1, 500f, 2f, cohesion: 100f);
                 if (feature == Features.Sleep)
                     step.material.vorticity = 0f;
                 Assert.That(feature.IsAsked(null, step), feature.Name);

@@ -59,6 +59,26 @@ namespace Rill.Tests
                 "a phase between, without a material");
         }
 
+        [TestCase(30f, 0f)]
+        [TestCase(0f, 500f)]
+        public void Grains_of_any_phase_count_and_differ_from_a_liquid(float friction, float cohesion)
+        {
+            FluidMaterial own = Own();
+            foreach (int phase in new[] { 1, 7 })
+            {
+                var phases = new PhaseMaterials();
+                phases.Set(phase, own.density, own.dynamicViscosity, own.surfaceTension, own.contactAngle, friction, cohesion);
+                Assert.That((phases.Differ(own), phases.HaveGrains(own)), Is.EqualTo((true, true)), $"phase {phase}");
+                Assert.That((phases.MaxFrictionAngle(own), phases.MaxCohesion(own)), Is.EqualTo((friction, cohesion)));
+                Assert.That((phases.FrictionAngle(2, own), phases.Cohesion(2, own)), Is.EqualTo((0f, 0f)), "a phase without a material");
+                PhaseMaterials liquid = phases.WithoutFriction();
+                Assert.That((liquid.HaveGrains(own), liquid.Tension(phase, own)), Is.EqualTo((false, own.surfaceTension)));
+                Assert.That(phases.HaveGrains(own), "of the others nothing changed");
+            }
+            (own.frictionAngle, own.cohesion) = (friction, cohesion);
+            Assert.That(new PhaseMaterials().HaveGrains(own), "the fluid's own");
+        }
+
         [Test]
         public void Without_viscosity_all_else_stays()
         {

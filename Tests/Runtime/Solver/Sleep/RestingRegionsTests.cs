@@ -76,6 +76,12 @@ namespace Rill.Tests
             Assert.That(checksum, Is.Not.EqualTo(RestingRegions.Checksum(water)));
             tense.contactAngle = 120f;
             Assert.That(RestingRegions.Checksum(tense), Is.Not.EqualTo(checksum));
+            Assert.That(RestingRegions.Checksum(tense), Is.EqualTo(Crc32C.Of(floats.Append(0.1f).Append(120f).SelectMany(System.BitConverter.GetBytes)
+                .ToArray())), "as before there was friction");
+            tense.frictionAngle = 30f;
+            checksum = RestingRegions.Checksum(tense);
+            tense.cohesion = 100f;
+            Assert.That(RestingRegions.Checksum(tense), Is.Not.EqualTo(checksum));
         }
 
         [Test]
