@@ -72,7 +72,7 @@ namespace Rill.Editor.Tests
         }
 
         // Over what the solver itself damps, which is subtracted.
-        [Test]
+        [Test, Category("LongRun")]
         public void A_fluid_is_as_viscous_at_half_the_spacing([Values("Glycerol", "Honey", "Basaltic lava")] string name)
         {
             const float Coarse = 0.02f, TimeStep = 1f / 60f;

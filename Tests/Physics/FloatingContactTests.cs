@@ -27,7 +27,7 @@ namespace Rill.Tests
             yield return null;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_floating_body_that_is_pushed_against_a_quay_lies_against_it_and_floats()
         {
             const float quay = 0.2f;        // where it begins, m
@@ -55,7 +55,7 @@ namespace Rill.Tests
             Assert.That(submerged, Is.InRange(0.25f, 0.99f), "mean of a second");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_stack_of_boxes_on_the_floor_of_a_pool_stays()
         {
             FluidSimulation fluid = Fluid((-0.4f, -0.15f), (0.15f, 0.4f));

@@ -37,7 +37,7 @@ namespace Rill.Tests
             yield return null;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_body_by_layer_moves_as_one_with_a_Fluid_Buoyancy([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
         {
             float[][] heights = new float[2][];

@@ -42,7 +42,7 @@ namespace Rill.Tests
             yield return null;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Restored_bodies_go_on_as_those_that_never_stopped([Values] Bodies which, [Values(DeepWater.Off, DeepWater.On)]
             DeepWater deepWater)
         {
@@ -58,7 +58,7 @@ namespace Rill.Tests
             yield return AssertGoesOn(FluidSnapshot.FromBytes(request.Snapshot.ToBytes()), expected, "from bytes");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Bodies_that_stand_in_a_pause_go_on_as_those_that_never_stopped([Values(true, false)] bool byTimeScale)
         {
             Make(Bodies.Several, DeepWater.Off);
@@ -92,7 +92,7 @@ namespace Rill.Tests
             fluid.Paused = false;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_box_that_was_put_elsewhere_takes_its_bodies_along()
         {
             Make(Bodies.One, DeepWater.Off);
@@ -113,7 +113,7 @@ namespace Rill.Tests
             Assert.That(bodies[0].GetComponent<FluidBuoyancy>().SubmergedFraction, Is.EqualTo(submerged).Within(0.1f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Bodies_that_are_gone_new_or_kinematic_are_named()
         {
             Make(Bodies.Several, DeepWater.Off);
@@ -142,7 +142,7 @@ namespace Rill.Tests
             yield return Play(2);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator From_bytes_bodies_of_one_name_are_told_apart_by_their_order()
         {
             Make(Bodies.Several, DeepWater.Off);
@@ -159,7 +159,7 @@ namespace Rill.Tests
             Assert.That(fluid.StepCount, Is.EqualTo(request.Snapshot.StepCount));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_game_can_leave_its_bodies_where_they_are()
         {
             Make(Bodies.One, DeepWater.Off);

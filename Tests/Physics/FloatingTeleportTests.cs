@@ -23,7 +23,7 @@ namespace Rill.Tests
             yield return null;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_body_floats_on_where_the_scene_is_shifted()
         {
             scene = new FloatingScene(ColliderShape.Box, new Vector3(0.4f, 0.3f, 0.4f), 0.5f, 0.45f, layers: 8, side: 16);

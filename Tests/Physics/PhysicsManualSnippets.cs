@@ -36,7 +36,7 @@ namespace Rill.Tests
             return boat;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator The_snippet_of_the_manual_makes_a_body_that_floats()
         {
             GameObject lake = Lake(), boat = FloatingBody();
@@ -56,7 +56,7 @@ namespace Rill.Tests
             }
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator The_snippet_of_the_manual_meets_one_layer_and_carries_the_bodies_of_another()
         {
             GameObject lake = Lake(), crate = GameObject.CreatePrimitive(PrimitiveType.Cube), post = GameObject.CreatePrimitive(PrimitiveType.Cube);

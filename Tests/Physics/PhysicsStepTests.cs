@@ -35,7 +35,7 @@ namespace Rill.Tests
         }
 
         // With four fixed steps a frame or one in two frames, while the physics steps once a frame. Both ways to float have each mode once.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_body_floats_at_its_draft_however_many_fixed_steps_there_are([Values(SimulationMode.Update,
             SimulationMode.Script)] SimulationMode mode, [Values(1f / 240f, 1f / 30f)] float each)
         {

@@ -171,7 +171,7 @@ namespace Rill.Tests
             #endregion
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Each_component_made_by_its_snippet_does_what_it_is_for()
         {
             FluidSimulation fluid = Fluid("Lake", new Vector3(2f, 2f, 1f), 0.1f, 6000, Vector3.zero, made => Volume(made.transform));

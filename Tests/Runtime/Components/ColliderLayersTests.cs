@@ -34,7 +34,7 @@ namespace Rill.Tests
             Assert.That(stone.TryGetForceOf(none, out _) || other.TryGetForceOf(one, out _) || other.TryGetForceOf(none, out _), Is.False);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator What_is_taken_out_at_run_time_has_left_the_fluid([Values] bool byMask)
         {
             told.Clear();

@@ -10,7 +10,7 @@ namespace Rill.Tests
     {
         const int After = 12;       // frames from the snapshots to what is compared
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Two_fluids_restored_together_go_on_as_ones_that_never_stopped([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {
             (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.9f, 0.5f), new Vector3(2f, 0.5f, 0.5f), deepWater);

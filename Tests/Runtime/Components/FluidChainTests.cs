@@ -11,7 +11,7 @@ namespace Rill.Tests
     /// <summary>Water through several connections, and where one of the fluids stands still or moves its box.</summary>
     public class FluidChainTests : ConnectedFluidFixture
     {
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Three_fluids_in_a_chain_become_level_and_none_is_lost()
         {
             float apart = Box.x - Overlap;
@@ -33,7 +33,7 @@ namespace Rill.Tests
             Assert.That(levels.Max() - levels.Min(), Is.LessThan(Spacing));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_dam_breaks_through_an_opening_as_in_one_box_of_both([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {
             Vector3 water = new Vector3(1.2f, 0.8f, 0.5f), whole = new Vector3(2f * Box.x - Overlap, Box.y, Box.z), aside = 10f * Vector3.forward;
@@ -68,7 +68,7 @@ namespace Rill.Tests
         // How far along x the water is, but for a few drops: one particle in fifty is beyond.
         static float Front(Vector3[] positions) => positions.Select(p => p.x).OrderByDescending(x => x).ElementAt(positions.Length / 50);
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Beside_a_fluid_that_stands_still_nothing_is_lost([Values] bool disabled)
         {
             (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.2f, 0.8f, 0.5f), Vector3.zero);

@@ -36,7 +36,7 @@ namespace Rill.Tests
         }
 
         // Its water is on its way to the new solver for some frames: what the one beside it took or gave meanwhile would be there twice, or lost.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_fluid_that_gets_another_capacity_loses_and_doubles_no_water_that_crosses([Values] bool isLeft)
         {
             (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(1.2f, 0.8f, 0.5f), Vector3.zero);
@@ -57,7 +57,7 @@ namespace Rill.Tests
             Assert.That(Own(right).Length, Is.GreaterThan(before + 20), "water crossed");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Water_flows_into_an_empty_box_until_both_are_level_and_none_is_lost(
             [Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {
@@ -98,7 +98,7 @@ namespace Rill.Tests
         }
 
         // Each liquid has another number on the other side, and back it has another one than there.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_liquid_keeps_its_material_in_a_fluid_that_numbers_its_phases_otherwise([Values] bool fromLeft)
         {
             FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 900f), mercury = FluidMaterialAsset.Create("Mercury", 13500f),
@@ -192,7 +192,7 @@ namespace Rill.Tests
 
         static bool Sleeps(FluidSimulation fluid) => fluid.Results.Describe().Single(stage => stage.Name == "Resting regions").IsUsed;
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Water_at_rest_in_both_boxes_stays_level_and_calm(
             [Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {

@@ -19,7 +19,7 @@ namespace Rill.Tests
         static readonly Vector3 Box = new Vector3(1f, 1f, 1f);
 
         // From one side of the box to the other, both outside of it.
-        [Test]
+        [Test, Category("LongRun")]
         public void What_moves_while_time_stands_still_does_not_move_through_the_fluid([Values("drain", "emitter", "obstacle")] string what,
             [Values("paused", "restarted", "box lost", "disabled")] string still)
         {

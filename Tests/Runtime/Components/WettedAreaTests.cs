@@ -16,7 +16,7 @@ namespace Rill.Tests
         FluidContact newest;
 
         // Both sides, the lower edge and half of the two upright edges.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_plate_that_is_half_wetted_tells_half_of_its_surface_and_its_center()
         {
             const float width = 0.5f, height = 0.6f, thickness = 0.1f;
@@ -28,7 +28,7 @@ namespace Rill.Tests
             Assert.That(Vector3.Angle(newest.Normal, Vector3.down), Is.LessThan(10f), "the open upper half is dry");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_wall_is_wet_on_the_side_of_the_water_alone()
         {
             yield return Settle(collider => collider.Size = new Vector3(0.4f, 2f, 2f), new Vector3(-0.6f, 0f, 0f), quaternion.identity);
@@ -37,7 +37,7 @@ namespace Rill.Tests
             Assert.That(Vector3.Distance(newest.Point, new Vector3(-0.4f, Surface - 0.325f, 0f)), Is.LessThan(0.5f * Spacing));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_ball_tells_the_cap_that_is_under_water([Values(0f, 0.1f)] float above)
         {
             const float radius = 0.25f;
@@ -62,7 +62,7 @@ namespace Rill.Tests
             Assert.That(Vector3.Distance(newest.Point, new Vector3(0f, level - 0.5f * depth, 0f)), Is.LessThan(0.5f * Spacing));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_ball_under_water_tells_all_of_its_surface_and_no_normal()
         {
             const float radius = 0.25f;
@@ -72,7 +72,7 @@ namespace Rill.Tests
             Assert.That(newest.Normal, Is.EqualTo(Vector3.zero));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_turned_box_under_water_tells_all_of_its_surface_and_no_normal()
         {
             yield return Settle(collider => collider.Size = new Vector3(0.3f, 0.25f, 0.35f), new Vector3(0.05f, -0.25f, 0f),
@@ -82,7 +82,7 @@ namespace Rill.Tests
             Assert.That(Vector3.Distance(newest.Point, new Vector3(0.05f, -0.25f, 0f)), Is.LessThan(0.3f * Spacing));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator In_a_turned_and_moved_fluid_contacts_are_in_world_space()
         {
             var position = new Vector3(3f, 1f, -2f);
@@ -95,7 +95,7 @@ namespace Rill.Tests
         }
 
         // Two blocks one on the other: the seam between them is dry, and each tells its own part.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Colliders_that_touch_tell_their_own_parts_without_what_they_cover()
         {
             var side = new Vector3(0.3f, 0.2f, 0.3f);

@@ -69,7 +69,7 @@ namespace Rill.Tests
             LogAssert.NoUnexpectedReceived();
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Foam_of_a_scene_is_made_counted_and_goes_with_its_component()
         {
             FluidFoam foam = Make();

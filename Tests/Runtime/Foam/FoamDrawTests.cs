@@ -36,7 +36,7 @@ namespace Rill.Tests
         }
 
         // From a quarter of a pixel at 720p, where it is fainter and larger than it is, to seven pixels at 4K, where its cells are seen.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Foam_covers_as_much_at_720p_as_at_1080p_and_at_4K([Values(FoamKinds.Foam, FoamKinds.Spray)] FoamKinds kind,
             [Values(0.25f, 2.4f)] float pixels)
         {

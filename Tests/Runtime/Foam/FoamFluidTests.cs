@@ -44,7 +44,7 @@ namespace Rill.Tests
             Assert.That(fine / coarse, Is.EqualTo(1.0).Within(0.3), $"{fine} where twice the spacing makes {coarse}");
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void The_foam_of_a_dam_is_that_of_more_substeps()
         {
             double coarse = FoamOfWidth(0.025f, substeps: 1), often = FoamOfWidth(0.025f, substeps: 4);
@@ -61,7 +61,7 @@ namespace Rill.Tests
                 return Count(fluid, FoamCounter.Spawned) / (8.0 * spacing);
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Foam_takes_no_part_in_the_motion_of_the_fluid()
         {
             using (TestFluid with = Break(0.05f, 4, 1, 80))
@@ -73,7 +73,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Foam_that_is_switched_off_gives_its_buffers_back_and_a_restart_leaves_none()
         {
             using (TestFluid fluid = Break(0.05f, 4, 1, 90))
@@ -90,7 +90,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_sleeping_pool_lets_its_foam_age()
         {
             SolverSettings settings = SolverSettings.Default;

@@ -220,7 +220,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Foam_rides_on_water_that_rises_and_falls()
         {
             using (var fluid = new TestFluid(new float3(0.8f, 1f, 0.8f), 0.05f, 5000))

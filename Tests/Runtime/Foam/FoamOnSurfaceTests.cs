@@ -39,7 +39,7 @@ namespace Rill.Tests
         [UnityTearDown]
         public IEnumerator LeaveNothing() => scene.End();
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Bubbles_are_seen_through_the_water_in_front_of_them([Values(0.15f, 0.35f)] float below)
         {
             yield return scene.Settle();
@@ -76,7 +76,7 @@ namespace Rill.Tests
             Assert.That(math.cmax(scene.At(0.2f, 0.2f)), Is.LessThan(0.05f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator One_particle_covers_as_much_as_its_opacity([Values(0.3f, 0.6f)] float opacity)
         {
             foam.Opacity = opacity;
@@ -91,7 +91,7 @@ namespace Rill.Tests
             float Sum() => scene.Pixels().Sum(pixel => pixel.y);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Spray_beside_the_water_is_seen_where_nothing_stands_in_front([Values(false, true)] bool hidden)
         {
             WaterScene.Look(scene.Camera, new Vector3(0f, 0f, -3f));

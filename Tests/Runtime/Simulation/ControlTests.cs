@@ -323,7 +323,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_lake_around_a_target_that_moves_stays_calm_and_keeps_its_amount([Values] DeepWater deepWater)
         {
             using (var scene = new SourceScene(new Vector3(1.6f, 1f, 0.8f), Spacing, 2000, deepWater))

@@ -69,7 +69,7 @@ namespace Rill.Tests
             drawnFrames++;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Water_is_drawn_at_the_time_of_each_frame([Values(50, 60, 75, 120, 144)] int rate, [Values(1, 3)] int substeps)
         {
             const float speed = 2f;

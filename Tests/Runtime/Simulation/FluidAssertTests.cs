@@ -102,7 +102,7 @@ namespace Rill.Tests
         }
 
         // The box is full: for a second the particles wait, then they are given up.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Particles_that_an_emitter_gave_up_are_lost_and_the_message_names_it_and_what_is_in_its_way()
         {
             FluidSimulation fluid = Fluid("Full", 0.3f * Vector3.one, Spacing, 400, 0.3f * Vector3.one);

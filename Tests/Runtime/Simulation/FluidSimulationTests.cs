@@ -93,7 +93,7 @@ namespace Rill.Tests
             TestFluid.AssertSame(State(fluid), first);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Two_simulations_in_a_scene_do_not_disturb_each_other()
         {
             FluidSimulation dam = Dam(), other = Other();
@@ -342,7 +342,7 @@ namespace Rill.Tests
             Assert.That(last, Is.LessThan(0.7f * first.Energy), "it has fallen");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Gravity_too_strong_for_the_step_takes_more_substeps_and_the_statistics_say_so()
         {
             FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);

@@ -31,7 +31,7 @@ namespace Rill.Tests
             Assert.That(fluid.ParticleSpacing, Is.EqualTo(spacing));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_pool_keeps_its_volume_and_its_calm_when_it_gets_finer_or_coarser([Values(0.5f, 0.7f, 1.3f, 2f)] float factor,
             [Values] Pool pool)
         {
@@ -103,7 +103,7 @@ namespace Rill.Tests
         }
 
         // It is of the old particles; those of the new ones are yet to be summed.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_force_on_a_collider_is_not_known_until_the_new_water_presses_on_it([Values(Spacing, 0.04f)] float spacing)
         {
             fluid = Fluid("Pool", new Vector3(0.6f, 0.6f, 0.6f), Spacing, 10000, new Vector3(0.6f, 0.4f, 0.6f));

@@ -23,7 +23,7 @@ namespace Rill.Tests
         public void LetTimeGoOn() => Time.timeScale = 1f;
 
         // A collider that has come into the water pushes it out, however time stood: that is the measure.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator What_moves_while_time_stands_pushes_the_water_no_more_than_under_Paused(
             [Values(Stop.TimeScale, Stop.Culled, Stop.Disabled, Stop.Inactive)] Stop stop, [Values] Moved moved)
         {
@@ -72,7 +72,7 @@ namespace Rill.Tests
             done(fastest);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator What_moves_in_the_frame_in_which_time_goes_on_does_not_push_the_water([Values(Stop.TimeScale, Stop.Paused)] Stop stop,
             [Values(Moved.Ball, Moved.Box)] Moved moved)
         {
@@ -143,7 +143,7 @@ namespace Rill.Tests
             Assert.That(Fastest(fluid), Is.LessThan(0.5f), "after the stop");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Probes_points_and_rays_are_answered_while_time_stands([Values(Stop.TimeScale, Stop.Paused, Stop.Culled)] Stop stop,
             [Values] bool measures)
         {

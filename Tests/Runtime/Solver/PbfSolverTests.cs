@@ -227,7 +227,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Eight_layers_of_still_water_keep_their_volume_with_substeps()
         {
             SolverSettings settings = SolverSettings.Default;

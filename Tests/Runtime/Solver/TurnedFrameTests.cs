@@ -42,7 +42,7 @@ namespace Rill.Tests
         // each one's. The grid is solved to the end, or the order of its cells would be seen. How much of a face is open is found from triangles,
         // whose sides are others where low ends and high ends change places: beside surfaces that are not plane that is seen, so these have
         // thirds alone.
-        [Test]
+        [Test, Category("LongRun")]
         public void Deep_water_among_colliders_moves_the_same_where_all_of_it_is_turned_by_quarters([Values(1, 2, 3, 4, 5, 6)] int turn)
         {
             bool isPlane = turn < FirstThird;

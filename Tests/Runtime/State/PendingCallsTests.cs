@@ -24,7 +24,7 @@ namespace Rill.Tests
         };
 
         // Runs a scene that stands still, part of it asleep: a wake is pending too.
-        [Test]
+        [Test, Category("LongRun")]
         public void A_call_acts_in_the_next_step_whatever_happens_before_it([Values(Call.Nothing, Call.AddParticles, Call.RemoveInside,
             Call.Clear, Call.TeleportCollider, Call.RemoveCollider, Call.RemoveField, Call.Gravity, Call.Settings, Call.ResizeCollider)]
             Call call)
@@ -66,7 +66,7 @@ namespace Rill.Tests
             return result;
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Nothing_of_a_call_is_left_after_a_restart_or_a_restore([Values(Call.AddParticles, Call.FillShape, Call.FillVolume,
             Call.RemoveInside, Call.Clear, Call.Pause, Call.DisableAndEnable, Call.TeleportCollider, Call.TeleportEmitter,
             Call.TeleportDrain)] Call call, [Values] bool restores)

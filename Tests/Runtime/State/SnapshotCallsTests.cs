@@ -16,7 +16,7 @@ namespace Rill.Tests
         // Colliders are told apart by their sizes: one with another begins at rest after a restore.
         static Call[] AllButAnotherSize => Enum.GetValues(typeof(Call)).Cast<Call>().Where(call => call != Call.ResizeCollider).ToArray();
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_call_is_in_the_next_snapshot([ValueSource(nameof(AllButAnotherSize))] Call call)
         {
             Make(false);
@@ -24,7 +24,7 @@ namespace Rill.Tests
             AssertGoesOn(call);
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_call_after_a_restore_is_in_the_next_snapshot([Values(Call.Nothing, Call.FillShape, Call.RemoveInside, Call.TeleportFluidAlone,
             Call.StartEmission, Call.Recenter)] Call call)
         {

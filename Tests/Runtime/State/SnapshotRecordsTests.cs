@@ -13,7 +13,7 @@ namespace Rill.Tests
         // Values that no whole number of a record can have; all others may have any bits.
         static readonly HashSet<string> AnyBits = new HashSet<string> { ".goneEmitters", ".goneDrains", ".settings", ".material", ".nextId" };
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_number_that_cannot_be_is_refused_in_each_record([Values] bool sleeps)
         {
             Make(sleeps);

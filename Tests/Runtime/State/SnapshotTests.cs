@@ -45,6 +45,7 @@ namespace Rill.Tests
         }
 
         [TestCaseSource(nameof(Cases))]
+        [Category("LongRun")]
         public void A_restored_fluid_goes_on_as_one_that_never_stopped(SnapshotCase made)
         {
             byte[] bytes;

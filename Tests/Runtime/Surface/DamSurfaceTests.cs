@@ -43,7 +43,7 @@ namespace Rill.Tests
                 out _), Is.False, "a drop alone is spray");
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_breaking_dam_is_drawn_where_its_particles_are() => Assert.That(Error(1, 192, 108), Is.LessThanOrEqualTo(0.45));
 
         [Test, Explicit("100,000 particles: a minute on a CPU")]

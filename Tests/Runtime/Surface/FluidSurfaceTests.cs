@@ -32,7 +32,7 @@ namespace Rill.Tests
         [UnityTearDown]
         public IEnumerator LeaveNothing() => scene.End();
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Light_is_absorbed_on_its_way_through([Values(true, false)] bool refracts)
         {
             surface.Refraction = refracts;
@@ -97,7 +97,7 @@ namespace Rill.Tests
             Assert.That(along, Is.EqualTo(0f).Within(0.03f * Depth * (1f - slope)));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator It_mirrors_as_much_as_Fresnels_equations_say([Values(0f, 50f, 65f)] float degrees)
         {
             surface.Look = Opaque(0f);
@@ -123,7 +123,7 @@ namespace Rill.Tests
         }
 
         // Red tells the mip, an eighth for each, and green how much is mirrored. The levels are Unity's: 6 r (1.7 - 0.7 r).
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator It_mirrors_the_mip_of_its_roughness()
         {
             var cube = new Cubemap(64, TextureFormat.RGBAHalf, true) { filterMode = FilterMode.Trilinear };
@@ -196,7 +196,7 @@ namespace Rill.Tests
             Assert.That(high, Is.LessThanOrEqualTo(6.5f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Still_water_keeps_its_look_while_the_camera_moves()
         {
             surface.Look = SurfaceLook.Water;

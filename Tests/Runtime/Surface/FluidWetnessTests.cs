@@ -118,7 +118,7 @@ namespace Rill.Tests
             Assert.That(changed, Is.Zero);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator It_dries_with_its_time_and_not_while_the_fluid_is_paused()
         {
             const float time = 0.4f;

@@ -32,7 +32,7 @@ namespace Rill.Tests
             yield return scene.End();
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Water_is_seen_through_the_fog_in_front_of_it([Values] FogMode mode, [Values] bool refraction)
         {
             scene.Surface.Refraction = refraction;

@@ -35,7 +35,7 @@ namespace Rill.Tests
         [UnityTearDown]
         public IEnumerator LeaveNothing() => scene.End();
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Each_phase_absorbs_as_its_look_says_and_one_beyond_as_the_last([Values(2, 3, 200)] int phase)
         {
             surface.PhaseLooks = new[] { Clear(First), Clear(Second) };
@@ -51,7 +51,7 @@ namespace Rill.Tests
             IsNear(right, Left(Second, thickness));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Phases_that_are_stirred_absorb_by_how_much_there_is_of_each([Values(2, 4)] int one)
         {
             surface.PhaseLooks = new[] { Clear(First) };
@@ -68,7 +68,7 @@ namespace Rill.Tests
             IsNear(seen, expected, 0.03f);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_phase_scatters_as_its_look_says()
         {
             surface.PhaseLooks = new[] { SurfaceLook.Of(SurfacePreset.Milk) };

@@ -70,7 +70,7 @@ namespace Rill.Tests
             IsNear(scene.At(0.25f), Face * math.pow(First, path / Tinted));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_layer_absorbs_along_its_part_of_the_path([Values(0.2f, 0.4f)] float upper)
         {
             surface.PhaseLooks = new[] { WaterScene.Absorbing(First, Tinted) };
@@ -81,7 +81,7 @@ namespace Rill.Tests
         }
 
         // Nodes are two spacings apart: what lies nearer to a border than that is blurred, if nothing says that the liquids do not mix.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Liquids_of_two_materials_have_a_sharp_border_and_phases_of_one_are_stirred([Values] bool areTwo)
         {
             FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 999f);

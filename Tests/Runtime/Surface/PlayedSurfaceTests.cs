@@ -164,7 +164,7 @@ namespace Rill.Tests
             Assert.That(left[1] / left[0], Is.InRange(0.35f, 0.65f), "half of it: of 4 layers it is all");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_mesh_that_outgrows_its_room_is_whole_soon_and_is_seen_in_every_frame()
         {
             Make(new Vector3(1.6f, 1f, 1.6f), 0f, 2100);

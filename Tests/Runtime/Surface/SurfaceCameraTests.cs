@@ -64,7 +64,7 @@ namespace Rill.Tests
             Assert.That(asideTogether, Is.EqualTo(Pixels(other)));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Of_two_waters_that_overlap_the_nearer_one_hides_the_other([Values(true, false)] bool nearerIsFirst)
         {
             // A copy of it, clear, half a meter aside and a meter up or down.
@@ -111,7 +111,7 @@ namespace Rill.Tests
             Look(camera, new Vector3(0.5f, 0.9f, -3f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator In_a_part_of_the_screen_it_looks_as_on_the_whole()
         {
             LookAcross(scene.Camera);
@@ -147,7 +147,7 @@ namespace Rill.Tests
             camera.projectionMatrix = camera.CalculateObliqueMatrix(plane);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_tilted_near_plane_before_all_that_is_seen_changes_nothing([Values] bool perspective, [Values] bool refracts)
         {
             LookAcross(scene.Camera);

@@ -53,7 +53,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_pool_at_rest_is_flat_and_as_high_as_its_water()
         {
             using (var fluid = new TestFluid(new float3(32f, 24f, 32f) * Spacing, Spacing, 32 * 32 * 10))

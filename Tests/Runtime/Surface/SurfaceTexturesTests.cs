@@ -26,7 +26,7 @@ namespace Rill.Tests
         public IEnumerator LeaveNothing() => scene.End();
 
         // Works like a pipeline with dynamic resolution: another size in each frame.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_picture_whose_size_swings_makes_no_new_textures_and_shows_the_same([Values] bool refracts)
         {
             scene.Surface.Refraction = refracts;
@@ -51,7 +51,7 @@ namespace Rill.Tests
             Assert.That(worst, Is.LessThan(0.004f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator They_are_as_large_as_the_fluid_is_on_the_picture_and_go_when_it_is_not_on_it()
         {
             scene.Surface.Refraction = false;
@@ -74,7 +74,7 @@ namespace Rill.Tests
             Assert.That(Textures(), Is.Empty, "it looks away");
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Waters_and_cameras_share_what_they_need_one_after_the_other()
         {
             GameObject copy = scene.Keep(Object.Instantiate(scene.Root));
@@ -93,7 +93,7 @@ namespace Rill.Tests
             Assert.That(Textures(), Is.Empty);
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_change_of_quality_is_seen_while_it_is_paused()
         {
             scene.AddFloor(1f);

@@ -75,7 +75,7 @@ namespace Rill.Tests
         }
 
         // Pictures like those of 720, 1080 and 2160 lines: a particle is from two thirds of a texel to two.
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Foam_covers_as_much_of_the_picture_however_large_it_is([Values(0.3f, 0.6f, 0.9f)] float opacity)
         {
             scene = new WaterScene(48);

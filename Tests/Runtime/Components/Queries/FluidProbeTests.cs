@@ -31,6 +31,7 @@ namespace Rill.Tests
         // Water that already stands where gravity leans it.
         [TestCase(12f)]
         [TestCase(25f)]
+        [Category("LongRun")]
         public void The_height_and_normal_of_a_pool_that_leans_are_those_of_gravity(float degrees)
         {
             using (var scene = new SourceScene(new Vector3(0.8f, 0.8f, 0.8f), Spacing, 5000))

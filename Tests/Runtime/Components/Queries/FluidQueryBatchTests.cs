@@ -14,7 +14,7 @@ namespace Rill.Tests
     {
         const float Spacing = QueryScene.Spacing;
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_batch_says_of_each_point_what_a_probe_there_says()
         {
             using (var scene = new SourceScene(new Vector3(1.2f, 0.8f, 0.4f), Spacing, 4000))
@@ -258,7 +258,7 @@ namespace Rill.Tests
         }
 
         // A point in the water, one outside the box, and a ray from above; set again in between.
-        [Test]
+        [Test, Category("LongRun")]
         public void Of_a_million_reads_at_any_time_none_is_passed_as_valid_that_is_not([Values] bool repeats)
         {
             using (var scene = new SourceScene(new Vector3(0.4f, 0.4f, 0.4f), Spacing, 300).Fill(0.2f))

@@ -222,7 +222,7 @@ namespace Rill.Tests
             return scene.Read().positions.Where((p, i) => phases[i] == phase).Average(p => p.y) * Spacing;
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Oil_beside_water_comes_to_lie_on_it_and_a_change_of_its_density_acts_at_once()
         {
             FluidMaterialAsset oil = Material("Oil", 500f);

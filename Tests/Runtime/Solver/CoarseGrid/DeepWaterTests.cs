@@ -14,6 +14,7 @@ namespace Rill.Tests
 
         [TestCase(40, 24, 0.02f)]      // wide: with one V-cycle it begins with a fall
         [TestCase(200, 8, 0.01f)]      // a tower: with a coarsest level as long as that it swings
+        [Category("LongRun")]
         public void Deep_water_neither_falls_when_it_begins_nor_swings(int layers, int side, float d)
         {
             using (var fluid = new TestFluid(new float3(side, 2f * layers, side) * d, d, side * layers * side, TwoIterations(DeepWater.On))
@@ -35,7 +36,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_column_of_forty_layers_holds_with_two_iterations_a_step()
         {
             using (TestFluid fluid = Column(DeepWater.On))
@@ -74,6 +75,7 @@ namespace Rill.Tests
         [TestCase(0.5f, 5f, 1)]
         [TestCase(0.5f, 5f, 2)]
         [TestCase(2f, 5f, 1)]
+        [Category("LongRun")]
         public void Water_that_turns_in_a_box_with_next_to_no_room_gains_no_energy(float room, float speed, int iterations)
         {
             const int side = 20, layers = 12;
@@ -98,6 +100,7 @@ namespace Rill.Tests
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(4)]
+        [Category("LongRun")]
         public void Still_water_is_still_with_any_number_of_substeps(int substeps)
         {
             SolverSettings settings = TwoIterations(DeepWater.On);
@@ -117,6 +120,7 @@ namespace Rill.Tests
         // With a shorter screening length its own weight is not held up by the potential in full, and what is left of it keeps it moving.
         [TestCase(2)]
         [TestCase(4)]
+        [Category("LongRun")]
         public void A_column_of_40_layers_is_still_with_substeps(int substeps)
         {
             SolverSettings settings = TwoIterations(DeepWater.On);
@@ -126,7 +130,7 @@ namespace Rill.Tests
                 AssertStill(fluid.Step(180).Measure(), 0.015f);
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_dam_of_eight_thousand_particles_breaks_without_compression_and_gains_no_energy()
         {
             using (var fluid = new TestFluid(new float3(2f, 1.5f, 1f), Spacing, 8000, TwoIterations(DeepWater.Automatic))
@@ -152,6 +156,7 @@ namespace Rill.Tests
 
         [TestCase(1)]
         [TestCase(4)]
+        [Category("LongRun")]
         public void A_block_in_free_fall_falls_as_gravity_says(int substeps)
         {
             SolverSettings settings = TwoIterations(DeepWater.On);

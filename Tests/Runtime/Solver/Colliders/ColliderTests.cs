@@ -10,7 +10,7 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f;
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Water_that_falls_on_a_shape_goes_around_it([Values(ColliderShape.Sphere, ColliderShape.Box,
             ColliderShape.Capsule)] ColliderShape kind, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
@@ -185,7 +185,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_collider_switched_on_in_water_lets_it_out_slowly([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Box(deepWater).AddBlock(0f, new float3(18f, 12f, 18f) * Spacing).Step(10))

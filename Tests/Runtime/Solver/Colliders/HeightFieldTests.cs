@@ -44,7 +44,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Water_lies_on_hills_and_in_valleys_and_none_gets_under_them([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {
             Func<float2, float> height = p => 5f + 3f * math.sin(0.5f * p.x) * math.cos(0.4f * p.y);

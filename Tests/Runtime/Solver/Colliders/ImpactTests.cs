@@ -35,6 +35,7 @@ namespace Rill.Tests
         [TestCase(DeepWater.Off, 1, 0.001f, 0.01f)]
         [TestCase(DeepWater.On, 1, 0.08f, 0.08f)]
         [TestCase(DeepWater.On, 2, 0.02f, 0.02f)]
+        [Category("LongRun")]
         public void Two_blocks_that_meet_in_free_space_keep_momentum_and_spin(DeepWater deepWater, int scale, float momentumError, float spinError)
         {
             SolverSettings settings = SolverSettings.Default;

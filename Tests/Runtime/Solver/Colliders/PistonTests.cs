@@ -46,6 +46,7 @@ namespace Rill.Tests
         [TestCase(0.002f)]
         [TestCase(0.02f)]
         [TestCase(0.2f)]
+        [Category("LongRun")]
         public void Full_boxes_are_calm_wherever_in_a_coarse_cell_the_piston_ends(float fraction)
         {
             using (TestFluid fluid = Press(DeepWater.On, 24, fraction, 60, 60))
@@ -58,7 +59,7 @@ namespace Rill.Tests
         }
 
         // It is too dense by 2 %, and what is under pressure rises, by 0.5 d and what its inertia adds.
-        [Test]
+        [Test, Category("LongRun")]
         public void A_full_box_whose_lid_is_taken_off_does_not_burst()
         {
             using (TestFluid fluid = Press(DeepWater.On, 24, 0.02f, 60, 30))

@@ -12,7 +12,7 @@ namespace Rill.Tests
         static readonly float3 Box = new float3(16f, 24f, 16f);     // d
 
         // The sheet reaches through the domain's walls: in the corner under which it leans water slides out of the domain and is put back.
-        [Test]
+        [Test, Category("LongRun")]
         public void A_block_at_100_meters_a_second_does_not_pass_a_thin_mesh([Values(false, true)] bool isShell,
             [Values(0f, 0.5f)] float tilt, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {

@@ -101,7 +101,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Water_touches_what_it_lies_on([Values] Solid solid)
         {
             ColliderMotion motion = Make(solid, out ColliderMotion formula);
@@ -141,7 +141,7 @@ namespace Rill.Tests
         }
 
         // Parts thinner than a third of a cell are not held.
-        [Test]
+        [Test, Category("LongRun")]
         public void Water_at_a_thin_plate_is_not_seen_on_its_other_side([Values(0.5f, Medium, 1f)] float cell,
             [Values(0.3f, 0.6f, 1f)] float thickness, [Values(0f, 0.25f)] float tilt)
         {

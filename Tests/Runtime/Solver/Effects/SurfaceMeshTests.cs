@@ -18,7 +18,7 @@ namespace Rill.Tests
 
         static readonly float[] Cells = { 0.5f, Medium, 1f };
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Water_that_breaks_has_a_closed_mesh_of_its_volume([ValueSource(nameof(Cells))] float cell, [Values] bool deep)
         {
             double bound = cell > Medium ? 0.01 : 0.004;
@@ -422,7 +422,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Still_water_has_a_mesh_that_stands()
         {
             using (TestFluid fluid = Still(new float3(20f, 16f, 20f), 2000))

@@ -149,7 +149,7 @@ namespace Rill.Tests
             Assert.That(fluid.Solver.Surface, Is.Not.Null);
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Statistics_in_the_same_frame_change_nothing_of_it()
         {
             SolverSettings settings = fluid.Settings;

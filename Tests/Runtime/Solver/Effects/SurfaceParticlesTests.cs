@@ -97,7 +97,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void In_deep_water_that_breaks_all_that_is_seen_from_outside_is_drawn()
         {
             const float spacing = 0.02f;

@@ -10,7 +10,7 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f;
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_still_pool_is_flat_and_as_high_as_its_volume()
         {
             const float side = 36f, depth = 10f, margin = 4f;
@@ -38,7 +38,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Water_is_full_up_to_the_walls_of_its_box()
         {
             using (var fluid = new TestFluid(new float3(20f, 16f, 20f) * Spacing, Spacing, 4000))
@@ -62,7 +62,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_ball_has_the_radius_of_its_volume()
         {
             const double radius = 10.0, cell = 0.1;

@@ -14,7 +14,7 @@ namespace Rill.Tests
         const float Spacing = 0.05f, Speed = 0.5f;
         const int Side = 20, Layers = 16, Steps = 60;
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_vortex_in_deep_water_keeps_most_of_its_motion_for_a_second()
         {
             var settings = SolverSettings.Default;

@@ -64,6 +64,7 @@ namespace Rill.Tests
         [TestCase(10f, StepRate, Spacing)]
         [TestCase(3f, 240f, Spacing)]
         [TestCase(3f, StepRate, 0.5f * Spacing)]
+        [Category("LongRun")]
         public void Heavy_water_on_light_sinks_as_fast_as_theory_says(float ratio, float stepRate, float spacing)
         {
             const float length = 48f, depth = 4f, height = 48f, amplitude = 2f;
@@ -106,6 +107,7 @@ namespace Rill.Tests
         // which yields, the light one may be some percent faster than below a lid.
         [TestCase(1.2f)]
         [TestCase(2f)]
+        [Category("LongRun")]
         public void A_lock_opens_with_the_speed_of_a_gravity_current(float ratio)
         {
             const float length = 64f, depth = 4f, height = 16f;
@@ -162,6 +164,7 @@ namespace Rill.Tests
         [TestCase(10f, 0.005, StepRate, 0.5f * Spacing)]
         [TestCase(100f, 0.01, StepRate, Spacing)]
         [TestCase(1000f, 0.015, StepRate, Spacing)]
+        [Category("LongRun")]
         public void Layers_at_rest_stay_so_and_apart(float ratio, double maxSpeed, float stepRate, float spacing)
         {
             const int side = 16, height = 16;
@@ -187,6 +190,7 @@ namespace Rill.Tests
         [TestCase(10f, 3f)]
         [TestCase(10f, 2f)]
         [TestCase(1000f, 3f)]
+        [Category("LongRun")]
         public void A_bubble_rises_to_the_top(float ratio, float radius)
         {
             const int side = 16, height = 24;

@@ -84,7 +84,7 @@ namespace Rill.Tests
             Assert.That(RestingRegions.Checksum(tense), Is.Not.EqualTo(checksum));
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_pool_at_rest_falls_asleep_stays_as_it_is_and_measures_as_the_one_awake()
         {
             using (TestFluid sleeping = Pool(SleepSpeed), awake = Pool(0f))
@@ -104,7 +104,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void What_falls_into_it_wakes_what_it_hits_and_brings_no_energy()
         {
             using (TestFluid fluid = Pool(SleepSpeed))

@@ -19,6 +19,7 @@ namespace Rill.Tests
         // A wall shows what the tank measures: its waves lose part of their energy on the way to the wall and back.
         [TestCase(BorderKind.Wall, 0f, 0.35, 1.2)]
         [TestCase(BorderKind.Absorbing, 40f, 0.0, 0.05)]
+        [Category("LongRun")]
         public void A_band_of_half_a_wave_length_sends_less_than_5_percent_back(BorderKind kind, float width, double least, double most)
             => AssertReflected(kind, width, 0, false, least, most);
 
@@ -135,7 +136,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_snapshot_goes_on_bit_for_bit([Values(0f, 0.1f)] float sleepSpeed)
         {
             using (var scene = new SourceScene(new Vector3(1f, 0.8f, 0.4f), 0.05f, 4000, DeepWater.Automatic))

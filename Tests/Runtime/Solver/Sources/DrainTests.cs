@@ -207,7 +207,7 @@ namespace Rill.Tests
             return false;
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Nobody_in_a_fast_jet_gets_past_a_thin_drain([Values(1, 3)] int substeps, [Values(10f, 40f)] float speed,
             [Values(0f, 0.005f)] float limit)
         {
@@ -341,7 +341,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void What_a_drain_recycles_comes_back_and_the_count_stays([Values(0, 400)] int room)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 1600 + room).Fill(0.2f))
@@ -464,7 +464,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void An_overfull_box_seeks_its_rest_density_again_once_it_has_drained([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (var scene = new SourceScene(new Vector3(0.5f, 0.5f, 0.5f), Spacing, 1500, deepWater))

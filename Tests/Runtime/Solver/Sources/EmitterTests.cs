@@ -108,7 +108,7 @@ namespace Rill.Tests
 
         // Without gravity each goes straight from where the nozzle was, with the nozzle's velocity then besides its own. The nozzle
         // sits on an arm that turns while its foot moves, and turns with it; points off its axis go round it.
-        [Test]
+        [Test, Category("LongRun")]
         public void What_leaves_a_moving_emitter_takes_its_velocity_along([Values(1, 4)] int stepsInAFrame, [Values(0f, 0.4f, 1f)] float fraction)
         {
             const float rate = 0.007f, speed = 1.1f;        // about one particle a step
@@ -320,7 +320,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void What_is_no_number_while_it_lets_water_in_is_named_and_loses_nothing([Values("rate NaN", "speed NaN",
             "transform is not finite")] string what, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
@@ -498,7 +498,7 @@ namespace Rill.Tests
         }
 
         // Less than a particle a step: the places that the flow alone would use are those that the collider covers.
-        [Test]
+        [Test, Category("LongRun")]
         public void A_low_rate_finds_what_a_collider_leaves_of_the_outlet([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode,
             [Values(1f, 20f)] float speed, [Values(0.0006f, 0.004f)] float rate)
         {
@@ -531,7 +531,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void What_lets_nothing_in_any_more_is_not_covered([Values("stopped", "over", "no rate", "no drain")] string cause)
         {
             using (SourceScene scene = cause == "no drain" ? new SourceScene(Box, Spacing, 9000).Fill(0.2f) : new SourceScene(Box, Spacing, 5000))
@@ -604,7 +604,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void An_outlet_that_a_collider_covers_is_said_once_and_goes_on_when_it_is_free()
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))

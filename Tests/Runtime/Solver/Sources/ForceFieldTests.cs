@@ -166,7 +166,7 @@ namespace Rill.Tests
             TestFluid.AssertSame(Fall(new Vector3(0f, -9.81f, 0f), 3f), Fall(new Vector3(3f, -9.81f, 0f), 0f));
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_point_gathers_the_water_into_a_ball_without_a_hole_or_an_explosion([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 2000, deepWater).Fill(0.1f))
@@ -224,7 +224,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void The_strongest_field_explodes_nothing([ValueSource(nameof(Kinds))] ForceFieldKind kind)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 2000).Fill(0.2f))
@@ -268,7 +268,7 @@ namespace Rill.Tests
         }
 
         // A direction without bounds counts as gravity, whose changes wake by themselves.
-        [Test]
+        [Test, Category("LongRun")]
         public void Water_that_sleeps_under_a_field_flows_once_the_field_is_gone([Values] ForceFieldBounds bounds)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 3000).Fill(0.2f))

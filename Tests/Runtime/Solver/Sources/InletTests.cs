@@ -15,7 +15,7 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f;
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Under_water_an_inlet_lets_in_its_rate_and_the_water_stays_calm([Values(0.2f, 1f, 3f)] float speed,
             [Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {
@@ -42,7 +42,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Every_shape_that_has_an_outlet_presses_water_away(
             [Values(EmitterShape.Box, EmitterShape.Sphere, EmitterShape.Disc)] EmitterShape shape,
             [Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode, [Values("up", "aside")] string direction)
@@ -90,7 +90,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void What_cannot_let_in_says_why_once_with_the_remedy([Values("full box", "closed vessel", "outside", "fill", "mesh")] string cause)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 20000, DeepWater.On))
@@ -133,7 +133,7 @@ namespace Rill.Tests
         }
 
         // Between the plate and the outlet the water turns aside.
-        [Test]
+        [Test, Category("LongRun")]
         public void An_inlet_that_faces_a_wall_stays_calm([Values(0.1f, 0.25f)] float gap)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 20000, DeepWater.On).Fill(0.4f))

@@ -8,7 +8,7 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f;
 
-        [Test]
+        [Test, Category("LongRun")]
         public void A_hundred_times_gravity_leaves_the_water_inside_and_gives_it_no_energy([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Dam(deepWater))
@@ -34,7 +34,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Gravity_that_flips_each_second_keeps_throwing_the_water_about_and_no_more(
             [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
