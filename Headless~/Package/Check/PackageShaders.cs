@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Runtime.CompilerServices;
 using System.Text.Json;
 using Host.Shaders;
 using UnityEngine.Headless;
@@ -13,28 +15,61 @@ namespace Host.Check
     {
         const string Samples = "Samples~/";
 
+        // Several rules look at the same: a tree's are read once, and compiled once.
+        static readonly ConditionalWeakTable<PackageTree, ConcurrentDictionary<(string, IShaderBackend), Lazy<Reading>>> readings = new();
+
+        sealed class Reading
+        {
+            public int Files;
+            public readonly List<ShaderVariant> Variants = new();
+            public readonly List<string> Faults = new();
+        }
+
         /// <summary>Files that cannot be read as what they are become faults.</summary>
+        /// <param name="cacheFolder">Null: that of <see cref="ShaderCache"/>.</param>
         /// <param name="backend">Compiles the variants when asked; null = glslang.</param>
-        public static IReadOnlyList<ShaderVariant> Variants(PackageTree package, ShaderCache cache, Findings findings, out int files,
+        public static IReadOnlyList<ShaderVariant> Variants(PackageTree package, string cacheFolder, Findings findings, out int files,
             IShaderBackend backend = null)
         {
+            backend ??= ShaderBackend.Glslang;
+            Reading reading = readings.GetOrCreateValue(package)
+                .GetOrAdd((cacheFolder, backend), _ => new Lazy<Reading>(() => Read(package, cacheFolder, backend))).Value;
+            reading.Faults.ForEach(findings.Fault);
+            files = reading.Files;
+            return reading.Variants;
+        }
+
+        static Reading Read(PackageTree package, string cacheFolder, IShaderBackend backend)
+        {
+            var reading = new Reading();
+            var findings = new Findings();
             string packageFolder = PackageFolder(package, findings);
+            reading.Faults.AddRange(findings.Faults);
             string Resolve(string include) => packageFolder != null && include.StartsWith(packageFolder, StringComparison.Ordinal)
                 ? package.FullPath(include.Substring(packageFolder.Length)) : null;
 
             List<string> paths = Files(package, ".compute", ".shader").ToList();
-            files = paths.Count;
-            var variants = new List<ShaderVariant>();
-            foreach (string path in paths)
+            reading.Files = paths.Count;
+            var cache = new ShaderCache(cacheFolder);
+            (IReadOnlyList<ShaderVariant> variants, string fault) ReadFile(string path)
+            {
                 try
                 {
-                    variants.AddRange(ShaderImporter.AllVariants(package.FullPath(path), path, Resolve, cache, backend));
+                    return (ShaderImporter.AllVariants(package.FullPath(path), path, Resolve, cache, backend), null);
                 }
                 catch (ShaderCompileException e)
                 {
-                    findings.Fault(e.Message);
+                    return (Array.Empty<ShaderVariant>(), e.Message);
                 }
-            return variants;
+            }
+
+            foreach ((IReadOnlyList<ShaderVariant> variants, string fault) in paths.AsParallel().AsOrdered().Select(ReadFile))
+            {
+                reading.Variants.AddRange(variants);
+                if (fault != null)
+                    reading.Faults.Add(fault);
+            }
+            return reading;
         }
 
         /// <summary>Includes of which no variant has read a line: nothing shows that they compile.</summary>

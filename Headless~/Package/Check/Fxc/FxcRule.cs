@@ -29,7 +29,7 @@ namespace Host.Check
         public override Findings Examine(PackageTree package)
         {
             var findings = new Findings();
-            IReadOnlyList<ShaderVariant> all = PackageShaders.Variants(package, new ShaderCache(cacheFolder), findings, out int files);
+            IReadOnlyList<ShaderVariant> all = PackageShaders.Variants(package, cacheFolder, findings, out int files);
             List<ShaderVariant> variants = Compilable(all, findings);
             foreach (string include in PackageShaders.Unread(package, all))
                 findings.Fault($"{include}: no kernel or stage of the package includes it, so nothing shows that it compiles; write a " +

@@ -30,9 +30,8 @@ namespace Host.Check
         public override Findings Examine(PackageTree package)
         {
             var findings = new Findings();
-            var cache = new ShaderCache(cacheFolder);
-            IReadOnlyList<ShaderVariant> ours = PackageShaders.Variants(package, cache, findings, out _, host),
-                theirs = PackageShaders.Variants(package, cache, new Findings(), out _, bytecode);
+            IReadOnlyList<ShaderVariant> ours = PackageShaders.Variants(package, cacheFolder, findings, out _, host),
+                theirs = PackageShaders.Variants(package, cacheFolder, new Findings(), out _, bytecode);
             var compared = ours.Zip(theirs).AsParallel().AsOrdered().Select(pair => Compare(pair.First, pair.Second)).ToList();
             foreach (string fault in compared.SelectMany(c => c.faults))
                 findings.Fault(fault);

@@ -26,7 +26,7 @@ namespace Host.Check
         public override string Text(PackageTree package, Findings findings)
         {
             var faults = new Findings();
-            List<ShaderVariant> variants = PackageShaders.Variants(package, new ShaderCache(cacheFolder), faults,
+            List<ShaderVariant> variants = PackageShaders.Variants(package, cacheFolder, faults,
                 out _).Where(v => v.File.StartsWith(Folder, StringComparison.Ordinal)).ToList();
             if (variants.Count == 0)
                 return null;

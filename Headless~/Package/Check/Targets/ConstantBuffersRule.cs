@@ -31,7 +31,7 @@ namespace Host.Check
         {
             var findings = new Findings();
             var buffers = new Dictionary<string, (ConstantLayout layout, ShaderVariant variant)>();
-            IReadOnlyList<ShaderVariant> variants = PackageShaders.Variants(package, new ShaderCache(cacheFolder), findings, out _);
+            IReadOnlyList<ShaderVariant> variants = PackageShaders.Variants(package, cacheFolder, findings, out _);
             foreach (ShaderVariant variant in variants)
                 foreach (ShaderResource buffer in RawBuffers(variant))
                     buffers.TryAdd(Key(buffer), (buffer.Constants, variant));

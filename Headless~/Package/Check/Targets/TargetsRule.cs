@@ -30,7 +30,7 @@ namespace Host.Check
         public override Findings Examine(PackageTree package)
         {
             var findings = new Findings();
-            IReadOnlyList<ShaderVariant> variants = PackageShaders.Variants(package, new ShaderCache(cacheFolder), findings, out _);
+            IReadOnlyList<ShaderVariant> variants = PackageShaders.Variants(package, cacheFolder, findings, out _);
             Translator translator;
             try
             {
