@@ -26,6 +26,7 @@ namespace Rill
             problems.AddIfAny(fluid.Editing.Recentering.TakerProblem);
             problems.AddIfAny(fluid.Steps.Problem);
             problems.AddIfAny(fluid.Steps.BordersProblem);
+            problems.AddIfAny(fluid.Steps.GrainsProblem);
             fluid.Steps.Tension.List(problems);
             foreach ((Feature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);

@@ -9,7 +9,7 @@ namespace Rill
     /// <summary>Makes the input of a fluid's steps from its settings and the scene, and records them.</summary>
     sealed class StepRecorder
     {
-        const int TooViscous = 0, BordersDiffer = 1, LevelsLack = 2;       // problems of the log
+        const int TooViscous = 0, BordersDiffer = 1, LevelsLack = 2, GrainsFlow = 3;       // problems of the log
 
         readonly FluidSimulation fluid;
         SolverSettings settings;        // of the steps of this frame, as the budget has them
@@ -109,6 +109,8 @@ namespace Rill
             input.settings.substeps = settings.StableSubsteps(GravityStep);
             CheckViscosity();
             CheckBorders();
+            if (log.ShouldLog(GrainsFlow, GrainFriction.LacksPressure(input)))
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {GrainsFlowProblem}", fluid);
             Tension.Check(input);
         }
 
@@ -187,6 +189,13 @@ namespace Rill
             if (log.ShouldLog(LevelsLack, fluid.Inputs.Parts.LacksNumbers(input.borders)))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {LevelsProblem}", fluid);
         }
+
+        /// <summary>Null where no grains flow as a liquid.</summary>
+        public string GrainsProblem => GrainFriction.LacksPressure(new StepInput { settings = fluid.Settings, material = fluid.Material,
+            phases = fluid.Phases.ForStep() }) ? GrainsFlowProblem : null;
+
+        const string GrainsFlowProblem = "its grains flow as a liquid, because Deep Water is off and nothing finds the pressure between them. " +
+            "Set Deep Water to Automatic.";
 
         static string LevelsProblem => Invariant($"an open border holds its level by one of {StepSources.MaxEmitters} emitters and drains, and ") +
             "the scene's take its number, so the level is not held. Disable an emitter or a drain, the last enabled first.";

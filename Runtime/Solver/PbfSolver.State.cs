@@ -207,6 +207,8 @@ namespace Rill
                 Keep(Features.Materials, new MaterialTable(Layout.Capacity));
             if (contents.Has(SnapshotSection.Conformation) && features.Has(Features.Elasticity))
                 Keep(Features.Elasticity, new Viscoelasticity(Layout.Capacity));
+            if (contents.Has(SnapshotSection.FrictionStress) && features.Has(Features.GrainFriction))
+                Keep(Features.GrainFriction, new GrainFriction(Layout));
             if (contents.Has(SnapshotSection.NeighborCounts) && features.Has(Features.Viscosity))
                 Keep(Features.Viscosity, new ImplicitViscosity(Layout.Capacity));
             if (contents.Has(SnapshotSection.EmitterStates) && features.Has(Features.Emitters))

@@ -101,6 +101,8 @@ namespace Rill
                 features = WithSupported(features, Features.DeepWater);
             if (contents.Has(SnapshotSection.Conformation) && Viscoelasticity.IsNeeded(still))
                 features = WithSupported(features, Features.Elasticity);
+            if (contents.Has(SnapshotSection.FrictionStress) && GrainFriction.IsNeeded(still))
+                features = WithSupported(features, Features.GrainFriction);
             if (contents.Has(SnapshotSection.NeighborCounts) && ImplicitViscosity.IsNeeded(still))
                 features = WithSupported(features, Features.Viscosity);
             if (contents.Has(SnapshotSection.EmitterStates) && (inputs.Parts.HasEmitters || fluid.Borders.HasOpen))

@@ -26,11 +26,7 @@ namespace Rill
             stages: new[] { "CoarseGrid", "CoarseSolver", "CoarseColliders" },
             defines: new[] { "DEEP" },
             asked: (PbfSolver solver, in StepInput step) => solver.IsDeep(step),
-            turnOff: (ref StepInput step) =>
-            {
-                step.settings.deepWater = Rill.DeepWater.Off;
-                step.LeaveOutGrains();      // which ask for it
-            },
+            turnOff: (ref StepInput step) => step.settings.deepWater = Rill.DeepWater.Off,
             make: (PbfSolver solver, in StepInput step) => new CoarseCorrection(solver.Layout, solver.CoarseCellSize(step), solver.Limits,
                 MaterialTable.IsNeeded(step)));
 

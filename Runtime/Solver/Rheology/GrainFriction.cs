@@ -92,8 +92,11 @@ namespace Rill
 
         int Cells => counts.x * counts.y * counts.z;
 
-        /// <summary>Whether the fluid or one of its phases is of grains.</summary>
-        public static bool IsNeeded(in StepInput input) => input.phases.HaveGrains(input.material);
+        /// <summary>Whether the fluid or one of its phases is of grains, and their pressure may be found.</summary>
+        public static bool IsNeeded(in StepInput input) => input.settings.deepWater != DeepWater.Off && input.phases.HaveGrains(input.material);
+
+        /// <summary>Whether grains flow as liquids, because nothing finds their pressure.</summary>
+        public static bool LacksPressure(in StepInput input) => input.settings.deepWater == DeepWater.Off && input.phases.HaveGrains(input.material);
 
         /// <summary>Slope of the limit, √(s:s/2) over the pressure: the cone of Drucker and Prager that meets Mohr's and Coulomb's limit where
         /// grains are pressed together along one axis.</summary>
@@ -187,7 +190,7 @@ namespace Rill
             var description = new StageDescription("Grain friction", needed, needed
                 ? Invariant($"friction angle {step.Input.phases.MaxFrictionAngle(step.Input.material)}°, ") +
                 Invariant($"cohesion {step.Input.phases.MaxCohesion(step.Input.material)} Pa")
-                : "the friction angle and the cohesion are 0");
+                : LacksPressure(step.Input) ? "deep water is off" : "the friction angle and the cohesion are 0");
             if (!needed || stage == null)
                 return description;
             int substeps = step.Substeps;

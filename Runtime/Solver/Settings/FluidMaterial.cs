@@ -72,15 +72,15 @@ namespace Rill
             "forms beads, below it spreads. An angle below 90 is approximate.")]
         [Range(0f, 180f)] public float contactAngle;
 
-        /// <summary>Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It turns
-        /// Deep Water on.</summary>
-        [Tooltip("Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It turns " +
-            "Deep Water on.")]
+        /// <summary>Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It needs
+        /// Deep Water.</summary>
+        [Tooltip("Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35. It needs " +
+            "Deep Water.")]
         [Range(0f, MaxFrictionAngle)] public float frictionAngle;
 
-        /// <summary>Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It turns Deep Water
-        /// on.</summary>
-        [Tooltip("Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It turns Deep Water on.")]
+        /// <summary>Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It needs Deep
+        /// Water.</summary>
+        [Tooltip("Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. It needs Deep Water.")]
         [Range(0f, MaxCohesion)] public float cohesion;
 
         internal const float MaxTension = 1000f, MaxFrictionAngle = 45f, MaxCohesion = 5000f;

@@ -78,7 +78,7 @@ namespace Rill.Tests
 
         [UnityTest]
         public IEnumerator What_is_switched_on_without_its_stage_stays_off_after_one_error_and_the_fluid_goes_on(
-            [Values("ImplicitViscosity", "GrainFriction", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
+            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
             "Colliders", "Emitters", "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
         {
             FluidSimulation fluid = Fluid();
@@ -160,10 +160,11 @@ namespace Rill.Tests
             fluid.Settings = With(fluid.Settings, DeepWater.Automatic, 0.1f);
             Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Sleep));
             FluidMaterial material = fluid.Material;
-            fluid.Settings = With(fluid.Settings, DeepWater.Off, 0.1f);
-            material.frictionAngle = 30f;       // which needs deep water
+            material.frictionAngle = 30f;
             fluid.Material = material;
             Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Sleep | Features.GrainFriction));
+            fluid.Settings = With(fluid.Settings, DeepWater.Off, 0.1f);
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.Sleep), "nothing finds the pressure of grains");
             fluid.Settings = With(fluid.Settings, DeepWater.Automatic, 0.1f);
             material.frictionAngle = 0f;
             material.shearModulus = 100f;

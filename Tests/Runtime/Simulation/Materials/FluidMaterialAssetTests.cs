@@ -151,6 +151,28 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Grains_whose_pressure_nothing_finds_are_said_to_flow()
+        {
+            using (SourceScene scene = new SourceScene(Box, Spacing, 2000).Fill(0.2f))
+            {
+                FluidMaterial sand = scene.Fluid.Material;
+                sand.frictionAngle = 30f;
+                scene.Fluid.Material = sand;
+                SolverSettings settings = scene.Fluid.Settings;
+                settings.deepWater = DeepWater.Automatic;
+                scene.Fluid.Settings = settings;
+                scene.Step(2);
+                Assert.That(scene.Fluid.Solver.Coarse, Is.Not.Null, "grains turn deep water on");
+                Assert.That(ProblemsOf(scene.Fluid), Is.Empty);
+                settings.deepWater = DeepWater.Off;
+                scene.Fluid.Settings = settings;
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': its grains flow as a liquid.*Set Deep Water to Automatic"));
+                scene.Step(3);
+                Assert.That(ProblemsOf(scene.Fluid), Has.Some.Contains("its grains flow as a liquid"));
+            }
+        }
+
+        [Test]
         public void A_liquid_much_lighter_than_another_is_said_by_name_and_acts_as_light_as_can_be()
         {
             using (SourceScene scene = new SourceScene(Box, Spacing, 2000).Fill(0.2f))
