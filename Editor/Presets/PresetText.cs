@@ -19,6 +19,9 @@ namespace Rill.Editor
         {
             FluidMaterial material = preset.Material;
             string conditions = preset.Conditions.Length > 0 ? $" ({preset.Conditions})" : "";
+            if (material.frictionAngle > 0f || material.cohesion > 0f)
+                return Invariant($"{preset.name}: {material.density:0.#} kg/m³, friction angle {material.frictionAngle:0.#}°, cohesion ") +
+                    Invariant($"{material.cohesion:0.#} Pa{conditions}.");
             string text = Invariant($"{preset.name}: {material.density:0.#} kg/m³, {preset.RealViscosity:G4} Pa s{ElasticText(material, spacing)}") +
                 $"{conditions}.";
             double numerical = NumericalViscosity * material.density * spacing * spacing / UsualStep;

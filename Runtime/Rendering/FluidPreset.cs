@@ -52,8 +52,8 @@ namespace Rill
         public string Conditions { get => conditions; set => conditions = value ?? ""; }
 
         /// <summary>Gives a fluid this material, and the <see cref="FluidSurface"/> on its object, if there is one, this look.</summary>
-        /// <remarks>A player has the shaders of the settings that it was built with. A fluid that gets a viscosity or elasticity by a preset there
-        /// needs <see cref="ShadersInBuild.AllFeatures"/>.</remarks>
+        /// <remarks>A player has the shaders of the settings that it was built with. A fluid that gets a viscosity, elasticity or
+        /// friction by a preset there needs <see cref="ShadersInBuild.AllFeatures"/>.</remarks>
         /// <exception cref="ArgumentNullException">There is no fluid.</exception>
         public void ApplyTo(FluidSimulation fluid)
         {

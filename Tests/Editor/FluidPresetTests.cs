@@ -25,7 +25,7 @@ namespace Rill.Editor.Tests
         public void Every_preset_gives_a_valid_material_that_is_found_again()
         {
             FluidSimulation fluid = scene.Add<FluidSimulation>();
-            Assert.That(FluidPresets.All.Count, Is.GreaterThanOrEqualTo(9));
+            Assert.That(FluidPresets.All.Count, Is.GreaterThanOrEqualTo(11));
             for (int i = 0; i < FluidPresets.All.Count; i++)
             {
                 FluidMaterial material = FluidPresets.All[i].Material;
@@ -129,6 +129,11 @@ namespace Rill.Editor.Tests
             FluidMaterial material = Named(name).Material;
             Assert.That((material.shearModulus, material.relaxationTime, material.density), Is.EqualTo((modulus, time, 1000f)));
         }
+
+        [TestCase("Dry sand", "1600 kg/m³, friction angle 33°, cohesion 0 Pa")]
+        [TestCase("Damp sand", "1900 kg/m³, friction angle 33°, cohesion 1500 Pa")]
+        public void Grains_are_told_by_their_friction_and_no_viscosity(string name, string expected)
+            => Assert.That(Described(name, 0.02f), Does.StartWith($"{name}: {expected}").And.Not.Contain("Pa s").And.Not.Contain("solver"));
 
         [Test]
         public void A_material_from_code_is_the_preset_of_that_name_in_the_inspector()

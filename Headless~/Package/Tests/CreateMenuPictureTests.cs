@@ -32,6 +32,8 @@ namespace Host.Tests
         [TestCase("Viscoelastic slime", "gb", 1.5)]
         [TestCase("Pectin gel", "rg", 1.4)]
         [TestCase("Honey", "rb", 1.5)]
+        [TestCase("Dry sand", "rb", 1.3)]
+        [TestCase("Damp sand", "rb", 1.4)]
         [TestCase("Mercury", "", 1.0)]
         [TestCase("Glycerol", "", 1.0)]
         public void A_preset_has_its_color(string name, string channels, double factor)

@@ -1,7 +1,7 @@
 namespace Rill
 {
-    // Real fluids, by the figures of them that the solver can express: those of Preset in the inspector. No yield stress: a fluid that is made
-    // of it has no preset. A surface tension only of mercury: that of water is seen at spacings of a few millimeters alone. Rounded textbook
+    // Real fluids, by the figures of them that the solver can express: those of Preset in the inspector. No yield stress but the
+    // cohesion of grains: paint has no preset. A surface tension only of mercury: that of water is seen at spacings of a few millimeters alone. Rounded textbook
     // figures: the solver is coarser than what they leave out.
     public partial struct FluidMaterial
     {
@@ -40,6 +40,13 @@ namespace Rill
         /// <summary>Pectin gel: 1000 kg/m³, a shear modulus of 400 Pa that it keeps, as jam is graded by (150° SAG).</summary>
         public static FluidMaterial PectinGel => Elastic(1000f, 400f, 1000f);
 
+        /// <summary>Dry sand: 1600 kg/m³ with the air between its grains, a friction angle of 33°; 30 to 35 where it is loose.</summary>
+        public static FluidMaterial DrySand => Grains(1600f, 33f, 0f);
+
+        /// <summary>Damp sand: 1900 kg/m³ with the water that holds its grains together, a friction angle of 33° and a cohesion of
+        /// 1500 Pa; 500 to 2000 by its grains and water.</summary>
+        public static FluidMaterial DampSand => Grains(1900f, 33f, 1500f);
+
         static FluidMaterial Real(float density, float viscosity)
         {
             FluidMaterial material = Viscous(density, viscosity < MinViscosity ? 0f : viscosity);
@@ -51,6 +58,14 @@ namespace Rill
             FluidMaterial material = HeldTogether(Viscous(density, 0f));
             material.shearModulus = shearModulus;
             material.relaxationTime = relaxationTime;
+            return material;
+        }
+
+        static FluidMaterial Grains(float density, float frictionAngle, float cohesion)
+        {
+            FluidMaterial material = Viscous(density, 0f);
+            material.frictionAngle = frictionAngle;
+            material.cohesion = cohesion;
             return material;
         }
 

@@ -112,6 +112,16 @@ namespace Rill.Tests
             Assert.That((material.surfaceTension, material.contactAngle), Is.EqualTo(name == "Mercury" ? (0.485f, 140f) : (0f, 90f)));
         }
 
+        // kg/m³, degrees and Pa: rounded, as tables of soils have them.
+        [TestCase("Dry sand", 1600f, 33f, 0f)]
+        [TestCase("Damp sand", 1900f, 33f, 1500f)]
+        public void Sand_has_the_figures_of_soil_mechanics(string name, float density, float frictionAngle, float cohesion)
+        {
+            FluidMaterial expected = FluidMaterial.Water;
+            (expected.density, expected.frictionAngle, expected.cohesion) = (density, frictionAngle, cohesion);
+            Assert.That(name == "Dry sand" ? FluidMaterial.DrySand : FluidMaterial.DampSand, Is.EqualTo(expected));
+        }
+
         // Fractions of ρ d³ / Δt², which is 3.6 N/m at 1 cm and 1/60 s.
         [TestCase(1, true, 0.0)]
         [TestCase(2, false, 0.02)]
