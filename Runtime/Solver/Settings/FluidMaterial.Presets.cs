@@ -1,8 +1,8 @@
 namespace Rill
 {
     // Real fluids, by the figures of them that the solver can express: those of Preset in the inspector. No yield stress but the
-    // cohesion of grains: paint has no preset. A surface tension only of mercury: that of water is seen at spacings of a few millimeters alone. Rounded textbook
-    // figures: the solver is coarser than what they leave out.
+    // cohesion of grains: paint has no preset. A surface tension only of mercury: that of water is seen at spacings of a few millimeters
+    // alone. Rounded textbook figures: the solver is coarser than what they leave out.
     public partial struct FluidMaterial
     {
         // Keep a fluid whole that is elastic or so thick that it draws threads: without tension it swells or comes apart where it is drawn out,
