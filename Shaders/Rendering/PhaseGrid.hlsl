@@ -32,8 +32,15 @@ float4 LeadingParts(float4 start, float4 end)
     return parts / max(dot(parts, 1.0), 1e-6);
 }
 
+// Part of the light that a phase scatters, 1/m. parts: of phases 1 to 3; phase 0 is the rest.
+float ScatteringOf(float3 parts)
+{
+    float3 others = float3(_PhaseScattering[1].w, _PhaseScattering[2].w, _PhaseScattering[3].w);
+    return _PhaseScattering[0].w * saturate(1.0 - dot(parts, 1.0)) + dot(others, parts);
+}
+
 // Adds a straight stretch of a ray. sums: fractions of phases 1 to 3 times the length, and the length where they are known. Phases that do not
-// mix have sharp borders: each point is of the phase with the most particles around it.
+// mix have sharp borders: each point is of the phase with the most particles around it, and counts as far as one sees it.
 void AddPhases(float3 from, float3 along, float reach, inout float4 sums)
 {
     float steps = clamp(ceil(reach / _PhaseGridSize.w), kMinPhaseSteps, kMaxPhaseSteps), each = max(reach, 0.0) / steps;
@@ -49,12 +56,18 @@ void AddPhases(float3 from, float3 along, float reach, inout float4 sums)
         return;
     }
     float4 last = PhasesAround(from);
+    float clear = 1.0;      // part of the light that what is nearer lets through: behind opaque grains nothing counts
     [loop]
     for (float k = 1.0; k <= steps; k += 1.0)
     {
         float4 next = PhasesAround(from + along * (k * each));
         if (last.w > 0.0 && next.w > 0.0)
-            sums += each * float4(LeadingParts(Leads(last), Leads(next)).xyz, 1.0);
+        {
+            float3 parts = LeadingParts(Leads(last), Leads(next)).xyz;
+            float rate = ScatteringOf(parts) * Spacing(), through = exp(-rate * each);
+            sums += clear * (rate * each > 1e-3 ? (1.0 - through) / rate : each) * float4(parts, 1.0);
+            clear *= through;
+        }
         last = next;
     }
 }
