@@ -215,6 +215,52 @@ namespace Host.Tests
             }
         }
 
+        // With an eighth of the particles.
+        [Test]
+        public void The_castle_of_damp_sand_does_not_flow()
+        {
+            using (new SampleScene("Sand Castle"))
+            {
+                var start = Object.FindObjectOfType<FluidSimulation>();
+                start.Configure(start.DomainSize, 0.04f, 8000);
+                float built = Crest(Play(2));
+                float left = Crest(Play(22));
+                TestContext.WriteLine($"the crest is {built:0.000} m high, and {left:0.000} m after 0.4 s");
+                Assert.That(built - left, Is.LessThan(0.5f * start.ParticleSpacing));
+            }
+        }
+
+        [Test, Category("LongRun"), Category("GpuOnly")]
+        public void The_castle_of_sand_stands_until_the_waves_take_it()
+        {
+            const float bed = 0.04f;        // m
+            using (new SampleScene("Sand Castle"))
+            {
+                float built = Crest(Play(2)), settled = Crest(Play(58));       // its lattice has become a packing
+                FluidSimulation fluid = Play(60);
+                float stood = Crest(fluid), left = Crest(Play(420));
+                TestContext.WriteLine($"the crest is {built:0.000} m high, {settled:0.000} m at 1 s, {stood:0.000} m at 2 s, when the first " +
+                    $"wave comes, and {left:0.000} m 7 s later");
+                Assert.That(settled - stood, Is.LessThan(0.5f * fluid.ParticleSpacing));
+                Assert.That(stood - bed, Is.GreaterThan(0.85f * (built - bed)));
+                Assert.That(left - bed, Is.LessThan(2f / 3f * (stood - bed)));
+                IsWhole(fluid, 0.05f);
+            }
+        }
+
+        // Mean height of the keep and the four towers, m: each is as high as 30 of its grains, about half of a tower's uppermost layer, are above.
+        // Merlons are three grains wide, and round off.
+        static float Crest(FluidSimulation fluid)
+        {
+            List<Vector3> particles = Particles(fluid);
+            uint[] tags = Read<uint>(fluid, fluid.Solver.Tags);
+            Vector3[] sand = particles.Where((p, i) => tags[i] >> ParticleTags.PhaseShift == 1).ToArray();
+            var plans = new[] { new Rect(-0.1f, -0.1f, 0.2f, 0.2f) }.Concat(new[] { -0.32f, 0.16f }.SelectMany(x => new[] { -0.32f, 0.16f },
+                (x, z) => new Rect(x, z, 0.16f, 0.16f)));
+            return plans.Average(plan => sand.Where(p => plan.Contains(new Vector2(p.x, p.z))).Select(p => p.y).OrderByDescending(y => y)
+                .ElementAt(30));
+        }
+
         static bool IsBetween(float value, float low, float high) => value > low && value < high;
 
         static FluidSimulation Play(int frames, Action<FluidSimulation> afterEach = null)
