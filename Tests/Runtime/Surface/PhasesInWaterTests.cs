@@ -106,6 +106,32 @@ namespace Rill.Tests
             UnityEngine.Object.Destroy(oil);
         }
 
+        // What scatters all light within a millimeter is seen by what of it gets through the water above: exp(-2) of it.
+        [UnityTest]
+        public IEnumerator Opaque_grains_under_murky_water_are_seen_through_it()
+        {
+            const float Upper = 0.3f;
+            FluidMaterialAsset sand = FluidMaterialAsset.Create("Sand", 1001f);
+            scene.Fluid.PhaseMaterials = new[] { sand };
+            surface.Look = Scattering(Color.green, 0.5f * Upper);
+            surface.PhaseLooks = new[] { Scattering(Color.red, 0.001f) };
+            AddSun();
+            yield return scene.Settle();
+            scene.SetPhases((p, i) => p.y < WaterScene.Depth - Upper ? 1 : 0);
+            yield return WaterScene.Frames(2);
+            float3 seen = scene.At(0f);
+            TestContext.Out.WriteLine($"the water's green and the sand's red: {seen}");
+            Assert.That(seen.x / (seen.x + seen.y), Is.EqualTo(math.exp(-2f)).Within(0.06f));
+            UnityEngine.Object.Destroy(sand);
+        }
+
+        static SurfaceLook Scattering(Color color, float depth)
+        {
+            SurfaceLook look = SurfaceLook.Water;
+            (look.colorAtDepth, look.scattering, look.scatteringDepth) = (Color.white, color, depth);
+            return look;
+        }
+
         [UnityTest]
         public IEnumerator The_suns_light_on_what_stands_in_the_water_is_absorbed_by_what_is_above()
         {
