@@ -190,9 +190,15 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {LevelsProblem}", fluid);
         }
 
-        /// <summary>Null where no grains flow as a liquid.</summary>
-        public string GrainsProblem => GrainFriction.LacksPressure(new StepInput { settings = fluid.Settings, material = fluid.Material,
-            phases = fluid.Phases.ForStep() }) ? GrainsFlowProblem : null;
+        /// <summary>Why grains flow as a liquid; null where none do.</summary>
+        public string GrainsProblem
+        {
+            get
+            {
+                var still = new StepInput { settings = fluid.Settings, material = fluid.Material, phases = fluid.Phases.ForStep() };
+                return GrainFriction.LacksPressure(still) ? GrainsFlowProblem : null;
+            }
+        }
 
         const string GrainsFlowProblem = "its grains flow as a liquid, because Deep Water is off and nothing finds the pressure between them. " +
             "Set Deep Water to Automatic.";
