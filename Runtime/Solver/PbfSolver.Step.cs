@@ -132,7 +132,7 @@ namespace Rill
                 Colliders.Describe(Colliders, input),
                 ImplicitViscosity.Describe(Viscosity, step),
                 GrainFriction.Describe(Friction, step),
-                neighborSearch.Describe(step, Coarse != null && Viscosity == null),
+                neighborSearch.Describe(step, Coarse != null && Viscosity == null && Friction == null),
                 ParticleTags.Describe(ParticleTags, step),
                 MaterialTable.Describe(Materials, input),
                 densityConstraint.Describe(step),
