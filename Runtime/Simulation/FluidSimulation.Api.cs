@@ -100,8 +100,8 @@ namespace Rill
         /// <summary>Acceleration in world space, m/s². One that is not finite becomes the default, with a warning.</summary>
         public Vector3 Gravity { get => gravity; set { gravity = value; Changed(); } }
 
-        /// <summary>The four sides of the box: walls, bands that absorb waves, or open water. Acts from the next step on. Out-of-range values are clamped with a
-        /// warning.</summary>
+        /// <summary>The four sides of the box: walls, bands that absorb waves, or open water. Acts from the next step on. Out-of-range values
+        /// are clamped with a warning.</summary>
         public FluidBorders Borders { get => borders; set { borders = value; Changed(); } }
 
         /// <summary>Fixed steps in a second of fluid time, 10 to 1000. Acts from the next step on. Out-of-range values are clamped with a

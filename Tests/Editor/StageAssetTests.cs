@@ -19,8 +19,8 @@ namespace Rill.Editor.Tests
         [TestCase("Foam", "AverageCells", "Move", "Compact", "Spawn", "Commit")]
         [TestCase("FoamSources", "FindPotentials", "CountSpawned")]
         [TestCase("ImplicitViscosity", "ApplyProjection", "FindCoefficients", "FindResidual", "FirstPass", "NextPass")]
-        [TestCase("GrainFriction", "Anticipate", "AddGrains", "AddGrainsBefore", "FindNodes", "FindSolids", "FindCells", "FindCellsBefore", "MoveNodes",
-            "MoveNodesWithColliders", "StressCells", "MoveGrains", "MoveGrainsBefore")]
+        [TestCase("GrainFriction", "Anticipate", "AddGrains", "AddGrainsBefore", "FindNodes", "FindSolids", "FindCells", "FindCellsBefore",
+            "MoveNodes", "MoveNodesWithColliders", "StressCells", "MoveGrains", "MoveGrainsBefore")]
         [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood",
             "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
         [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsWithColliders", "CountCellsDeepWithColliders",

@@ -20,7 +20,8 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "GrainFriction", "Rill.Friction", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "GrainFriction", "Rill.Friction",
+            "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
             "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
             "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure", "WithTension",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Borders", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",

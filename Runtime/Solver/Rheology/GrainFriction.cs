@@ -103,7 +103,7 @@ namespace Rill
         /// <param name="angle">Friction angle, degrees.</param>
         public static float Coefficient(float angle) => (float)OfCone(angle, Math.Sin(angle * Math.PI / 180.0));
 
-        /// <summary>The same cone's limit without pressure, d²: over the density, times the square of the substep.</summary>
+        /// <summary>Limit of that cone without pressure, d²: over the density, times the square of the substep.</summary>
         /// <param name="cohesion">Pa.</param>
         /// <param name="angle">Friction angle, degrees.</param>
         /// <param name="density">kg/m³.</param>

@@ -41,7 +41,8 @@ namespace Rill
             }
         }
 
-        // A side with inflow gives the volume, as a river beyond it does, and its level follows. The other sides give the level. Both at once would need the head that the flow has, which depends on all of the scene.
+        // A side with inflow gives the volume, as a river beyond it does, and its level follows. The other sides give the level. Both
+        // at once would need the head that the flow has, which depends on all of the scene.
         void Add(StepSources sources, int side, in StepInput input, SolverLayout layout, uint stepIndex)
         {
             FluidBorder border = input.borders[side];

@@ -121,7 +121,8 @@ namespace Rill.Tests
         // Deep, of one liquid: several are not blended to the coarse flow.
         static SnapshotCase ElasticStages => new SnapshotCase
         {
-            name = "elastic stages", shearModulus = 100f, vorticity = 0.3f, frictionAngle = 30f, colliders = true, deepWater = DeepWater.On, depth = 0.5f
+            name = "elastic stages", shearModulus = 100f, vorticity = 0.3f, frictionAngle = 30f, colliders = true,
+            deepWater = DeepWater.On, depth = 0.5f
         };
 
         [Test]

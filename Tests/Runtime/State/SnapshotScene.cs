@@ -163,7 +163,8 @@ namespace Rill.Tests
         public string name;
         public DeepWater deepWater = DeepWater.Off;
         public int substeps = 1;
-        public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frictionAngle, frameSteps = 1f, density;
+        public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frictionAngle,
+            frameSteps = 1f, density;
         public bool colliders, emitter, drain, field, moves, stands, draws;
         public int steps = 12;
 

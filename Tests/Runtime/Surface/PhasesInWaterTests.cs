@@ -106,7 +106,7 @@ namespace Rill.Tests
             UnityEngine.Object.Destroy(oil);
         }
 
-        // What scatters all light within a millimeter is seen by what of it gets through the water above: exp(-2) of it.
+        // Grains that scatter all light within a millimeter are seen by the part that gets through the water above: exp(-2).
         [UnityTest]
         public IEnumerator Opaque_grains_under_murky_water_are_seen_through_it()
         {

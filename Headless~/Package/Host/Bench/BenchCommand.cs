@@ -54,7 +54,8 @@ namespace Host.Bench
             Option<string> shaders = ShadersOption.Create();
 
             var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
-                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, deepWater, window, steps, kernels, json, shaders,
+                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, deepWater, window, steps, kernels,
+                json, shaders,
                 BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(),
                 PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
                 SurfaceBench.Create() };

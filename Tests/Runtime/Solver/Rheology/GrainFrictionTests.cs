@@ -29,7 +29,7 @@ namespace Rill.Tests
             return sand;
         }
 
-        /// <summary>What became of a cylinder of grains. Lengths in d.</summary>
+        /// <summary>Heap that a cylinder of grains became. Lengths in d.</summary>
         readonly struct Heap
         {
             public readonly float RunOut;       // of the radius, where more than half of a layer lies
@@ -40,8 +40,8 @@ namespace Rill.Tests
             public Heap(TestFluid fluid, float radius)
             {
                 ParticleState state = fluid.Read();
-                float3 middle = 0.5f * state.box;
-                int[] rings = state.positions.Select(p => (int)math.length((p.xyz - middle).xz)).ToArray();
+                float3 center = 0.5f * state.box;
+                int[] rings = state.positions.Select(p => (int)math.length((p.xyz - center).xz)).ToArray();
                 var heights = new float[rings.Max() + 1];
                 for (int i = 0; i < state.Count; i++)
                     heights[rings[i]] = math.max(heights[rings[i]], state.positions[i].y + 0.5f);
@@ -100,7 +100,7 @@ namespace Rill.Tests
             Assert.That(strong.Slope, Is.InRange(18f, 30f));
         }
 
-        // The same slope at every spacing and step: what acts as a pressure is one in Pa.
+        // Everything that acts as a pressure has to be one in Pa.
         [Category("LongRun")]
         [TestCase(Spacing, 120f, Category = "GpuOnly")]
         [TestCase(0.05f, 60f)]
@@ -171,7 +171,7 @@ namespace Rill.Tests
             Assert.That(rough, Is.LessThan(0.88f * smooth));
         }
 
-        // Of its water's weight.
+        // Pressure at the floor over the weight above it.
         static float FloorPressure(float wallFriction)
         {
             const int side = 8, layers = 40;
@@ -218,7 +218,7 @@ namespace Rill.Tests
             }
         }
 
-        // A plate that leans by 20 degrees, below the friction angle, under a block in the middle of it.
+        // A plate that leans by 20 degrees, below the friction angle, under a block.
         [TestCase(1f, true)]
         [TestCase(0f, false)]
         public void Sand_rests_on_a_collider_by_its_friction(float friction, bool rests)
@@ -243,7 +243,7 @@ namespace Rill.Tests
             }
         }
 
-        // Of two columns side by side the one of sand stands where the one of water runs out.
+        // Two columns stand side by side; water runs out.
         [Test]
         public void Among_several_materials_grains_alone_have_friction()
         {
