@@ -29,7 +29,7 @@ namespace Rill
         [SerializeField] float contactAngle = 90f;
 
         [Tooltip("Angle of internal friction of grains, degrees: slopes up to it stand. 0 (a liquid) to 45; dry sand has 30 to 35.")]
-        [Range(0f, 45f)]
+        [Range(0f, FluidMaterial.MaxFrictionAngle)]
         [SerializeField] float frictionAngle;
 
         [Tooltip("Shear stress that grains bear without pressure, Pa. 0 to 5000; damp sand has about 500 to 2000. Among as many particles of " +

@@ -55,7 +55,8 @@ namespace Rill
         readonly KernelVariants moveNodes;                              // with colliders
         readonly Kernel anticipate, findNodes, findSolids, stressCells;
         readonly StepKeywords keywords;
-        readonly GraphicsBuffer constants, nodeSolids, lastChange, stress, stressAfter;
+        readonly GraphicsBuffer constants, lastChange, stress, stressAfter;
+        GraphicsBuffer nodeSolids;      // null until there are colliders
         readonly FrictionConstants[] upload = new FrictionConstants[1];
         readonly int3 counts;
         readonly float3 size;
@@ -80,7 +81,6 @@ namespace Rill
             Buffers.Structured<float4>("Rill.Friction.NodeFlows", Nodes);
             Buffers.Structured<float4>("Rill.Friction.NewFlows", Nodes);
             lastChange = Buffers.Structured<float4>("Rill.Friction.LastChange", Nodes);
-            nodeSolids = Buffers.Structured<float4>("Rill.Friction.NodeSolids", 2L * Nodes);
             Buffers.Structured<float4>("Rill.Friction.Trial", 2L * Cells);
             Buffers.Structured<float>("Rill.Friction.Limits", Cells);
             stress = Buffers.Structured<float4>("Rill.Friction.Stress", 2L * Cells);
@@ -156,6 +156,7 @@ namespace Rill
             DispatchGrid(step, findNodes, Nodes, solution);
             if (isBefore && step.Colliders != null)
             {
+                nodeSolids ??= Buffers.Structured<float4>("Rill.Friction.NodeSolids", 2L * Nodes);
                 step.Colliders.BindShapes(cmd, shader, findSolids);
                 DispatchGrid(step, findSolids, Nodes, solution);
             }
