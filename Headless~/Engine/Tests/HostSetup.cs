@@ -40,6 +40,7 @@ namespace Host.Tests
         List<string> reportBefore;
         IGraphicsDevice deviceBefore;
         bool strictBefore;
+        int widthBefore, heightBefore;
         protected readonly List<string> Logged = new List<string>();
 
         [SetUp]
@@ -47,6 +48,7 @@ namespace Host.Tests
         {
             deviceBefore = Player.Device;
             strictBefore = Player.Strict;
+            (widthBefore, heightBefore) = (Player.ScreenWidth, Player.ScreenHeight);
             Player.Device = HostSetup.Device;
             BuiltInShaders.Install();
             Player.Strict = true;
@@ -73,6 +75,7 @@ namespace Host.Tests
             string report = string.Join(", ", LiveObjects.Report()) + "; before: " + string.Join(", ", reportBefore);
             Player.Device = deviceBefore;
             Player.Strict = strictBefore;
+            (Player.ScreenWidth, Player.ScreenHeight) = (widthBefore, heightBefore);
             Player.PretendNoCompute = false;
             Assert.That(messages.Count, Is.EqualTo(messagesBefore), string.Join("\n", messages));
             Assert.That(left, Is.EqualTo(liveBefore), "left alive: " + report);

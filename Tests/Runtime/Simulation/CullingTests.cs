@@ -103,6 +103,7 @@ namespace Rill.Tests
             Camera camera = Eye();
             camera.orthographic = true;
             camera.orthographicSize = 0.005f;
+            camera.aspect = 1f;
             foreach ((float beyond, bool sees) in new[] { (0.09f, true), (0.11f, false) })
             {
                 camera.transform.position = new Vector3(0.5f + beyond, 0f, -3f);
