@@ -28,6 +28,7 @@ namespace Rill.Editor
             new InspectorSection("Borders", false, Border("minX").With(Border("maxX")).With(Border("minZ")).With(Border("maxZ"))),
             new InspectorSection(FluidTitle, true, MaterialFields.Usual.With(
                 new InspectorField("phaseMaterials"),
+                new InspectorField("materialPairs"),
                 new InspectorField("gravity", "m/s²"))),
             new InspectorSection(SolverTitle, false,
                 new InspectorField("solver.deepWater"),
@@ -188,6 +189,9 @@ namespace Rill.Editor
             if (phases.Differ(Simulation.Material))
                 InspectorRows.Text("Liquids", Invariant($"densities up to a factor of {phases.Ratio(Simulation.Material):0.##} apart; ") +
                     Invariant($"to {PhaseMaterials.MaxRatio:0} is possible, and to 20 costs least"));
+            if (phases.MaxDiffusion > 0f)
+                InspectorRows.Text("Diffusion", Diffusion.Text(phases.MaxDiffusion, Simulation.ParticleSpacing,
+                    Simulation.FixedStep / Simulation.Settings.substeps, Simulation.Settings.substeps));
             if (Simulation.Material.surfaceTension > 0f)
                 InspectorRows.Text("Surface tension",
                     PresetText.TensionText(Simulation.Material, Simulation.Settings, Simulation.ParticleSpacing,

@@ -49,6 +49,18 @@ namespace Rill
             }
         }
 
+        /// <summary>Pairs of materials that mix; all others stay apart. A pair with a material that is not in the fluid waits for it. Of two
+        /// entries for one pair the last counts. Out-of-range values are clamped with a warning.</summary>
+        public FluidMaterialPair[] MaterialPairs
+        {
+            get => materialPairs;
+            set
+            {
+                materialPairs = value ?? Array.Empty<FluidMaterialPair>();
+                Changed();
+            }
+        }
+
         /// <summary>Returns the phase of a material in this fluid, 1 to 7, and gives it the next free one if it has none. 0, which is logged, where
         /// all are taken; 0 for null.</summary>
         public int PhaseOf(FluidMaterialAsset fluidMaterial) => Phases.PhaseOf(fluidMaterial);

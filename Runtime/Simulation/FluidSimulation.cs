@@ -45,6 +45,9 @@ namespace Rill
             "has the Material above. A material that is used and not listed here gets the next free phase.")]
         [SerializeField] FluidMaterialAsset[] phaseMaterials = Array.Empty<FluidMaterialAsset>();
 
+        [Tooltip("Materials that mix: two of the above, or one and the fluid's own. All others stay apart.")]
+        [SerializeField] FluidMaterialPair[] materialPairs = Array.Empty<FluidMaterialPair>();
+
         [SerializeField] SolverSettings solver = SolverSettings.Default;
 
         [Tooltip("GPU time that the fluid may take. When on, substeps, iterations and relaxation are chosen to fit it.")]
@@ -429,6 +432,12 @@ namespace Rill
             if (phaseMaterials.Length >= Rill.PhaseMaterials.Phases)
                 Limit.Append(ref problem, FormattableString.Invariant($"of {phaseMaterials.Length} phase materials only the first ") +
                     FormattableString.Invariant($"{Rill.PhaseMaterials.Phases - 1} have a phase. Remove the others"));
+            for (int i = 0; i < materialPairs.Length; i++)
+            {
+                materialPairs[i].Validate(out string pairProblem);
+                if (pairProblem != null)
+                    Limit.Append(ref problem, FormattableString.Invariant($"material pair {i}: {pairProblem}"));
+            }
             clamped.Set(problem);
         }
     }

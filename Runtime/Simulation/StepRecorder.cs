@@ -111,6 +111,7 @@ namespace Rill
             CheckBorders();
             if (log.ShouldLog(GrainsFlow, GrainFriction.LacksPressure(input)))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {GrainsFlowProblem}", fluid);
+            fluid.Phases.CheckDiffusion(input);
             Tension.Check(input);
         }
 

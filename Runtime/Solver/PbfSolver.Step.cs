@@ -19,6 +19,7 @@ namespace Rill
             PrepareConnections(input);
             UpdateStages(cmd, input);
             Materials?.Upload(cmd, input, Layout.Spacing, Coarse != null);
+            Diffusion?.Upload(cmd, input, Layout);
             StepContext step = Context(cmd, input);
             RecordKills(step);
             RecordDrains(step);
@@ -51,6 +52,7 @@ namespace Rill
                     Friction.RecordAfter(step);
                 hasLists = true;
                 particles.Advance();
+                Diffusion?.Record(step, (stepIndex - 1) * SolverSettings.MaxSubsteps + (uint)substep);
                 if (substep < step.Substeps - 1)
                     RecordEmission(step, substep);
             }
@@ -96,6 +98,7 @@ namespace Rill
         public Queries Queries => (Queries)stages[Features.Queries.Index];
 
         MaterialTable Materials => (MaterialTable)stages[Features.Materials.Index];
+        Diffusion Diffusion => (Diffusion)stages[Features.Diffusion.Index];
         ImplicitViscosity Viscosity => (ImplicitViscosity)stages[Features.Viscosity.Index];
         GrainFriction Friction => (GrainFriction)stages[Features.GrainFriction.Index];
         VelocityExtrapolation Extrapolation => (VelocityExtrapolation)stages[Features.Extrapolation.Index];
@@ -140,6 +143,7 @@ namespace Rill
                 VelocityExtrapolation.Describe(Extrapolation, step),
                 Viscoelasticity.Describe(Viscoelasticity, step),
                 VorticityConfinement.Describe(Vorticity, step),
+                Diffusion.Describe(Diffusion, step),
                 Foam.Describe(Foam, step),
                 Emitters.Describe(Emitters, step, ParticleTags),
                 SurfaceParticles.Describe(Surface, step, Mesh != null),

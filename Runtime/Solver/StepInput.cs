@@ -38,8 +38,8 @@ namespace Rill
         /// <summary>Seed of the random numbers of foam.</summary>
         public int foamSeed;
 
-        /// <summary>Whether all particles have phases: a script asks for them, or they are of several materials.</summary>
-        public readonly bool HasPhases => tracksPhases || MaterialTable.IsNeeded(this);
+        /// <summary>Whether all particles have phases: a script asks for them, or they have materials that differ or mix.</summary>
+        public readonly bool HasPhases => tracksPhases || MaterialTable.IsNeeded(this) || Diffusion.IsNeeded(this);
 
         /// <summary>Makes all grains liquids.</summary>
         public void LeaveOutGrains()

@@ -8,7 +8,7 @@ static const uint kMaxPhase = 7;    // largest phase of a particle
 cbuffer RillPhases
 {
     float4 _Phases[8];    // x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, w: surface tension, both relative to the largest
-    float4 _Walls[8];    // x: attraction by walls, relative to that of a pair with the largest surface tension; y: friction of grains over the mass of a particle, z: their cohesion, d^2
+    float4 _Walls[8];    // x: attraction by walls, relative to that of a pair with the largest surface tension; y: friction of grains over the mass of a particle, z: their cohesion, d^2; w: bits of the phases that it mixes with
 };
 
 #endif

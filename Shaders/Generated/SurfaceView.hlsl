@@ -28,6 +28,7 @@ cbuffer RillSurfaceView
     float4 _Scattering;    // rgb color, linear; w 1/m
     float4 _PhaseAbsorption[4];    // the same of each phase, where hasPhases is 1
     float4 _PhaseScattering[4];    // the same of each phase, where hasPhases is 1
+    float4 _PhaseGroups[4];    // a row for each phase: 1 for itself and for those that it mixes with, else 0; phases 1 to 3, and phase 0 in w
     float4 _SurfaceOptics;    // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
     float4 _FoamColor;    // linear
     float4 _SunDirection;    // world, towards the light; w 1 where a light was chosen, 0 to take the pipeline's

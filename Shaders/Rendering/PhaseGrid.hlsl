@@ -16,19 +16,39 @@ float4 PhasesAround(float3 p)
     return _PhaseGrid.SampleLevel(rill_field_linear_clamp_sampler, (p / _PhaseGridSize.w + 0.5) / _PhaseGridSize.xyz, 0);
 }
 
-// Returns how far each phase leads before the largest of the others, -1 to 1: phases 1 to 3, and phase 0 in w.
-float4 Leads(float4 around)
+// Fractions of phases 1 to 3, and of phase 0 in w.
+float4 FractionsOf(float4 around)
 {
-    float4 f = float4(around.xyz, around.w - dot(around.xyz, 1.0)) / around.w;
-    float4 others = max(max(f.yzwx, f.zwxy), f.wxyz);
-    return f - others;
+    return float4(around.xyz, around.w - dot(around.xyz, 1.0)) / around.w;
 }
 
-// Returns the parts of a stretch in which a phase leads, of leads that change evenly from one end to the other.
-float4 LeadingParts(float4 start, float4 end)
+// Returns the fractions of each phase and all that it mixes with.
+float4 Together(float4 f)
 {
-    float4 high = max(start, end);
-    float4 parts = saturate(high / max(high - min(start, end), 1e-6));
+    return float4(dot(_PhaseGroups[1], f), dot(_PhaseGroups[2], f), dot(_PhaseGroups[3], f), dot(_PhaseGroups[0], f));
+}
+
+// Returns the largest of those that a phase does not mix with. group: its row.
+float LargestOther(float4 group, float4 together)
+{
+    float4 others = together * (1.0 - group);
+    return max(max(others.x, others.y), max(others.z, others.w));
+}
+
+// Returns how far each phase, with all that it mixes with, leads before the largest of the others, -1 to 1.
+float4 Leads(float4 f)
+{
+    float4 together = Together(f);
+    return together - float4(LargestOther(_PhaseGroups[1], together), LargestOther(_PhaseGroups[2], together),
+        LargestOther(_PhaseGroups[3], together), LargestOther(_PhaseGroups[0], together));
+}
+
+// Returns the parts that are of each phase of a stretch along which fractions change evenly: where what it mixes with leads, its share of that.
+float4 LeadingParts(float4 from, float4 to)
+{
+    float4 start = Leads(from), end = Leads(to), high = max(start, end);
+    float4 shares = (from + to) / max(Together(from + to), 1e-6);
+    float4 parts = saturate(high / max(high - min(start, end), 1e-6)) * shares;
     return parts / max(dot(parts, 1.0), 1e-6);
 }
 
@@ -40,7 +60,7 @@ float ScatteringOf(float3 parts)
 }
 
 // Adds a straight stretch of a ray. sums: fractions of phases 1 to 3 times the length, and the length where they are known. Phases that do not
-// mix have sharp borders: each point is of the phase with the most particles around it, and counts as far as one sees it.
+// mix have sharp borders: each point is of those that mix and have the most particles around it, and counts as far as one sees it.
 void AddPhases(float3 from, float3 along, float reach, inout float4 sums)
 {
     float steps = clamp(ceil(reach / _PhaseGridSize.w), kMinPhaseSteps, kMaxPhaseSteps), each = max(reach, 0.0) / steps;
@@ -63,7 +83,7 @@ void AddPhases(float3 from, float3 along, float reach, inout float4 sums)
         float4 next = PhasesAround(from + along * (k * each));
         if (last.w > 0.0 && next.w > 0.0)
         {
-            float3 parts = LeadingParts(Leads(last), Leads(next)).xyz;
+            float3 parts = LeadingParts(FractionsOf(last), FractionsOf(next)).xyz;
             float rate = ScatteringOf(parts) * Spacing(), through = exp(-rate * each);
             sums += clear * (rate * each > 1e-3 ? (1.0 - through) / rate : each) * float4(parts, 1.0);
             clear *= through;

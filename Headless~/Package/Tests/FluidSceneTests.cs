@@ -40,6 +40,17 @@ namespace Host.Tests
             ("surface tension of deep water that sleeps", Both(WithDeepWater((ref SolverSettings s) => s.sleepSpeed = 0.02f),
                 WithMaterial((ref FluidMaterial m) => m.surfaceTension = 1f)), false, false),
             ("two liquids", s => s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Oil", 500f) }, false, false),
+            ("two liquids that mix", s =>
+            {
+                s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Dye", 1000f) };
+                s.MaterialPairs = new[] { FluidMaterialPair.Mixing(null, s.PhaseMaterials[0], 0.001f) };
+            }, false, false),
+            ("two liquids of different densities that mix and sleep, two substeps",
+                Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }), s =>
+            {
+                s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Spirit", 800f) };
+                s.MaterialPairs = new[] { FluidMaterialPair.Mixing(s.PhaseMaterials[0], null, 0.001f) };
+            }), false, false),
             ("two viscous liquids in deep water that sleeps",
                 Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }),
                 s => s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Oil", 20f, 1f) }), false, false),
@@ -101,7 +112,7 @@ namespace Host.Tests
             Assert.That(off.Select(stage => stage.Name),
                 Is.EquivalentTo(new[] { "Particle access", "Drains", "Transfer", "Resting regions", "Force fields", "Borders",
                 "Coarse correction", "Colliders", "Particle tags", "Materials", "Implicit viscosity", "Grain friction", "Viscoelasticity",
-                "Velocity extrapolation", "Vorticity confinement", "Foam", "Emitters", "Queries", "Query batches",
+                "Velocity extrapolation", "Vorticity confinement", "Diffusion", "Foam", "Emitters", "Queries", "Query batches",
                 "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);

@@ -94,6 +94,15 @@ namespace Host.Tests
                 $"+{Iterations - 1} DensityConstraint.compute SolveLambda {MaterialTable.Keyword}" }
                 .Concat(InVariant(MaterialTable.Keyword, "DensityConstraint.compute BuildList", "VelocityUpdate.compute UpdateVelocityViscous"))
                 .ToArray()),
+            ("materials that mix", null, s =>
+            {
+                s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Dye", 1000f) };
+                s.MaterialPairs = new[] { FluidMaterialPair.Mixing(null, s.PhaseMaterials[0], 0.001f) };
+            }, new[]
+            {
+                "+1 NeighborSearch.compute GatherTags", "+1 Rill.TagsA *", "+1 Rill.TagsB *",
+                "+1 Diffusion.compute Choose", "+1 Diffusion.compute Exchange", "+1 Rill.Diffusion.*",
+            }),
             ("sleep", null, Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f),
                 new[] { "+1 RestingRegions.compute MeasureMotion", "+1 RestingRegions.compute CountQuiet",
                 "+1 RestingRegions.compute Spread", "+1 Rill.Regions.*" }
@@ -265,6 +274,7 @@ namespace Host.Tests
             simulation.BeforeStep -= Nothing;
             simulation.TrackPhases = false;
             simulation.PhaseMaterials = null;
+            simulation.MaterialPairs = null;
             simulation.Borders = FluidBorders.Default;
             if (simulation.Solver.Tags != null)
                 simulation.Restart();       // until then there may be particles with tags

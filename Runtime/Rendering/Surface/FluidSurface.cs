@@ -425,12 +425,15 @@ namespace Rill
                 SurfaceLook own = phase == 0 || phaseLooks.Length == 0 ? look : phaseLooks[Mathf.Min(phase, phaseLooks.Length) - 1];
                 constants.phaseAbsorption[phase] = own.Absorption;
                 constants.phaseScattering[phase] = ScatteringOf(own);
+                constants.phaseGroups[phase] = new Vector4(Mix(phase, 1), Mix(phase, 2), Mix(phase, 3), Mix(phase, 0));
             }
             constants.surfaceOptics = new Vector4(look.refractionIndex, look.Reflectance, look.roughness,
                 ShadowOffset * Simulation.ParticleSpacing);
             constants.reflectionStrength = reflectionStrength;
             constants.receiveShadows = ReceiveShadows ? 1f : 0f;
         }
+
+        float Mix(int a, int b) => Simulation.Phases.Mix(a, b) ? 1f : 0f;
 
         static Vector4 ScatteringOf(in SurfaceLook look)
         {

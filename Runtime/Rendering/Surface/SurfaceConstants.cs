@@ -38,6 +38,8 @@ namespace Rill
         public Vector4 scattering;
         /// <summary>the same of each phase, where hasPhases is 1</summary>
         public PhaseVectors phaseAbsorption, phaseScattering;
+        /// <summary>a row for each phase: 1 for itself and for those that it mixes with, else 0; phases 1 to 3, and phase 0 in w</summary>
+        public PhaseVectors phaseGroups;
         /// <summary>x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since
         /// it casts one, m</summary>
         public Vector4 surfaceOptics;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 using static System.FormattableString;
@@ -7,25 +8,27 @@ namespace Rill
     /// <summary>Materials of a fluid's phases: those of its list, and those that emitters, volumes and scripts bring besides.</summary>
     sealed class PhaseTable
     {
-        const int TooMany = 0, TooLight = 1;       // problems
+        const int TooMany = 0, TooLight = 1, TooFast = 2;       // problems
 
         readonly FluidSimulation fluid;
         readonly FluidMaterialAsset[] added = new FluidMaterialAsset[PhaseMaterials.Phases];        // by phase
         OnceLog log;
         string tooMany, tooLight;
+        StepInput last;     // of the last step
         float lightest;     // kg/m³ that a fluid can hold
 
         public PhaseTable(FluidSimulation fluid) => this.fluid = fluid;
 
         /// <summary>Problem of the materials; null for none.</summary>
-        public string Problem => tooMany ?? TooLightProblem;
+        public string Problem => tooMany ?? TooLightProblem ?? TooFastProblem;
 
         /// <summary>Forgets what was added, as the fluid begins.</summary>
         public void Clear()
         {
-            System.Array.Clear(added, 0, added.Length);
+            Array.Clear(added, 0, added.Length);
             log.Reset();
             tooMany = tooLight = null;
+            last = default;
         }
 
         /// <summary>Returns the material of a phase; null for the fluid's own.</summary>
@@ -48,9 +51,8 @@ namespace Rill
         {
             if (material == null)
                 return own;
-            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
-                if (this[phase] == material)
-                    return phase;
+            if (Find(material) is int known && known > 0)
+                return known;
             for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
             {
                 if (this[phase] != null || fluid.Inputs.Parts.NamesPhase(phase))
@@ -68,6 +70,9 @@ namespace Rill
 
         /// <summary>Whether the phases of the last steps differed in density or viscosity.</summary>
         public bool Differ => fluid.Input.phases.Differ(fluid.Material);
+
+        /// <summary>Whether two phases mix, by themselves or through others, in the last steps. A phase mixes with itself.</summary>
+        public bool Mix(int a, int b) => fluid.Input.phases.AreMixing(a, b);
 
         /// <summary>Returns the density with which the particles of a phase move, kg/m³.</summary>
         /// <param name="phase">0 to 7.</param>
@@ -112,7 +117,49 @@ namespace Rill
             }
             if (log.ShouldLog(TooLight, tooLight != null))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {TooLightProblem}", fluid);
+            foreach (FluidMaterialPair pair in fluid.MaterialPairs)
+            {
+                int first = Find(pair.first), second = Find(pair.second);
+                if (first >= 0 && second >= 0 && first != second)
+                    phases.Mix(first, second, pair.diffusion);
+            }
             return phases;
+        }
+
+        /// <summary>Checks a step as it is recorded, and logs once where materials mix slower than they should.</summary>
+        public void CheckDiffusion(in StepInput input)
+        {
+            last = input;
+            if (log.ShouldLog(TooFast, IsTooFast))
+                Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {TooFastProblem}", fluid);
+        }
+
+        bool IsTooFast => Diffusion.IsNeeded(last) && last.phases.MaxDiffusion > DiffusionLimit;
+
+        double DiffusionLimit => Diffusion.Limit(fluid.ParticleSpacing, last.SubstepTime);
+
+        string TooFastProblem
+        {
+            get
+            {
+                if (!IsTooFast)
+                    return null;
+                double asked = last.phases.MaxDiffusion, beyond = asked / DiffusionLimit, substeps = Math.Ceiling(last.settings.substeps * beyond);
+                return Invariant($"its diffusion of {asked:G3} m²/s acts like {DiffusionLimit:G3} m²/s, the most at this spacing and substep. Take ") +
+                    (substeps <= SolverSettings.MaxSubsteps ? Invariant($"{substeps} substeps, or ") : "") +
+                    Invariant($"a particle spacing of {fluid.ParticleSpacing * Math.Sqrt(beyond):G3} m, or lower it.");
+            }
+        }
+
+        // Phase that a material has already, -1 for none.
+        int Find(FluidMaterialAsset material)
+        {
+            if (material == null)
+                return 0;
+            for (int phase = 1; phase < PhaseMaterials.Phases; phase++)
+                if (this[phase] == material)
+                    return phase;
+            return -1;
         }
 
         string TooLightProblem => tooLight == null ? null

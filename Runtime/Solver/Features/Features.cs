@@ -58,6 +58,13 @@ namespace Rill
             make: (PbfSolver solver, in StepInput step) => new MaterialTable(solver.Layout.Capacity),
             ofSettings: true);
 
+        public static readonly Feature Diffusion = new Feature("diffusion of materials", "set the diffusion of its material pairs to 0",
+            stages: new[] { "Diffusion" },
+            asked: (PbfSolver solver, in StepInput step) => Rill.Diffusion.IsNeeded(step),
+            turnOff: (ref StepInput step) => step.phases = step.phases.WithoutDiffusion(),
+            make: (PbfSolver solver, in StepInput step) => new Rill.Diffusion(solver.Layout.Capacity),
+            ofSettings: true);
+
         public static readonly Feature Drains = new Feature("drains and lifetimes", "disable its drains and set the lifetime of its emitters to 0",
             stages: new[] { "Drains" },
             defines: new[] { "RILL_RECYCLING" },
@@ -177,10 +184,9 @@ namespace Rill
 
         /// <summary>The most important first: where a device does not hold two of them together, the first stays.</summary>
         public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Materials,
-            Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Foam, Statistics,
-            SurfaceParticles,
-            Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness, ParticleRenderer,
-            DomainRenderer, Baking);
+            Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Diffusion, Foam,
+            Statistics, SurfaceParticles, Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness,
+            ParticleRenderer, DomainRenderer, Baking);
 
         /// <summary>Those that the settings of a fluid alone ask for.</summary>
         public static readonly Feature[] OfSettings = Array.FindAll(All, feature => feature.OfSettings);

@@ -14,7 +14,7 @@ namespace Rill
         public PhaseRows phases;
 
         /// <summary>x: attraction by walls, relative to that of a pair with the largest surface tension; y: friction of grains over the mass of
-        /// a particle, z: their cohesion, d²</summary>
+        /// a particle, z: their cohesion, d²; w: bits of the phases that it mixes with</summary>
         public PhaseRows walls;
 
         /// <summary>largest phase of a particle</summary>
@@ -36,9 +36,18 @@ namespace Rill
                 constants.phases[phase] = new float4(mass, 1f / mass, input.phases.Viscosity(phase, own) / maxViscosity, tension);
                 float angle = input.phases.FrictionAngle(phase, own), friction = GrainFriction.Coefficient(angle) / mass;
                 float cohesion = GrainFriction.Cohesion(input.phases.Cohesion(phase, own), angle, mass * heaviest, spacing, input.SubstepTime);
-                constants.walls[phase] = new float4((float)(tension * wall), friction, cohesion, 0f);
+                constants.walls[phase] = new float4((float)(tension * wall), friction, cohesion, MixesWith(phase, input.phases));
             }
             return constants;
+        }
+
+        static float MixesWith(int phase, in PhaseMaterials phases)
+        {
+            int bits = 0;
+            for (int other = 0; other < PhaseMaterials.Phases; other++)
+                if (phases.Diffusion(phase, other) > 0f)
+                    bits |= 1 << other;
+            return bits;
         }
     }
 

@@ -21,10 +21,11 @@ namespace Rill
             public float angle;         // degrees
             public float friction;      // angle, degrees
             public float cohesion;      // Pa
+            public float4 lowDiffusion, highDiffusion;      // with phases 0 to 3 and 4 to 7, m²/s
         }
 
         int last;
-        Row row1, row2, row3, row4, row5, row6, row7;
+        Row row0, row1, row2, row3, row4, row5, row6, row7;
 
         /// <summary>Largest phase with a material of its own; 0 for none.</summary>
         public int Last => last;
@@ -39,16 +40,59 @@ namespace Rill
         /// <param name="cohesion">Cohesion of grains, Pa.</param>
         public void Set(int phase, float density, float viscosity, float tension = 0f, float angle = 90f, float friction = 0f, float cohesion = 0f)
         {
-            RowOf(ref this, phase) = new Row
-            {
-                density = density,
-                viscosity = viscosity,
-                tension = tension,
-                angle = angle,
-                friction = friction,
-                cohesion = cohesion,
-            };
+            ref Row row = ref RowOf(ref this, phase);
+            row.density = density;
+            row.viscosity = viscosity;
+            row.tension = tension;
+            row.angle = angle;
+            row.friction = friction;
+            row.cohesion = cohesion;
             last = math.max(last, phase);
+        }
+
+        /// <summary>Lets two phases mix.</summary>
+        /// <param name="a">Phase, 0 or one with a material of its own.</param>
+        /// <param name="b">Another one.</param>
+        /// <param name="diffusion">m²/s.</param>
+        public void Mix(int a, int b, float diffusion)
+        {
+            SetDiffusion(ref RowOf(ref this, a), b, diffusion);
+            SetDiffusion(ref RowOf(ref this, b), a, diffusion);
+        }
+
+        /// <summary>Returns how fast two phases mix, m²/s; 0 where they stay apart.</summary>
+        public float Diffusion(int a, int b)
+        {
+            ref Row row = ref RowOf(ref this, Has(a) ? a : 0);
+            int other = Has(b) ? b : 0;
+            return a == b ? 0f : other < 4 ? row.lowDiffusion[other] : row.highDiffusion[other - 4];
+        }
+
+        /// <summary>Returns whether two phases mix, by themselves or through others.</summary>
+        public bool AreMixing(int a, int b)
+        {
+            int found = 1 << a, before = 0;
+            while (found != before)
+            {
+                before = found;
+                for (int phase = 0; phase < Phases; phase++)
+                    for (int other = 0; other < Phases; other++)
+                        if ((before >> other & 1) != 0 && Diffusion(phase, other) > 0f)
+                            found |= 1 << phase;
+            }
+            return (found >> b & 1) != 0;
+        }
+
+        /// <summary>How fast phases mix at most, m²/s.</summary>
+        public float MaxDiffusion
+        {
+            get
+            {
+                float4 most = 0f;
+                for (int phase = 0; phase <= last; phase++)
+                    most = math.max(most, math.max(RowOf(ref this, phase).lowDiffusion, RowOf(ref this, phase).highDiffusion));
+                return math.cmax(most);
+            }
         }
 
         /// <summary>Returns the density of a phase, kg/m³.</summary>
@@ -174,12 +218,30 @@ namespace Rill
             return liquid;
         }
 
+        /// <summary>Returns the same materials, which stay apart.</summary>
+        public PhaseMaterials WithoutDiffusion()
+        {
+            PhaseMaterials apart = this;
+            for (int phase = 0; phase <= last; phase++)
+                RowOf(ref apart, phase).lowDiffusion = RowOf(ref apart, phase).highDiffusion = 0f;
+            return apart;
+        }
+
         bool Has(int phase) => phase > 0 && phase <= last && RowOf(ref this, phase).density > 0f;
+
+        static void SetDiffusion(ref Row row, int phase, float diffusion)
+        {
+            if (phase < 4)
+                row.lowDiffusion[phase] = diffusion;
+            else
+                row.highDiffusion[phase - 4] = diffusion;
+        }
 
         static ref Row RowOf(ref PhaseMaterials of, int phase)
         {
             switch (phase)
             {
+                case 0: return ref of.row0;
                 case 1: return ref of.row1;
                 case 2: return ref of.row2;
                 case 3: return ref of.row3;

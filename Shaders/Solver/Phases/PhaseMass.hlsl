@@ -33,6 +33,12 @@ float2 GrainRow(uint i)
     return _Walls[min(_Tags[i] >> kTagPhaseShift, kMaxPhase)].yz;
 }
 
+// Whether two particles are of materials that mix.
+bool AreMixing(uint i, uint j)
+{
+    return ((uint)_Walls[min(_Tags[i] >> kTagPhaseShift, kMaxPhase)].w >> (_Tags[j] >> kTagPhaseShift) & 1) != 0;
+}
+
 // Viscosity with which a particle is braked by a wall, over its mass.
 float OwnViscosity(uint i)
 {

@@ -1,5 +1,5 @@
 // How a particle among others of another density moves relative to the coarse grid, whose cells know their mean density alone: drops and
-// bubbles smaller than a cell would hover there. Include after PhaseMass.hlsl.
+// bubbles smaller than a cell would hover there. What mixes moves as one. Include after PhaseMass.hlsl.
 //
 //   _Slips           [particles]  i/o  float, factor of the grid's displacement; 1 where at least half of the neighbors have its density
 #ifndef RILL_PHASE_SLIP_INCLUDED
@@ -17,7 +17,7 @@ struct SlipSums
 void AddSlip(inout SlipSums sums, uint i, uint j)
 {
     float mass = RelativeMass(j);
-    bool isOther = mass != RelativeMass(i);
+    bool isOther = mass != RelativeMass(i) && !AreMixing(i, j);
     sums.others += isOther ? 1.0 : 0.0;
     sums.mass += isOther ? mass : 0.0;
 }

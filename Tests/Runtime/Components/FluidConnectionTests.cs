@@ -183,6 +183,31 @@ namespace Rill.Tests
             Assert.That(Own(left).Length + Own(right).Length, Is.EqualTo(parted).Within(20));
         }
 
+        // What is near the border is in both fluids, in one of them as a copy that changes places with nothing.
+        [UnityTest]
+        public IEnumerator Materials_that_mix_across_a_connection_are_kept_to_the_particle()
+        {
+            FluidMaterialAsset dye = FluidMaterialAsset.Create("Dye", 1000f);
+            (FluidSimulation left, FluidSimulation right) = Pair(new Vector3(2f, 0.8f, 0.5f), new Vector3(2f, 0.4f, 0.5f), DeepWater.Off, fluid =>
+            {
+                fluid.PhaseMaterials = new[] { dye };
+                fluid.MaterialPairs = new[] { FluidMaterialPair.Mixing(null, dye, 0.05f) };
+            });
+            left.GetComponentInChildren<FluidVolume>().Material = dye;
+            left.Restart();
+            Connect(left, right);
+            yield return Frames(2);
+            int Count(uint phase) => PhasesOf(left).Concat(PhasesOf(right)).Count(own => own == phase);
+            int dyed = Count(1), clear = Count(0);
+            for (int frame = 0; frame < 30; frame++)
+            {
+                yield return null;
+                Assert.That((Count(1), Count(0)), Is.EqualTo((dyed, clear)), $"frame {frame}");
+            }
+            Assert.That(PhasesOf(right).Count(phase => phase == 1), Is.GreaterThan(5), "dye crossed");
+            UnityEngine.Object.Destroy(dye);
+        }
+
         static uint[] PhasesOf(FluidSimulation fluid)
         {
             ParticleState state = TestFluid.Read(fluid.Solver);

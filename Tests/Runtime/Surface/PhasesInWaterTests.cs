@@ -106,6 +106,30 @@ namespace Rill.Tests
             UnityEngine.Object.Destroy(oil);
         }
 
+        // What mixes is drawn stirred, with its share of each, beside a border to what it does not mix with that is as sharp as without.
+        [UnityTest]
+        public IEnumerator Materials_that_mix_are_drawn_stirred_beside_a_sharp_border_to_others()
+        {
+            FluidMaterialAsset oil = FluidMaterialAsset.Create("Oil", 999f), dye = FluidMaterialAsset.Create("Dye", 998f);
+            scene.Fluid.PhaseMaterials = new[] { oil, dye };
+            scene.Fluid.MaterialPairs = new[] { FluidMaterialPair.Mixing(null, dye, 1e-9f) };
+            var second = new float3(0.3f, 0.8f, 0.5f);
+            surface.PhaseLooks = new[] { WaterScene.Absorbing(First, Tinted), WaterScene.Absorbing(second, Tinted) };
+            yield return scene.Settle();
+            scene.SetPhases((p, i) => p.x > 0.5f ? 1 : i % 3 == 0 ? 2 : 0);
+            yield return WaterScene.Frames(2);
+            const float Near = 0.8f * WaterScene.Spacing;
+            float depth = WaterScene.Depth / 0.5f;
+            float3 stirred = Face * Face * math.pow(second, depth / 3f) * math.pow(WaterScene.Left, depth * 2f / 3f);
+            float3 found = scene.At(-0.2f), ratio = found / stirred;
+            TestContext.Out.WriteLine($"stirred {found}, expected {stirred}; at the border {scene.At(-Near)} and {scene.At(Near)}");
+            Assert.That(math.cmax(math.abs(ratio - 1f)), Is.LessThan(0.06f));
+            IsNear(scene.At(Near), Face * Face * math.pow(First, WaterScene.Depth / Tinted));
+            Assert.That(math.cmax(math.abs(scene.At(-Near) / stirred - 1f)), Is.LessThan(0.12f), "up to the border");
+            UnityEngine.Object.Destroy(oil);
+            UnityEngine.Object.Destroy(dye);
+        }
+
         // Grains that scatter all light within a millimeter are seen by the part that gets through the water above: exp(-2).
         [UnityTest]
         public IEnumerator Opaque_grains_under_murky_water_are_seen_through_it()

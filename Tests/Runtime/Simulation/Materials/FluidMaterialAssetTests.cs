@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
+using NUnit.Framework.Constraints;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
@@ -236,6 +237,76 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Warning, new Regex("FluidMaterialAsset 'Oil'.*contact angle"));
             oil.ContactAngle = 200f;
             Assert.That(oil.ContactAngle, Is.EqualTo(180f));
+        }
+
+        // Dye fills the half at x > 0, brine would be the fluid's third liquid and is not in it.
+        SourceScene Dyed(FluidMaterialAsset dye, params FluidMaterialPair[] pairs)
+        {
+            var scene = new SourceScene(new Vector3(1f, 0.5f, 0.5f), Spacing, 3000);
+            var half = new Vector3(0.5f, 0.4f, 0.5f);
+            AddVolume(scene, half, new Vector3(-0.25f, -0.05f, 0f), null);
+            AddVolume(scene, half, new Vector3(0.25f, -0.05f, 0f), dye);
+            scene.Fluid.Gravity = Vector3.zero;
+            scene.Fluid.MaterialPairs = pairs;
+            scene.Fluid.Restart();
+            return scene;
+        }
+
+        static int CountAcross(SourceScene scene, float near)
+        {
+            uint[] phases = Phases(scene);
+            return scene.Read().positions.Where((p, i) => phases[i] == 1 && p.x * Spacing < 0.5f - near).Count();
+        }
+
+        [Test]
+        public void A_pair_mixes_once_both_are_in_the_fluid_whichever_is_named_first([Values] bool isFirst, [Values] bool isOwn)
+        {
+            FluidMaterialAsset dye = Material("Dye", 1000f), other = isOwn ? null : Material("Brine", 1000f);
+            FluidMaterialPair pair = isFirst ? FluidMaterialPair.Mixing(dye, other, 0.005f) : FluidMaterialPair.Mixing(other, dye, 0.005f);
+            using (SourceScene scene = Dyed(dye, pair))
+            {
+                Assert.That(CountAcross(scene.Step(30), 0.02f), isOwn ? Is.GreaterThan(10) : (IResolveConstraint)Is.Zero);
+                scene.Fluid.MaterialPairs = null;
+                uint[] before = Phases(scene);
+                Assert.That(Phases(scene.Step(5)).Count(phase => phase == 1), Is.EqualTo(before.Count(phase => phase == 1)));
+                Assert.That(scene.Fluid.Solver.Describe(scene.Fluid.Input, 0).Single(stage => stage.Name == "Diffusion").IsUsed, Is.False);
+            }
+        }
+
+        [Test]
+        public void Diffusion_beyond_its_limit_is_logged_once_with_the_substeps_that_reach_it()
+        {
+            FluidMaterialAsset dye = Material("Dye", 1000f);
+            using (SourceScene scene = Dyed(dye, FluidMaterialPair.Mixing(null, dye, 0.04f)))
+            {
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid': its diffusion of 0.04 m²/s acts like 0.015 m²/s, the most at " +
+                    "this spacing and substep. Take 3 substeps, or a particle spacing of 0.0816 m, or lower it"));
+                scene.Step(3);
+                Assert.That(ProblemsOf(scene.Fluid), Has.Some.Contains("its diffusion of 0.04 m²/s"));
+                scene.Fluid.Settings = With(scene.Fluid.Settings, 3);
+                scene.Step(2);
+                Assert.That(ProblemsOf(scene.Fluid), Is.Empty);
+            }
+        }
+
+        static SolverSettings With(SolverSettings settings, int substeps)
+        {
+            settings.substeps = substeps;
+            return settings;
+        }
+
+        [Test]
+        public void A_pair_out_of_range_is_clamped_and_one_of_a_single_material_is_said()
+        {
+            FluidMaterialAsset dye = Material("Dye", 1000f);
+            using (var scene = new SourceScene(Box, Spacing, 100))
+            {
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid'.*material pair 0: diffusion.*100"));
+                scene.Fluid.MaterialPairs = new[] { FluidMaterialPair.Mixing(null, dye, 1000f) };
+                Assert.That(scene.Fluid.MaterialPairs[0].diffusion, Is.EqualTo(100f));
+                LogAssert.Expect(LogType.Warning, new Regex("FluidSimulation 'Fluid'.*material pair 1: both materials are the same"));
+                scene.Fluid.MaterialPairs = new[] { FluidMaterialPair.Mixing(null, dye, 0.001f), FluidMaterialPair.Mixing(dye, dye, 0.001f) };
+            }
         }
 
         static float MeanHeight(SourceScene scene, uint phase)
