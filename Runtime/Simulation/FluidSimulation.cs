@@ -45,7 +45,8 @@ namespace Rill
             "has the Material above. A material that is used and not listed here gets the next free phase.")]
         [SerializeField] FluidMaterialAsset[] phaseMaterials = Array.Empty<FluidMaterialAsset>();
 
-        [Tooltip("Materials that mix: two of the above, or one and the fluid's own. All others stay apart.")]
+        [Tooltip("How two materials act on each other: whether they mix, and the tension between them. Two of the above, or one and " +
+            "the fluid's own. All others stay apart.")]
         [SerializeField] FluidMaterialPair[] materialPairs = Array.Empty<FluidMaterialPair>();
 
         [SerializeField] SolverSettings solver = SolverSettings.Default;

@@ -261,6 +261,27 @@ namespace Host.Tests
                 .ElementAt(30));
         }
 
+        [Test]
+        public void The_paints_mix_with_the_water_and_none_of_them_is_lost()
+        {
+            using (new SampleScene("Paint"))
+            {
+                var start = Object.FindObjectOfType<FluidSimulation>();
+                start.Configure(start.DomainSize, 0.025f, 8000);
+                // In a second over more than a spacing of this coarse water.
+                start.MaterialPairs = start.MaterialPairs.Select(pair => FluidMaterialPair.Mixing(pair.first, pair.second,
+                    20f * pair.diffusion)).ToArray();
+                int water = Read<uint>(Play(1), start.Solver.Tags).Length;
+                FluidSimulation fluid = Play(90);
+                uint[] phases = Read<uint>(fluid, fluid.Solver.Tags).Select(tag => tag >> ParticleTags.PhaseShift).ToArray();
+                int poured = phases.Length - water, replaced = Ids(fluid).Where((id, i) => id >= water && phases[i] == 0).Count();
+                TestContext.WriteLine($"{replaced} of {poured} particles of paint changed places with water");
+                Assert.That(poured, Is.GreaterThan(150));
+                Assert.That(phases.Count(phase => phase > 0), Is.EqualTo(poured));
+                Assert.That(replaced, Is.GreaterThan(0.2 * poured));
+            }
+        }
+
         static bool IsBetween(float value, float low, float high) => value > low && value < high;
 
         static FluidSimulation Play(int frames, Action<FluidSimulation> afterEach = null)

@@ -24,6 +24,12 @@ namespace Rill
             "Stirring mixes faster. More than 0.1 squared spacings a substep act like that.")]
         public float diffusion;
 
+        /// <summary>Surface tension between them, N/m, 0 to 1000. 0: the difference of their tensions (Antonow 1907). At most their sum acts, and
+        /// none where they mix.</summary>
+        [Tooltip("Surface tension between them, N/m: it makes drops of one in the other round. 0: the difference of their surface tensions. Up to " +
+            "1000; at most the sum of their surface tensions acts, and none where they mix.")]
+        public float interfaceTension;
+
         /// <summary>Returns a pair that mixes.</summary>
         /// <param name="first">One of the two; null for the fluid's own material.</param>
         /// <param name="second">The other one.</param>
@@ -37,8 +43,9 @@ namespace Rill
         {
             problem = null;
             Limit.Clamp("diffusion", ref diffusion, 0f, MaxDiffusion, 0f, ref problem);
-            if (first == second && diffusion > 0f)
-                Limit.Append(ref problem, "both materials are the same, so nothing mixes. Choose another for one of them");
+            Limit.Clamp("interface tension", ref interfaceTension, 0f, FluidMaterial.MaxTension, 0f, ref problem);
+            if (first == second && (diffusion > 0f || interfaceTension > 0f))
+                Limit.Append(ref problem, "both materials are the same, so nothing acts. Choose another for one of them");
         }
     }
 }

@@ -121,7 +121,7 @@ namespace Rill
             {
                 int first = Find(pair.first), second = Find(pair.second);
                 if (first >= 0 && second >= 0 && first != second)
-                    phases.Mix(first, second, pair.diffusion);
+                    phases.SetPair(first, second, pair.diffusion, pair.interfaceTension);
             }
             return phases;
         }

@@ -52,6 +52,19 @@ namespace Rill
             return Math.Min(own, MaxStrength(input.settings.iterations, deepWater)) * (density / input.phases.Heaviest(input.material));
         }
 
+        /// <summary>Σ by which two phases attract each other: (σ + σ' − σ'') / 2 with a tension σ'' between them (Girifalco and Good 1957), which is
+        /// the difference of the two (Antonow 1907) unless their pair has another, and none where they mix.</summary>
+        public static double Attraction(in StepInput input, int phase, int other, float spacing, bool deepWater)
+        {
+            double first = Strength(input, phase, spacing, deepWater), second = Strength(input, other, spacing, deepWater);
+            double between = Math.Abs(first - second), asked = input.phases.InterfaceTension(phase, other);
+            if (input.phases.Diffusion(phase, other) > 0f)
+                between = 0.0;
+            else if (asked > 0.0)
+                between = Math.Min(asked / UnitTension(input.phases.Heaviest(input.material), spacing, input.SubstepTime), first + second);
+            return 0.5 * (first + second - between);
+        }
+
         /// <summary>Attraction of a wall over that of as much of the fluid itself.</summary>
         /// <remarks>(1 + cos θ) / 2 after Young and Dupré would hold for a sharp surface on a smooth wall. Here a layer of particles lies at its
         /// contact offset and slips little, so that the line where the surface ends is pinned. These fit the mean of what drops come to that

@@ -9,13 +9,19 @@ namespace Rill
     [StructLayout(LayoutKind.Sequential)]
     struct PhaseConstants
     {
-        /// <summary>x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, w: surface tension, both relative
-        /// to the largest</summary>
+        /// <summary>x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, relative to the
+        /// largest; w: bits of the phases that it mixes with</summary>
         public PhaseRows phases;
 
         /// <summary>x: attraction by walls, relative to that of a pair with the largest surface tension; y: friction of grains over the mass of
-        /// a particle, z: their cohesion, d²; w: bits of the phases that it mixes with</summary>
+        /// a particle, z: their cohesion, d²</summary>
         public PhaseRows walls;
+
+        /// <summary>attraction of a pair with phases 0 to 3, relative to that of one with the largest surface tension</summary>
+        public PhaseRows lowAttractions;
+
+        /// <summary>the same with phases 4 to 7</summary>
+        public PhaseRows highAttractions;
 
         /// <summary>largest phase of a particle</summary>
         [GenerateHlsl("Phases")] public const int MaxPhase = ParticleTags.MaxPhase;
@@ -33,12 +39,32 @@ namespace Rill
                 float mass = math.max(input.phases.Density(phase, own) / heaviest, 1f / PhaseMaterials.MaxRatio);
                 float tension = (float)(SurfaceTension.Strength(input, phase, spacing, deepWater) / maxTension);
                 double wall = SurfaceTension.WallFraction(input.phases.Angle(phase, own));
-                constants.phases[phase] = new float4(mass, 1f / mass, input.phases.Viscosity(phase, own) / maxViscosity, tension);
+                constants.phases[phase] = new float4(mass, 1f / mass, input.phases.Viscosity(phase, own) / maxViscosity,
+                    MixesWith(phase, input.phases));
                 float angle = input.phases.FrictionAngle(phase, own), friction = GrainFriction.Coefficient(angle) / mass;
                 float cohesion = GrainFriction.Cohesion(input.phases.Cohesion(phase, own), angle, mass * heaviest, spacing, input.SubstepTime);
-                constants.walls[phase] = new float4((float)(tension * wall), friction, cohesion, MixesWith(phase, input.phases));
+                constants.walls[phase] = new float4((float)(tension * wall), friction, cohesion, 0f);
             }
+            SetAttractions(ref constants, input, spacing, deepWater, 1.0 / maxTension);
             return constants;
+        }
+
+        static void SetAttractions(ref PhaseConstants constants, in StepInput input, float spacing, bool deepWater, double scale)
+        {
+            for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
+            {
+                float4 low = 0f, high = 0f;
+                for (int other = 0; other < PhaseMaterials.Phases; other++)
+                {
+                    float attraction = (float)(scale * SurfaceTension.Attraction(input, phase, other, spacing, deepWater));
+                    if (other < 4)
+                        low[other] = attraction;
+                    else
+                        high[other - 4] = attraction;
+                }
+                constants.lowAttractions[phase] = low;
+                constants.highAttractions[phase] = high;
+            }
         }
 
         static float MixesWith(int phase, in PhaseMaterials phases)

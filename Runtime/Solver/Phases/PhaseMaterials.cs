@@ -22,6 +22,7 @@ namespace Rill
             public float friction;      // angle, degrees
             public float cohesion;      // Pa
             public float4 lowDiffusion, highDiffusion;      // with phases 0 to 3 and 4 to 7, m²/s
+            public float4 lowTension, highTension;          // the same, N/m; 0: by the tensions of both
         }
 
         int last;
@@ -40,7 +41,7 @@ namespace Rill
         /// <param name="cohesion">Cohesion of grains, Pa.</param>
         public void Set(int phase, float density, float viscosity, float tension = 0f, float angle = 90f, float friction = 0f, float cohesion = 0f)
         {
-            ref Row row = ref RowOf(ref this, phase);
+            ref Row row = ref RowOf(ref this, phase > 0 ? phase : -1);      // phase 0 is the fluid's own
             row.density = density;
             row.viscosity = viscosity;
             row.tension = tension;
@@ -50,14 +51,15 @@ namespace Rill
             last = math.max(last, phase);
         }
 
-        /// <summary>Lets two phases mix.</summary>
+        /// <summary>Says how two phases act on each other.</summary>
         /// <param name="a">Phase, 0 or one with a material of its own.</param>
         /// <param name="b">Another one.</param>
         /// <param name="diffusion">m²/s.</param>
-        public void Mix(int a, int b, float diffusion)
+        /// <param name="interfaceTension">N/m; 0: the difference of their tensions.</param>
+        public void SetPair(int a, int b, float diffusion, float interfaceTension = 0f)
         {
-            SetDiffusion(ref RowOf(ref this, a), b, diffusion);
-            SetDiffusion(ref RowOf(ref this, b), a, diffusion);
+            SetPair(ref RowOf(ref this, a), b, diffusion, interfaceTension);
+            SetPair(ref RowOf(ref this, b), a, diffusion, interfaceTension);
         }
 
         /// <summary>Returns how fast two phases mix, m²/s; 0 where they stay apart.</summary>
@@ -66,6 +68,14 @@ namespace Rill
             ref Row row = ref RowOf(ref this, Has(a) ? a : 0);
             int other = Has(b) ? b : 0;
             return a == b ? 0f : other < 4 ? row.lowDiffusion[other] : row.highDiffusion[other - 4];
+        }
+
+        /// <summary>Returns the tension between two phases that their pair has, N/m; 0 where it has none of its own.</summary>
+        public float InterfaceTension(int a, int b)
+        {
+            ref Row row = ref RowOf(ref this, Has(a) ? a : 0);
+            int other = Has(b) ? b : 0;
+            return a == b ? 0f : other < 4 ? row.lowTension[other] : row.highTension[other - 4];
         }
 
         /// <summary>Returns whether two phases mix, by themselves or through others.</summary>
@@ -196,6 +206,7 @@ namespace Rill
             for (int phase = 1; phase <= last; phase++)
                 differ |= Density(phase, own) != own.density || Viscosity(phase, own) != own.dynamicViscosity
                     || FrictionAngle(phase, own) != own.frictionAngle || Cohesion(phase, own) != own.cohesion
+                    || math.any(RowOf(ref this, phase).lowTension != 0f) || math.any(RowOf(ref this, phase).highTension != 0f)
                     || Tension(phase, own) != own.surfaceTension || Tension(phase, own) > 0f && Angle(phase, own) != own.contactAngle;
             return differ;
         }
@@ -229,12 +240,18 @@ namespace Rill
 
         bool Has(int phase) => phase > 0 && phase <= last && RowOf(ref this, phase).density > 0f;
 
-        static void SetDiffusion(ref Row row, int phase, float diffusion)
+        static void SetPair(ref Row row, int phase, float diffusion, float tension)
         {
             if (phase < 4)
+            {
                 row.lowDiffusion[phase] = diffusion;
+                row.lowTension[phase] = tension;
+            }
             else
+            {
                 row.highDiffusion[phase - 4] = diffusion;
+                row.highTension[phase - 4] = tension;
+            }
         }
 
         static ref Row RowOf(ref PhaseMaterials of, int phase)

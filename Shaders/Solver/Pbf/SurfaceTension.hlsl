@@ -1,6 +1,6 @@
 // Surface tension as an attraction of pairs within each pass of the density constraint, and that of walls: what lies behind one attracts
-// like the fluid itself, times the fraction that the contact angle leaves (Young-Dupre). Where phases have tensions of their own, two liquids
-// attract each other by the smaller one, so that the difference acts between them. Include after Solver.hlsl and PhaseMass.hlsl.
+// like the fluid itself, times the fraction that the contact angle leaves (Young-Dupre). Two liquids attract each other by what their tensions
+// and the one between them leave, see SurfaceTension.cs. Include after Solver.hlsl and PhaseMass.hlsl.
 #ifndef RILL_SURFACE_TENSION_INCLUDED
 #define RILL_SURFACE_TENSION_INCLUDED
 
@@ -9,10 +9,13 @@ float _WallAttraction;      // the same of a wall: times what the contact angle 
 
 #ifdef RILL_MATERIALS
 
-// Surface tension between two particles, relative to the largest.
-float RelativeTension(uint i, uint j)
+#include "../Phases/PhasePairs.hlsl"
+
+// Attraction of two particles, relative to that of the phase with the largest surface tension.
+float RelativeAttraction(uint i, uint j)
 {
-    return min(PhaseRow(i).w, PhaseRow(j).w);
+    uint phase = min(_Tags[i] >> kTagPhaseShift, kMaxPhase);
+    return PairEntry(_LowAttractions[phase], _HighAttractions[phase], _Tags[j] >> kTagPhaseShift);
 }
 
 float WallAttraction(uint i)
@@ -22,7 +25,7 @@ float WallAttraction(uint i)
 
 #else
 
-float RelativeTension(uint i, uint j)
+float RelativeAttraction(uint i, uint j)
 {
     return 1.0;
 }

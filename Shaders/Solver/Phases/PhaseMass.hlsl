@@ -36,7 +36,7 @@ float2 GrainRow(uint i)
 // Whether two particles are of materials that mix.
 bool AreMixing(uint i, uint j)
 {
-    return ((uint)_Walls[min(_Tags[i] >> kTagPhaseShift, kMaxPhase)].w >> (_Tags[j] >> kTagPhaseShift) & 1) != 0;
+    return ((uint)PhaseRow(i).w >> (_Tags[j] >> kTagPhaseShift) & 1) != 0;
 }
 
 // Viscosity with which a particle is braked by a wall, over its mass.

@@ -43,6 +43,8 @@ namespace Host.Bench
                 DefaultValueFactory = _ => FluidMaterial.Water.frictionAngle };
             var densityRatio = new Option<float>("--density-ratio") {
                 Description = "The upper half is a liquid that is lighter by this factor; 1 for one liquid.", DefaultValueFactory = _ => 1f };
+            var diffusion = new Option<float>("--diffusion") { Description = "With which the halves mix, m²/s; 0 for none.",
+                DefaultValueFactory = _ => 0f };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.",
                 DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
@@ -54,8 +56,8 @@ namespace Host.Bench
             Option<string> shaders = ShadersOption.Create();
 
             var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
-                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, deepWater, window, steps, kernels,
-                json, shaders,
+                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, diffusion, deepWater, window, steps,
+                kernels, json, shaders,
                 BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(),
                 PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
                 SurfaceBench.Create() };
@@ -89,8 +91,13 @@ namespace Host.Bench
                 float ratio = parsed.GetValue(densityRatio);
                 if (!(ratio >= 1f) || ratio > PhaseMaterials.MaxRatio)
                     throw new HostException($"--density-ratio {ratio}: give 1 to {PhaseMaterials.MaxRatio}.");
-                if (ratio > 1f)
+                float mixing = parsed.GetValue(diffusion);
+                if (!(mixing >= 0f) || mixing > FluidMaterialPair.MaxDiffusion)
+                    throw new HostException($"--diffusion {mixing}: give 0 to {FluidMaterialPair.MaxDiffusion} m²/s.");
+                if (ratio > 1f || mixing > 0f)
                     input.phases.Set(1, material.density / ratio, material.dynamicViscosity);
+                if (mixing > 0f)
+                    input.phases.SetPair(0, 1, mixing);
                 return Execute(scene, input, windows, parsed.GetValue(steps), parsed.GetValue(json), System.Console.Out);
             });
             return command;
@@ -122,7 +129,7 @@ namespace Host.Bench
                 $"{input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, " +
                 $"velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear " +
                 $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, density ratio " +
-                $"{input.phases.Ratio(input.material)}, {input.settings.neighborCapacity} list entries");
+                $"{input.phases.Ratio(input.material)}, diffusion {input.phases.MaxDiffusion} m²/s, {input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
@@ -134,7 +141,7 @@ namespace Host.Bench
                 input.settings.neighborCapacity, input.settings.listMargin)))
             {
                 foreach ((string name, int first, int last) in windows)
-                    results[name] = StepTimes.Measure(solver, s => Fill(s, scene, MaterialTable.IsNeeded(input)), input, first, last, steps);
+                    results[name] = StepTimes.Measure(solver, s => Fill(s, scene, input.phases.Last > 0), input, first, last, steps);
                 bytes = solver.Describe(input, 0).Sum(stage => stage.Bytes);
             }
 

@@ -45,18 +45,25 @@ namespace Rill.Tests
             }
         }
 
-        // Phase 1 is half as heavy as phase 2 and moves twice as far. Two liquids attract each other by the smaller tension, each limited by its
-        // own density: the 1 of the light one is 0.02 of its own density, and 0.01 of the heavy one's.
-        [TestCase(0.005, 0.01, 0.005)]
-        [TestCase(0.01, 0.004, 0.004)]
-        [TestCase(0.0, 0.01, 0.0)]
-        [TestCase(1.0, 0.02, 0.01)]
-        public void Particles_of_two_liquids_attract_each_other_by_the_smaller_tension(double light, double heavy, double acting)
+        // Phase 1 is half as heavy as phase 2 and moves twice as far. Two liquids attract each other by what the tension between them leaves of half
+        // the sum of theirs: by the smaller one where that is their difference. Each is limited by its own density: the 1 of the light one is 0.02
+        // of its own density, and 0.01 of the heavy one's.
+        [TestCase(0.005, 0.01, 0.0, 0.005)]
+        [TestCase(0.01, 0.004, 0.0, 0.004)]
+        [TestCase(0.0, 0.01, 0.0, 0.0)]
+        [TestCase(1.0, 0.02, 0.0, 0.01)]
+        [TestCase(0.01, 0.01, 0.004, 0.008)]
+        [TestCase(0.01, 0.004, 0.01, 0.002)]
+        [TestCase(0.01, 0.004, 1.0, 0.0)]
+        [TestCase(0.01, 0.004, 0.01, 0.007, 1e-9f)]
+        public void Particles_of_two_liquids_attract_each_other_by_what_the_tension_between_them_leaves(double light, double heavy, double between,
+            double acting, float diffusion = 0f)
         {
             using (TestFluid fluid = FreeDrop.Make(24f, p => false, 0.0, 2))
             {
                 fluid.Input.phases.Set(1, 500f, 0f, FreeDrop.Tension(light));
                 fluid.Input.phases.Set(2, 1000f, 0f, FreeDrop.Tension(heavy));
+                fluid.Input.phases.SetPair(2, 1, diffusion, FreeDrop.Tension(between));
                 AddTagged(fluid, 1, new float3(11.2f, 12f, 12f));
                 AddTagged(fluid, 2, new float3(12.8f, 12f, 12f));
                 fluid.Step();

@@ -28,7 +28,7 @@ namespace Rill.Tests
             fluid.Input.gravity = settings.gravity;
             for (int phase = 1; phase < 4; phase++)
                 fluid.Input.phases.Set(phase, phase == 1 ? density : 1000f, 0f);
-            fluid.Input.phases.Mix(0, 1, diffusion);
+            fluid.Input.phases.SetPair(0, 1, diffusion);
             ParticleState block = ParticleState.Lattice(0f, 0.5f, Counts, 0.02f);
             foreach (IGrouping<int, float4> group in block.positions.GroupBy(p => phaseOf(p.xyz)))
                 using (var positions = new NativeArray<float4>(group.Select(p => new float4(p.xyz, 0f)).ToArray(), Allocator.Persistent))

@@ -20,6 +20,42 @@ namespace Rill.Tests
             return phases;
         }
 
+        // Phases without a material of their own act as the fluid's own.
+        [Test]
+        public void A_pair_is_the_same_from_both_sides_and_others_have_none([Values(0, 2, 3, 7)] int first, [Values(1, 4, 5)] int second)
+        {
+            var phases = new PhaseMaterials();
+            foreach (int phase in new[] { 1, 2, 3, 4, 5, 7 })
+                phases.Set(phase, 1000f, 0f);
+            phases.SetPair(first, second, 0.5f, 0.25f);
+            for (int a = 0; a < PhaseMaterials.Phases; a++)
+            {
+                for (int b = 0; b < PhaseMaterials.Phases; b++)
+                {
+                    int x = a == 6 ? 0 : a, y = b == 6 ? 0 : b;
+                    bool isPair = x == first && y == second || x == second && y == first;
+                    Assert.That((phases.Diffusion(a, b), phases.InterfaceTension(a, b)), Is.EqualTo(isPair ? (0.5f, 0.25f) : (0f, 0f)), $"{a}, {b}");
+                    Assert.That(phases.AreMixing(x, y), Is.EqualTo(isPair || x == y), $"{a}, {b}");
+                }
+            }
+            Assert.That((phases.MaxDiffusion, phases.WithoutDiffusion().MaxDiffusion), Is.EqualTo((0.5f, 0f)));
+            Assert.That(phases.WithoutDiffusion().InterfaceTension(second, first), Is.EqualTo(0.25f));
+            Assert.That(phases.Differ(FluidMaterial.Water), "the tension between them");
+        }
+
+        [Test]
+        public void Phases_mix_through_others()
+        {
+            var phases = new PhaseMaterials();
+            for (int phase = 1; phase < 6; phase++)
+                phases.Set(phase, 1000f, 0f);
+            phases.SetPair(0, 3, 0.1f);
+            phases.SetPair(3, 5, 0.1f);
+            phases.SetPair(1, 2, 0.1f);
+            Assert.That(phases.AreMixing(5, 0) && phases.AreMixing(0, 5));
+            Assert.That(phases.AreMixing(5, 1) || phases.AreMixing(0, 4), Is.False);
+        }
+
         [TestCase(1000f, 2f, 0.07f, 60f, ExpectedResult = false)]
         [TestCase(900f, 2f, 0.07f, 60f, ExpectedResult = true)]
         [TestCase(1000f, 3f, 0.07f, 60f, ExpectedResult = true)]
