@@ -34,6 +34,40 @@ namespace Rill.Tests
                 Moving(ColliderShape.Box, new float3(0.8f, 6f, 5f), new float3(19f, 8f, 9f), 0f, 0f),
                 ColliderTests.Still(ColliderShape.Box, new float3(7f, 3f, 6f), new float3(7f, 0.3f, 20f), quaternion.identity),
             };
+            Follow(box, solids, (cells, beside) =>
+            {
+                int linked = beside.Count(cell => cells.Link(cell) != Roomy), roomy = beside.Count(cell => cells.Volume(cell) >= 0.25);
+                TestContext.Out.WriteLine($"{beside.Length} of {cells.total} cells beside solids, {linked} without room of their own, " +
+                    $"{beside.Count(cells.HasSurface)} with a surface");
+                Assert.That(new[] { linked, beside.Count(cells.HasSurface), roomy - beside.Count(cells.HasSurface) }, Is.All.GreaterThan(5));
+            });
+        }
+
+        // A slot of one cell between two plates, and a cell with two stones at a slab, which has a side that is open but no one surface: its
+        // center of what is open is off its own, and the distances of its eighths cancel.
+        [Test]
+        public void Beside_solids_without_one_surface_water_is_stopped_side_by_side()
+        {
+            ColliderMotion[] solids =
+            {
+                ColliderTests.Still(ColliderShape.Box, new float3(0.8f, 8f, 8f), new float3(4f, 10f, 10f), quaternion.identity),
+                ColliderTests.Still(ColliderShape.Box, new float3(0.8f, 8f, 8f), new float3(8f, 10f, 10f), quaternion.identity),
+                ColliderTests.Still(ColliderShape.Box, new float3(4f, 20f, 20f), new float3(19.5f, 10f, 10f), quaternion.identity),
+                ColliderTests.Still(ColliderShape.Sphere, 0.5f, new float3(13f, 11f, 9f), quaternion.identity),
+                ColliderTests.Still(ColliderShape.Sphere, 0.5f, new float3(13f, 9f, 11f), quaternion.identity),
+            };
+            Follow(20f, solids, (cells, beside) =>
+            {
+                int[] bare = beside.Where(cell => cells.Volume(cell) >= 0.25 && !cells.HasSurface(cell) && cells.potential[cell] > 0.0).ToArray();
+                int slots = bare.Count(cell => cells.Face(cell, 0, false) == 0.0 && cells.Face(cell, 0, true) == 0.0);
+                int stones = bare.Count(cell => math.length(cells.CenterOf(cell)) > 0.015);
+                TestContext.Out.WriteLine($"under pressure without a surface: {bare.Length} cells, {slots} of the slot, {stones} with stones");
+                Assert.That((slots > 3, stones > 0), Is.EqualTo((true, true)));
+            });
+        }
+
+        static void Follow(float3 box, ColliderMotion[] solids, Action<Cells, int[]> check)
+        {
             ParticleState state = Water(box, solids);
             using (var stages = new CoarseStages(state, Gravity, solids: solids))
             {
@@ -41,10 +75,7 @@ namespace Rill.Tests
                 var cells = new Cells(stages, state);
                 int[] beside = Enumerable.Range(0, cells.total)
                     .Where(cell => cells.active[cell] && !cells.IsClear(cell) && cells.IsKnown(cell)).ToArray();
-                int linked = beside.Count(cell => cells.Link(cell) != Roomy), roomy = beside.Count(cell => cells.Volume(cell) >= 0.25);
-                TestContext.Out.WriteLine($"{beside.Length} of {cells.total} cells beside solids, {linked} without room of their own, " +
-                    $"{beside.Count(cells.HasSurface)} with a surface");
-                Assert.That(new[] { linked, beside.Count(cells.HasSurface), roomy - beside.Count(cells.HasSurface) }, Is.All.GreaterThan(5));
+                check(cells, beside);
 
                 float[] source = stages.Source;
                 Compare.Scalars("source", beside.Length, k => source[beside[k]], k => -cells.Divergence(beside[k]), k => 1e-3);
@@ -61,7 +92,8 @@ namespace Rill.Tests
         {
             float3 cell = box / (float3)new CoarseGrid(box, 4f).Counts;
             var random = new Unity.Mathematics.Random(41u);
-            float3 Velocity(float3 p) => 30f * new float3(math.sin(0.4f * p.y), math.cos(0.3f * p.x) - 0.5f, math.sin(0.5f * p.x + 0.2f * p.z));
+            float3 Velocity(float3 p)
+                => 30f * new float3(math.sin(0.4f * p.y + 0.3f * p.x), math.cos(0.3f * p.x) - 0.5f, math.sin(0.5f * p.x + 0.2f * p.z));
             bool IsClear(float3 p)
             {
                 float3 inCell = math.frac(p / cell);
@@ -142,8 +174,8 @@ namespace Rill.Tests
                 return at < 0 || at >= counts[axis] ? -1 : cell + (isNext ? Stride(axis) : -Stride(axis));
             }
 
-            // Open fraction of a cell's side; 0 at the domain's wall.
-            double Face(int cell, int axis, bool isNext)
+            /// <summary>Open fraction of a cell's side; 0 at the domain's wall.</summary>
+            public double Face(int cell, int axis, bool isNext)
             {
                 int beyond = Beside(cell, axis, isNext);
                 return beyond < 0 ? 0.0 : (open[isNext ? beyond : cell].x >> 10 * axis & 1023u) / 1023.0;
@@ -151,6 +183,9 @@ namespace Rill.Tests
 
             // From the center of a cell or face, in sides of the cell.
             static double3 Center(uint packed) => (new double3(packed & 1023u, packed >> 10 & 1023u, packed >> 20 & 1023u) - 511.0) / 1022.0;
+
+            /// <summary>Center of what is open of a cell, from the cell's own, in its sides.</summary>
+            public double3 CenterOf(int cell) => Center(centers[cell].x);
 
             // The cell whose water fills one: itself, or where it has no room the one that it is linked to.
             int RoomOf(int cell) => Link(cell) >= Roomy ? cell : Beside(cell, Link(cell) / 2, Link(cell) % 2 != 0);
