@@ -142,15 +142,18 @@ namespace Rill.Tests.Reference
         }
 
         /// <summary>The equation's diagonal in an active cell: walls let nothing through.</summary>
-        public double Diagonal(int cell)
+        /// <param name="densities">ρ of each cell, of two active ones the mean at their face; null for 1 everywhere.</param>
+        public double Diagonal(int cell, double[] densities = null)
         {
             double sum = Screening;
             for (int axis = 0; axis < 3; axis++)
                 foreach (bool up in new[] { false, true })
                 {
                     int beyond = Beside(cell, axis, up);
-                    if (beyond >= 0)
-                        sum += FaceWeight(cell, axis, up) / (size[axis] * size[axis]);
+                    if (beyond < 0)
+                        continue;
+                    double density = densities == null ? 1.0 : active[beyond] ? 0.5 * (densities[cell] + densities[beyond]) : densities[cell];
+                    sum += FaceWeight(cell, axis, up) / (size[axis] * size[axis] * density);
                 }
             return sum;
         }

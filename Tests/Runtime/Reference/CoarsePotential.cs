@@ -3,15 +3,19 @@ using Unity.Mathematics;
 
 namespace Rill.Tests.Reference
 {
-    /// <summary>(−∇² + 1/ℓ²) φ = source with φ ≥ 0 on the active cells, 0 elsewhere; in double precision.</summary>
+    /// <summary>(−∇² + 1/ℓ²) φ = source, or (−∇·1/ρ ∇ + 1/ℓ²) φ = source, with φ ≥ 0 on the active cells, 0 elsewhere; in
+    /// double precision.</summary>
     sealed class CoarsePotential
     {
         readonly CoarseCells cells;
         readonly double[] source, diagonal;
+        readonly double[] densities;
         readonly double3 coupling;
 
-        public CoarsePotential(CoarseCells cells, double[] source, double[] diagonal)
+        /// <param name="densities">ρ of each cell; null for 1 everywhere.</param>
+        public CoarsePotential(CoarseCells cells, double[] source, double[] diagonal, double[] densities = null)
         {
+            this.densities = densities;
             this.cells = cells;
             this.source = source;
             this.diagonal = diagonal;
@@ -66,18 +70,22 @@ namespace Rill.Tests.Reference
             int strideY = counts.x, strideZ = counts.x * counts.y;
             double sum = 0.0;
             if (x > 0)
-                sum += coupling.x * potential[cell - 1];
+                sum += Coupling(cell, cell - 1, coupling.x) * potential[cell - 1];
             if (x < counts.x - 1)
-                sum += coupling.x * potential[cell + 1];
+                sum += Coupling(cell, cell + 1, coupling.x) * potential[cell + 1];
             if (y > 0)
-                sum += coupling.y * potential[cell - strideY];
+                sum += Coupling(cell, cell - strideY, coupling.y) * potential[cell - strideY];
             if (y < counts.y - 1)
-                sum += coupling.y * potential[cell + strideY];
+                sum += Coupling(cell, cell + strideY, coupling.y) * potential[cell + strideY];
             if (z > 0)
-                sum += coupling.z * potential[cell - strideZ];
+                sum += Coupling(cell, cell - strideZ, coupling.z) * potential[cell - strideZ];
             if (z < counts.z - 1)
-                sum += coupling.z * potential[cell + strideZ];
+                sum += Coupling(cell, cell + strideZ, coupling.z) * potential[cell + strideZ];
             return sum;
         }
+
+        // A face has the mean density of its two cells.
+        double Coupling(int cell, int other, double coupling)
+            => densities == null ? coupling : coupling * 2.0 / (densities[cell] + densities[other]);
     }
 }
