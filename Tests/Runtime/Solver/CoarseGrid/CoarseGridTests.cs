@@ -60,6 +60,16 @@ namespace Rill.Tests
         public void Levels_go_on_until_few_cells_are_left_in_all_and_along_each_axis(float x, float y, float z, int levels)
             => Assert.That(new CoarseGrid(new float3(x, y, z), 4f).LevelCount, Is.EqualTo(levels));
 
+        [Test]
+        public void The_shaders_get_every_level_by_itself()
+        {
+            CoarseLevels levels = CoarseConstants.For(new CoarseGrid(new float3(8192f, 8f, 2f), 4f)).levels;
+            Assert.That(new[] { levels.level0, levels.level1, levels.level2, levels.level3, levels.level4, levels.level5, levels.level6,
+                levels.level7 }, Is.EqualTo(new[] { new uint4(2048, 2, 1, 0), new uint4(1024, 1, 1, 0), new uint4(512, 1, 1, 1024),
+                new uint4(256, 1, 1, 1536), new uint4(128, 1, 1, 1792), new uint4(64, 1, 1, 1920), new uint4(32, 1, 1, 1984),
+                new uint4(16, 1, 1, 2016) }));
+        }
+
         // By 2048 cells, or 1024 of 16 KB of groupshared memory: 216, 27 and 8 cells are left below 1728.
         [Test]
         public void A_tail_of_half_the_memory_holds_half_the_cells()
