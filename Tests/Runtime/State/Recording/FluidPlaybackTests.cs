@@ -221,6 +221,36 @@ namespace Rill.Tests
             }
         }
 
+        // Without ids a slot holds another particle in each frame. A version that is one more than that before goes on from its surface.
+        [TestCase(RecordingFields.Velocities | RecordingFields.Ids, true)]
+        [TestCase(RecordingFields.Velocities, false)]
+        public void The_surface_goes_on_from_the_frame_before_only_where_particles_have_ids(RecordingFields fields, bool goesOn)
+        {
+            byte[] file = RecordedWater.Record(6, r => r.Fields = fields);
+            using (SourceScene scene = RecordedWater.MakeScene())
+            {
+                FluidPlayback playback = RecordedWater.Play(scene, file);
+                int Shown()
+                {
+                    scene.Fluid.Results.Surface.IsNeeded = true;
+                    scene.Step();
+                    Assert.That(scene.Fluid.Solver.SurfaceIsCurrent);
+                    return scene.Fluid.Solver.SurfaceVersion;
+                }
+                int last = Shown();
+                playback.Play();
+                for (int frame = 1; frame < 4; frame++)
+                {
+                    int version = Shown();
+                    Assert.That(playback.ShownFrame, Is.EqualTo(frame));
+                    Assert.That(version - last, goesOn ? Is.EqualTo(1) : Is.GreaterThan(1), $"frame {frame}");
+                    last = version;
+                }
+                playback.Time = 5.0 / 60.0;
+                Assert.That(Shown() - last, Is.GreaterThan(1), "a jump");
+            }
+        }
+
         [Test]
         public void A_frame_that_is_not_read_in_time_is_counted_and_what_is_shown_stays()
         {
