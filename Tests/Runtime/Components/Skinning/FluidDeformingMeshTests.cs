@@ -188,8 +188,11 @@ namespace Rill.Tests
         {
             FluidDeformingMesh deforming = AddArm();
             FluidSimulation fluid = Fluid("Pool", new Vector3(2f, 1f, 0.5f), Spacing, 4000, new Vector3(2f, 0.3f, 0.5f));
+            // Kernels that blend two fields take longer.
+            bool Blends(string stage) => StageShader.LoadCompute(stage).IsKeywordEnabled("RILL_DEFORMING");
             yield return Frames(5);
             Assert.That(deforming.BakedFields, Is.EqualTo(1));
+            Assert.That((Blends("Colliders"), Blends("CoarseColliders")), Is.EqualTo((false, false)), "at rest");
             Assert.That(fluid.Input.colliders.Moves, Is.False);
             Assert.That(deforming.FieldAge, Is.Zero);
 
@@ -202,9 +205,11 @@ namespace Rill.Tests
             yield return null;
             Assert.That(deforming.BakedFields, Is.EqualTo(2));
             Assert.That(fluid.Input.colliders.Moves, Is.True);
+            Assert.That((Blends("Colliders"), Blends("CoarseColliders")), Is.EqualTo((true, true)), "while it deforms");
             yield return Frames(3);
             Assert.That(deforming.BakedFields, Is.EqualTo(2));
             Assert.That(fluid.Input.colliders.Moves, Is.False);
+            Assert.That((Blends("Colliders"), Blends("CoarseColliders")), Is.EqualTo((false, false)), "at rest again");
         }
 
         [UnityTest]
