@@ -4,6 +4,7 @@ using System.Linq;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Rill.Tests
 {
@@ -203,6 +204,32 @@ namespace Rill.Tests
                 TestContext.Out.WriteLine($"ratio {ratio}, radius {radius}: {mean:0.0} d after 1.2 s, from {center.y} of {height}");
                 Assert.That(mean, Is.GreaterThan(0.75 * height));
             }
+        }
+
+        // A sphere of density ρ in a fluid of ρ' accelerates by (ρ' − ρ) / (ρ + ρ' / 2) times what acts on the fluid, relative to it: it takes half of
+        // the fluid that it displaces along (Lamb 1932, section 92). A lone particle has 20 to 60 neighbors, and counts itself for the sphere.
+        [TestCase(100f, 1.5f)]
+        [TestCase(4000f, -2f / 3f)]
+        public void A_lone_particle_of_another_density_slips_as_a_sphere_and_layers_do_not(float density, float expected)
+        {
+            const int side = 12;
+            using (TestFluid fluid = Fluid(side, side, density, p => math.all(math.abs(p - 5.5f) < 0.1f), Settings))
+            {
+                (float slip, bool isOther)[] slips = Slips(fluid.Step());
+                Assert.That(slips.Count(p => p.isOther), Is.EqualTo(1));
+                float lone = slips.Single(p => p.isOther).slip - 1f;
+                TestContext.Out.WriteLine($"{lone:0.000} more than the fluid, of {expected:0.000}");
+                Assert.That(lone / expected, Is.InRange(0.9f, 0.97f));
+                Assert.That(slips.Where(p => !p.isOther).Select(p => p.slip), Is.All.EqualTo(1f), "its neighbors");
+            }
+            using (TestFluid fluid = Fluid(side, side, density, p => p.y > 0.5f * side, Settings))
+                Assert.That(Slips(fluid.Step()).Select(p => p.slip), Is.All.EqualTo(1f), "two layers");
+        }
+
+        static (float slip, bool isOther)[] Slips(TestFluid fluid)
+        {
+            GraphicsBuffer buffer = SolverBuffers.Of(fluid.Solver)["Rill.Slips"];
+            return GpuTest.Read<float>(buffer, fluid.Alive).Zip(Particles(fluid), (slip, p) => (slip, p.isOther)).ToArray();
         }
 
         [Test]
