@@ -40,7 +40,7 @@ namespace Rill.Tests
                 }
         }
 
-        [TestCase(ColliderShape.Sphere, Category = "GpuOnly")]
+        [TestCase(ColliderShape.Sphere)]
         [TestCase(ColliderShape.Box)]
         public void Still_water_lifts_a_collider_by_the_weight_of_the_water_in_its_place(ColliderShape shape)
         {
@@ -61,6 +61,63 @@ namespace Rill.Tests
                 Assert.That(force.y, Is.EqualTo(weight).Within(0.05f * weight));
                 Assert.That(math.length(force.xz), Is.LessThan(0.05f * weight));
                 Assert.That(math.length(torque), Is.LessThan(0.05f * weight * size * Spacing));
+            }
+        }
+
+        // The cells beside it are in part empty: what is above the surface weighs nothing.
+        [Test]
+        public void Still_water_lifts_what_stands_out_of_it_by_the_water_below_its_surface()
+        {
+            const float half = 5f, depth = 15f;
+            using (TestFluid fluid = Box(DeepWater.On, 20f, 6000))
+            {
+                ColliderMotion solid = ColliderTests.Still(ColliderShape.Box, half, new float3(10f, 15.5f, 10f), quaternion.identity);
+                fluid.AddAround(solid, 0f, new float3(20f, depth, 20f));
+                Use(fluid, solid);
+                fluid.Step(30);
+                Take(fluid, out _);
+                float3 force = Take(fluid.Step(30), out _);
+                float immersed = depth - (15.5f - half);      // d
+                float weight = fluid.Input.material.density * 9.81f * 4f * half * half * immersed * math.pow(Spacing, 3);
+                TestContext.Out.WriteLine($"{force.y / weight:0.000} of the displaced water's weight");
+                Assert.That(force.y, Is.EqualTo(weight).Within(0.33f / immersed * weight), "a third of a spacing of its draft");
+                Assert.That(math.length(force.xz), Is.LessThan(0.05f * weight));
+            }
+        }
+
+        // Two boxes under water and a ball in the air, each by its own number.
+        [Test]
+        public void Of_several_colliders_each_is_lifted_by_the_water_in_its_own_place()
+        {
+            var box = new float3(25f, 26f, 12f);
+            ColliderMotion[] solids =
+            {
+                ColliderTests.Still(ColliderShape.Sphere, 1f, new float3(22f, 24f, 9f), quaternion.identity),
+                ColliderTests.Still(ColliderShape.Box, new float3(3.4f, 3f, 3f), new float3(7f, 8.3f, 6f), quaternion.identity),
+                ColliderTests.Still(ColliderShape.Box, new float3(2.5f, 4f, 2.5f), new float3(19f, 9f, 6f), quaternion.identity),
+            };
+            SolverSettings settings = SolverSettings.Default;
+            settings.iterations = 2;
+            settings.deepWater = DeepWater.On;
+            using (var fluid = new TestFluid(box * Spacing, Spacing, 7000, settings))
+            {
+                fluid.Add(ParticleState.Lattice(0f, 0.5f, new int3(25, 22, 12), 0.02f).positions.Select(p => p.xyz)
+                    .Where(p => solids.All(solid => Reference.Shapes.Distance(solid, p) >= 0.5)).Select(p => p * Spacing).ToArray());
+                for (int i = 0; i < solids.Length; i++)
+                    solids[i].reacts = true;
+                ColliderTests.Use(fluid, solids);
+                fluid.Step(15);
+                Take(fluid, out _);
+                fluid.Step(15);
+                Take(fluid, out _);
+                for (int i = 0; i < solids.Length; i++)
+                {
+                    float3 force = ForceOn(fluid, i, out _), size = 2f * Spacing * solids[i].size;
+                    float weight = i == 0 ? 0f : fluid.Input.material.density * 9.81f * size.x * size.y * size.z;
+                    TestContext.Out.WriteLine($"collider {i}: {force.y:0.0} N of {weight:0.0} N, {math.length(force.xz):0.0} N sideways");
+                    Assert.That(force.y, Is.EqualTo(weight).Within(0.15f * weight), $"collider {i}");
+                    Assert.That(math.length(force.xz), Is.LessThanOrEqualTo(0.1f * weight), $"collider {i}");
+                }
             }
         }
 
@@ -144,11 +201,18 @@ namespace Rill.Tests
             GpuTest.Run(reactions.RecordTake);
             reactions.Request();
             AsyncGPUReadback.WaitAllRequests();
-            reactions.Get(0, out double3 sum, out double3 moment);
+            return ForceOn(fluid, 0, out torque);
+        }
+
+        // Of what was taken last.
+        static float3 ForceOn(TestFluid fluid, int index, out float3 torque)
+        {
+            ColliderReactions reactions = fluid.Solver.Reactions;
+            reactions.Get(index, out double3 sum, out double3 moment);
             float substep = fluid.Input.timeStep / fluid.Input.settings.substeps;
             double mass = fluid.Input.material.density * math.pow(Spacing, 3);
             double scale = -mass * Spacing / (substep * reactions.Duration);
-            torque = (float3)(moment * scale * Spacing * fluid.Input.colliders.Items[0].MomentArm);
+            torque = (float3)(moment * scale * Spacing * fluid.Input.colliders.Items[index].MomentArm);
             return (float3)(sum * scale);
         }
     }

@@ -135,7 +135,9 @@ namespace Rill.Tests
                 fluid.Input.settings.sleepSpeed = 0.03f;
                 fluid.Step(180);
                 ParticleState asleep = fluid.Read();
-                TestContext.Out.WriteLine(new Heap(fluid, radius));
+                var heap = new Heap(fluid, radius);
+                TestContext.Out.WriteLine(heap);
+                Assert.That(heap.Crest, Is.GreaterThan(0.75f * LubeCrest(1f) * radius), "d, not a puddle");
                 Assert.That(asleep.velocities.Select(v => math.length(v.xyz)).Max(), Is.Zero);
                 fluid.Step(60);
                 TestFluid.AssertSame(fluid.Read(), asleep);
