@@ -8,6 +8,7 @@
 
 static const float kHalfGap = 0.05;         // d: what is as far above the surface and in another collider is covered by that
 static const float kCurvatureStep = 0.5;    // d, of differences between normals
+static const float kMaxBelow = 2.0;         // of a length on the surface over that above it
 
 // Weight of a particle at this distance from the surface, in faces of its cube. Over two spacings it comes to one, so that the layers
 // of resting water, the first denser than the second, count right together; one alone counts three quarters.
@@ -17,10 +18,12 @@ float LayerFraction(float distance)
 }
 
 // Area of the surface below an area of 1 at this distance over it. What is curved along all directions alike has 'sides' of 2, what is
-// curved along one of 1.
+// curved along one of 1. From inside the radius is negative, and towards the center there is no limit to that area.
 float BelowCurved(float radius, float distance, float sides)
 {
-    return pow(max(radius / max(radius + distance, 1e-3), 0.0), sides);
+    float over = radius + distance;
+    float below = radius * over > 0.0 ? radius / over : 0.0;
+    return pow(clamp(below, 0.0, kMaxBelow), sides);
 }
 
 float3 FieldNormal(Collider collider, float3 p)
