@@ -258,9 +258,7 @@ namespace Rill.Tests
                 {
                     float4[] own = ParticleState.Lattice(0f, new float3(phase * 52f + 0.5f, 0.5f, 0.5f), new int3(12, 12, 16), 0.02f).positions
                         .Select(p => new float4(p.xyz, 0f)).ToArray();
-                    using (var positions = new NativeArray<float4>(own, Allocator.Persistent))
-                    using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
-                        fluid.Solver.AddInSpacings(positions, velocity, 0f, box, fluid.Solver.TagFor(phase, 0));
+                    AddPhase(fluid, own, phase);
                 }
                 fluid.Step(14);
                 ParticleState state = fluid.Read();
@@ -270,6 +268,63 @@ namespace Rill.Tests
                 Assert.That(Height(0), Is.LessThan(4.5f));
                 Assert.That(Height(1), Is.GreaterThan(5.7f));
             }
+        }
+
+        // Without friction, a column stands by its cohesion alone.
+        [Test]
+        public void Grains_among_as_much_water_have_no_cohesion([Values] bool isMixed)
+        {
+            using (var fluid = new TestFluid(new float3(40f, 24f, 12f) * Spacing, Spacing, 2000, Settings))
+            {
+                fluid.Input.material.wallFriction = 0f;
+                fluid.Input.phases.Set(1, 1000f, 0f, cohesion: 3000f);
+                float4[] column = ParticleState.Lattice(0f, 0.5f, 12, 0.02f).positions.Select(p => new float4(p.xyz, 0f)).ToArray();
+                bool IsWater(float4 p) => isMixed && math.csum((int3)p.xyz) % 2 == 0;
+                foreach (int phase in new[] { 0, 1 })
+                {
+                    float4[] own = column.Where(p => IsWater(p) == (phase == 0)).ToArray();
+                    if (own.Length > 0)
+                        AddPhase(fluid, own, phase);
+                }
+                float height = fluid.Step(14).Read().positions.Average(p => p.y);
+                TestContext.Out.WriteLine($"mean height {height:0.0} d of 6");
+                Assert.That(height, isMixed ? Is.LessThan(3.2f) : Is.GreaterThan(5.7f), "water comes to 2.6 d");
+            }
+        }
+
+        // Friction gives them 0.2 m/s in 0.03 s.
+        [TestCase(1f, 0.2f)]
+        [TestCase(0f, 0f)]
+        public void Sand_on_a_plate_that_moves_goes_along_by_its_friction(float friction, float expected)
+        {
+            const float speed = 0.2f;
+            using (var fluid = new TestFluid(new float3(64f, 20f, 16f) * Spacing, Spacing, 3000, Settings))
+            {
+                fluid.Input.material = Sand(0.6f);
+                fluid.Input.material.wallFriction = 0f;
+                ColliderMotion plate = ColliderTests.Still(ColliderShape.Plane, 0f, new float3(10f, 4f, 8f), quaternion.identity);
+                plate.friction = friction;
+                fluid.Add(ParticleState.Lattice(0f, 1f, new int3(63, 10, 15), 0.02f).positions.Select(p => p.xyz)
+                    .Where(p => p.x > 20f && p.x < 40f && p.y > 4.4f).Select(p => p * Spacing).ToArray());
+                for (int i = 0; i < 20; i++)
+                {
+                    plate.start = plate.end;
+                    plate.end.position.x += speed / 60f / Spacing;
+                    ColliderTests.Use(fluid, plate);
+                    fluid.Step();
+                }
+                ParticleState state = fluid.Read();
+                float mean = state.velocities.Average(v => v.x) * Spacing;
+                TestContext.Out.WriteLine($"{state.Count} grains at {mean:0.000} m/s");
+                Assert.That(mean, Is.EqualTo(expected).Within(0.25f * speed));
+            }
+        }
+
+        static void AddPhase(TestFluid fluid, float4[] points, int phase)
+        {
+            using (var positions = new NativeArray<float4>(points, Allocator.Persistent))
+            using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
+                fluid.Solver.AddInSpacings(positions, velocity, 0f, fluid.Solver.Layout.DomainSize, fluid.Solver.TagFor(phase, 0));
         }
     }
 }
