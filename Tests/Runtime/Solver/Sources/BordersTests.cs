@@ -67,6 +67,62 @@ namespace Rill.Tests
             }
         }
 
+        // Its rate has the integral 1.5 sqrt(g level) + 8 v over the band, and its velocity grows over the outer half of that. In a corner the rates
+        // of both bands add up, and each draws to its own velocity.
+        [Test]
+        public void A_lone_particle_at_an_open_side_comes_to_its_velocity([Values(0, 1, 2, 3)] int side, [Values] bool inCorner)
+        {
+            const float Spacing = 0.1f, Width = 1f, At = 0.2f, Other = 0.4f, Inwards = 0.5f, Level = 1.5f, Box = 4f;
+            int axis = side < 2 ? 0 : 2;
+            float3 start = new float3(-0.3f, 0f, -0.3f), position = 2f;
+            position[axis] = (side & 1) != 0 ? Box - At : At;
+            FluidBorders borders = FluidBorders.Default;
+            borders[side] = new FluidBorder { kind = BorderKind.Open, width = Width, velocity = Inwards, level = Level };
+            if (inCorner)
+            {
+                borders[2 - axis] = new FluidBorder { kind = BorderKind.Absorbing, width = Width };      // the lower one of the other axis
+                position[2 - axis] = Other;
+            }
+            float3 before = Lone(default, Down, position, start), after = Lone(borders, Down, position, start);
+            double own = 2 * (1.5 * Math.Sqrt(9.81 * Level) + 8 * Inwards) / Width * (1 - At / Width);
+            double rate = own + (inCorner ? 2 * 2.2 * Math.Sqrt(9.81 * Spacing) / Width * (1 - Other / Width) : 0.0);
+            double left = Math.Exp(-rate / 60), speed = ((side & 1) != 0 ? -1 : 1) * Inwards * (At / Width / 0.5) * own / rate;
+            Assert.That(left, Is.LessThan(0.9));
+            Assert.That(after[axis], Is.EqualTo(speed / Spacing + left * (before[axis] - speed / Spacing)).Within(1e-3));
+            Assert.That(after[2 - axis], Is.EqualTo(left * before[2 - axis]).Within(1e-3));
+            Assert.That(after.y, Is.EqualTo(before.y).Within(1e-3));
+        }
+
+        [Test]
+        public void Across_gravity_is_across_it_however_it_points()
+        {
+            const float Spacing = 0.1f, At = 0.3f;
+            var gravity = new float3(6f, -7f, 2f);
+            FluidBorders borders = FluidBorders.Default;
+            borders.minX = new FluidBorder { kind = BorderKind.Absorbing, width = 1f };
+            float3 position = new float3(At, 2f, 2f), start = new float3(0.4f, 0.3f, -0.5f);
+            double3 before = Lone(default, gravity, position, start), after = Lone(borders, gravity, position, start), up = -math.normalize(gravity);
+            // What gravity gives in the step comes after.
+            double3 then = before - (double3)gravity / 60.0 / Spacing, across = then - up * math.dot(then, up), change = after - before;
+            double part = -math.dot(change, across) / math.dot(across, across);
+            TestContext.Out.WriteLine($"{part:0.000} of what is across is gone");
+            Assert.That(part, Is.InRange(0.02, 0.2));
+            Assert.That(math.length(change + part * across), Is.LessThan(1e-3), "d/s along gravity, or aside");
+        }
+
+        static readonly float3 Down = new float3(0f, -9.81f, 0f);
+
+        // Velocity after a step of a particle that is alone in a box of 4 m, d/s.
+        static float3 Lone(FluidBorders borders, float3 gravity, float3 position, float3 velocity)
+        {
+            using (var fluid = new TestFluid(4f, 0.1f, 10))
+            {
+                fluid.Input.borders = borders;
+                fluid.Input.gravity = gravity;
+                return fluid.Add(new[] { position }, velocity).Step().Read().velocities[0].xyz;
+            }
+        }
+
         [Test]
         public void Walls_change_no_bit_and_make_no_stage()
         {
