@@ -206,8 +206,8 @@ namespace Rill.Tests
             }
         }
 
-        // A sphere of density ρ in a fluid of ρ' accelerates by (ρ' − ρ) / (ρ + ρ' / 2) times what acts on the fluid, relative to it: it takes half of
-        // the fluid that it displaces along (Lamb 1932, section 92). A lone particle has 20 to 60 neighbors, and counts itself for the sphere.
+        // Relative to the fluid of density ρ', a sphere of density ρ accelerates by (ρ' − ρ) / (ρ + ρ' / 2) times what acts on that: it takes half
+        // of the fluid that it displaces along (Lamb 1932, section 92). A lone particle has 20 to 60 neighbors, and counts itself for the sphere.
         [TestCase(100f, 1.5f)]
         [TestCase(4000f, -2f / 3f)]
         public void A_lone_particle_of_another_density_slips_as_a_sphere_and_layers_do_not(float density, float expected)
