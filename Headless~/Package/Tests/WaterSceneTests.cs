@@ -248,6 +248,38 @@ namespace Host.Tests
             }
         }
 
+        // The river gives 0.42 m/s x 0.96 m x 2.56 m. Its level above the sill follows from the sill.
+        [Test, Category("LongRun"), Category("GpuOnly")]
+        public void The_canal_passes_on_what_comes_in_and_holds_the_level_where_it_leaves()
+        {
+            const float velocity = 0.42f, level = 0.96f, width = 2.56f, levelBelow = 0.72f;
+            using (new SampleScene("Canal"))
+            {
+                FluidSimulation fluid = Play(240);
+                Flow above = new Flow(-2.9f, -2.3f), onSill = new Flow(0.15f, 0.45f), below = new Flow(2.2f, 2.8f);
+                int before = Particles(fluid).Count;
+                const int samples = 10;
+                for (int sample = 0; sample < samples; sample++)
+                {
+                    Play(6);
+                    List<Vector3> particles = Particles(fluid);
+                    Vector3[] velocities = Velocities(fluid);
+                    foreach (Flow flow in new[] { above, onSill, below })
+                        flow.Add(particles, velocities);
+                }
+                FluidStatistics s = IsWhole(fluid, 0.05f);
+                float cell = fluid.ParticleSpacing * fluid.ParticleSpacing * fluid.ParticleSpacing / samples, river = velocity * level * width;
+                TestContext.WriteLine($"{river:0.000} m3/s come in; above the sill {above.Rate(cell):0.000} m3/s, {above.Depth(cell, width):0.00} m deep, on it " +
+                    $"{onSill.Rate(cell):0.000} and {onSill.Depth(cell, width):0.00}, below it {below.Rate(cell):0.000} and {below.Depth(cell, width):0.00}; " +
+                    $"{above.Speed:0.00}, {onSill.Speed:0.00} and {below.Speed:0.00} m/s; {before} particles, 1 s later {s.particles}");
+                Assert.That(above.Rate(cell), Is.EqualTo(river).Within(0.05 * river));
+                Assert.That(below.Rate(cell), Is.EqualTo(river).Within(0.08 * river));
+                Assert.That(below.Depth(cell, width), Is.EqualTo(levelBelow).Within(fluid.ParticleSpacing));
+                Assert.That(s.particles, Is.EqualTo(before).Within(0.02 * before));
+                Assert.That(onSill.Speed, Is.GreaterThan(1.5 * above.Speed));
+            }
+        }
+
         // Mean height of the keep and the four towers, m: each is as high as 30 of its grains, about half of a tower's uppermost layer, are above.
         // Merlons are three grains wide, and round off.
         static float Crest(FluidSimulation fluid)
@@ -347,6 +379,34 @@ namespace Host.Tests
             var values = new T[counters[(int)ParticleCounter.Alive]];
             buffer.GetData(values);
             return values;
+        }
+
+        /// <summary>The water between two positions along x, over some frames.</summary>
+        sealed class Flow
+        {
+            readonly float from, to;
+            double count, speeds;
+
+            public Flow(float from, float to) => (this.from, this.to) = (from, to);
+
+            public double Speed => speeds / count;
+
+            /// <summary>Mean flow, m³/s.</summary>
+            /// <param name="cell">Volume of a particle over the number of frames, m³.</param>
+            public double Rate(float cell) => speeds * cell / (to - from);
+
+            public double Depth(float cell, float width) => count * cell / ((to - from) * width);
+
+            public void Add(List<Vector3> positions, Vector3[] velocities)
+            {
+                for (int i = 0; i < positions.Count; i++)
+                {
+                    if (!IsBetween(positions[i].x, from, to))
+                        continue;
+                    count++;
+                    speeds += velocities[i].x;
+                }
+            }
         }
 
         /// <summary>How each particle leaves the basin of Tap and Basin, frame by frame. See basin() in
