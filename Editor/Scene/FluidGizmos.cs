@@ -7,6 +7,7 @@ namespace Rill.Editor
     static class FluidGizmos
     {
         const float ArrowTime = 0.1f;       // s of the path that an arrow shows
+        const float BorderArrowTime = 1f;   // s, at an open side of the box
         const float ArrowLength = 0.3f;     // m, of what has no speed
         const int DiscSides = 24;
 
@@ -14,6 +15,33 @@ namespace Rill.Editor
         static void DrawDomain(FluidSimulation simulation, GizmoType type)
         {
             DrawBox(simulation.transform, simulation.DomainSize, GizmoColors.Domain);
+            FluidBorders borders = simulation.Borders.In(simulation.DomainSize, simulation.ParticleSpacing);
+            for (int side = 0; side < FluidBorders.Sides; side++)
+            {
+                if (borders[side].kind != BorderKind.Wall)
+                    DrawBorder(simulation, side, borders[side]);
+            }
+        }
+
+        // The inner edge of the band; of an open side also the level, and the velocity as an arrow.
+        static void DrawBorder(FluidSimulation simulation, int side, in FluidBorder border)
+        {
+            Vector3 box = simulation.DomainSize, inwards = Vector3.zero;
+            int axis = FluidBorders.AxisOf(side);
+            inwards[axis] = FluidBorders.IsUpper(side) ? -1f : 1f;
+            Transform at = simulation.transform;
+            bool isOpen = border.kind == BorderKind.Open;
+            Gizmos.color = !isOpen || border.velocity == 0f ? GizmoColors.Domain : border.velocity > 0f ? GizmoColors.Emitter : GizmoColors.Drain;
+            // The floor at the center of the side is the origin, and z points into the box.
+            Gizmos.matrix = Matrix4x4.TRS(at.position, at.rotation, Vector3.one) *
+                Matrix4x4.TRS(-0.5f * (box[axis] * inwards + box.y * Vector3.up), Quaternion.LookRotation(inwards), Vector3.one);
+            float length = box[2 - axis];
+            Gizmos.DrawWireCube(new Vector3(0f, 0.5f * box.y, border.width), new Vector3(length, box.y, 0f));
+            if (!isOpen)
+                return;
+            Gizmos.DrawWireCube(new Vector3(0f, border.level, 0.5f * border.width), new Vector3(length, 0f, border.width));
+            Gizmos.matrix *= Matrix4x4.Translate(border.level * Vector3.up);
+            DrawArrow(BorderArrowTime * border.velocity);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
