@@ -49,8 +49,8 @@ namespace Rill
             }
         }
 
-        /// <summary>Pairs of materials that mix or have a tension of their own between them. All others stay apart. A pair with a material that is not in the fluid waits for it. Of two
-        /// entries for one pair the last counts. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Pairs of materials that mix or have a tension of their own between them. All others stay apart. A pair with a material that is
+        /// not in the fluid waits for it. Of two entries for one pair the last counts. Out-of-range values are clamped with a warning.</summary>
         public FluidMaterialPair[] MaterialPairs
         {
             get => materialPairs;

@@ -2,10 +2,10 @@
 #ifndef RILL_GENERATED_DIFFUSION_INCLUDED
 #define RILL_GENERATED_DIFFUSION_INCLUDED
 
-// How often particles of two phases change places in a substep.
+// How often particles of two phases exchange them in a substep.
 cbuffer RillDiffusion
 {
-    float4 _LowRates[8];    // a row for each phase: changes of places of a particle among phases 0 to 3 alone
+    float4 _LowRates[8];    // a row for each phase: exchanges of a particle among phases 0 to 3 alone
     float4 _HighRates[8];    // the same with phases 4 to 7
 };
 

@@ -7,7 +7,7 @@ static const uint kMaxPhase = 7;    // largest phase of a particle
 // Materials of the phases, for the kernels that weigh particles.
 cbuffer RillPhases
 {
-    float4 _Phases[8];    // x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, relative to the largest; w: bits of the phases that it mixes with
+    float4 _Phases[8];    // x: mass over the heaviest phase's; y: its inverse; z: viscosity over the largest; w: bits of those that it mixes with
     float4 _Walls[8];    // x: attraction by walls, relative to that of a pair with the largest surface tension; y: friction of grains over the mass of a particle, z: their cohesion, d^2
     float4 _LowAttractions[8];    // attraction of a pair with phases 0 to 3, relative to that of one with the largest surface tension
     float4 _HighAttractions[8];    // the same with phases 4 to 7

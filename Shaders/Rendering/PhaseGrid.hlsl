@@ -28,8 +28,8 @@ float4 Together(float4 f)
     return float4(dot(_PhaseGroups[1], f), dot(_PhaseGroups[2], f), dot(_PhaseGroups[3], f), dot(_PhaseGroups[0], f));
 }
 
-// Returns the largest of those that a phase does not mix with. group: its row.
-float LargestOther(float4 group, float4 together)
+// Returns the largest fraction that a phase does not mix with. group: its row.
+float MaxOther(float4 group, float4 together)
 {
     float4 others = together * (1.0 - group);
     return max(max(others.x, others.y), max(others.z, others.w));
@@ -39,11 +39,11 @@ float LargestOther(float4 group, float4 together)
 float4 Leads(float4 f)
 {
     float4 together = Together(f);
-    return together - float4(LargestOther(_PhaseGroups[1], together), LargestOther(_PhaseGroups[2], together),
-        LargestOther(_PhaseGroups[3], together), LargestOther(_PhaseGroups[0], together));
+    return together - float4(MaxOther(_PhaseGroups[1], together), MaxOther(_PhaseGroups[2], together),
+        MaxOther(_PhaseGroups[3], together), MaxOther(_PhaseGroups[0], together));
 }
 
-// Returns the parts that are of each phase of a stretch along which fractions change evenly: where what it mixes with leads, its share of that.
+// Returns the parts that are of each phase of a stretch along which fractions change evenly: where what it mixes with leads, its fraction of that.
 float4 LeadingParts(float4 from, float4 to)
 {
     float4 start = Leads(from), end = Leads(to), high = max(start, end);

@@ -269,8 +269,9 @@ namespace Host.Tests
                 }
                 FluidStatistics s = IsWhole(fluid, 0.05f);
                 float cell = fluid.ParticleSpacing * fluid.ParticleSpacing * fluid.ParticleSpacing / samples, river = velocity * level * width;
-                TestContext.WriteLine($"{river:0.000} m3/s come in; above the sill {above.Rate(cell):0.000} m3/s, {above.Depth(cell, width):0.00} m deep, on it " +
-                    $"{onSill.Rate(cell):0.000} and {onSill.Depth(cell, width):0.00}, below it {below.Rate(cell):0.000} and {below.Depth(cell, width):0.00}; " +
+                TestContext.WriteLine($"{river:0.000} m3/s come in; above the sill {above.Rate(cell):0.000} m3/s, {above.Depth(cell, width):0.00} " +
+                    $"m deep, on it {onSill.Rate(cell):0.000} and {onSill.Depth(cell, width):0.00}, below it {below.Rate(cell):0.000} and " +
+                    $"{below.Depth(cell, width):0.00}; " +
                     $"{above.Speed:0.00}, {onSill.Speed:0.00} and {below.Speed:0.00} m/s; {before} particles, 1 s later {s.particles}");
                 Assert.That(above.Rate(cell), Is.EqualTo(river).Within(0.05 * river));
                 Assert.That(below.Rate(cell), Is.EqualTo(river).Within(0.08 * river));

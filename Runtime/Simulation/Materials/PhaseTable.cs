@@ -145,8 +145,8 @@ namespace Rill
                 if (!IsTooFast)
                     return null;
                 double asked = last.phases.MaxDiffusion, beyond = asked / DiffusionLimit, substeps = Math.Ceiling(last.settings.substeps * beyond);
-                return Invariant($"its diffusion of {asked:G3} m²/s acts like {DiffusionLimit:G3} m²/s, the most at this spacing and substep. Take ") +
-                    (substeps <= SolverSettings.MaxSubsteps ? Invariant($"{substeps} substeps, or ") : "") +
+                return Invariant($"its diffusion of {asked:G3} m²/s acts like {DiffusionLimit:G3} m²/s, the most at this spacing and substep. ") +
+                    "Take " + (substeps <= SolverSettings.MaxSubsteps ? Invariant($"{substeps} substeps, or ") : "") +
                     Invariant($"a particle spacing of {fluid.ParticleSpacing * Math.Sqrt(beyond):G3} m, or lower it.");
             }
         }

@@ -8,12 +8,12 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>How often particles of two phases change places in a substep.</summary>
+    /// <summary>How often particles of two phases exchange them in a substep.</summary>
     [GenerateHlsl("Diffusion", ConstantBuffer = "RillDiffusion")]
     [StructLayout(LayoutKind.Sequential)]
     struct DiffusionConstants
     {
-        /// <summary>a row for each phase: changes of places of a particle among phases 0 to 3 alone</summary>
+        /// <summary>a row for each phase: exchanges of a particle among phases 0 to 3 alone</summary>
         public PhaseRows lowRates;
 
         /// <summary>the same with phases 4 to 7</summary>
@@ -21,13 +21,13 @@ namespace Rill
     }
 
     /// <summary>
-    /// Diffusion of materials that mix: neighbors of two materials change places, so that each material is kept to the particle. Made when first
+    /// Diffusion of materials that mix: neighbors of two materials exchange them, so that each material is kept to the particle. Made when first
     /// needed. See Diffusion.compute.
     /// </summary>
     /// <remarks>
     /// All particles have the same volume, so a particle that takes the material of its neighbor is as good as one that moved there. A walk of
     /// steps r that come at a rate k has the diffusivity Σ k r² / 6 (Einstein 1905). The neighbors of a particle, n, fill a ball of the list
-    /// radius R, where the mean of r² is 3/5 R². A pair changes places at k = 10 D / (R² n), with the mean of both for n: at a wall or a surface
+    /// radius R, where the mean of r² is 3/5 R². A pair exchanges them at k = 10 D / (R² n), with the mean of both for n: at a wall or a surface
     /// that makes good for those that are missing.
     /// </remarks>
     sealed class Diffusion : Stage

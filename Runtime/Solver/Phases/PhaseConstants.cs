@@ -9,8 +9,7 @@ namespace Rill
     [StructLayout(LayoutKind.Sequential)]
     struct PhaseConstants
     {
-        /// <summary>x: mass of a particle, relative to the heaviest phase's; y: its inverse; z: viscosity, relative to the
-        /// largest; w: bits of the phases that it mixes with</summary>
+        /// <summary>x: mass over the heaviest phase's; y: its inverse; z: viscosity over the largest; w: bits of those that it mixes with</summary>
         public PhaseRows phases;
 
         /// <summary>x: attraction by walls, relative to that of a pair with the largest surface tension; y: friction of grains over the mass of

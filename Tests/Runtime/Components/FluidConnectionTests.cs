@@ -183,7 +183,7 @@ namespace Rill.Tests
             Assert.That(Own(left).Length + Own(right).Length, Is.EqualTo(parted).Within(20));
         }
 
-        // What is near the border is in both fluids, in one of them as a copy that changes places with nothing.
+        // A particle near the border is in both fluids, in one of them as a copy that nothing is exchanged with.
         [UnityTest]
         public IEnumerator Materials_that_mix_across_a_connection_are_kept_to_the_particle()
         {

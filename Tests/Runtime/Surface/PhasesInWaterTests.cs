@@ -106,7 +106,7 @@ namespace Rill.Tests
             UnityEngine.Object.Destroy(oil);
         }
 
-        // What mixes is drawn stirred, with its share of each, beside a border to what it does not mix with that is as sharp as without.
+        // Liquids that mix are drawn stirred, by the fraction of each. The border to a third one is as sharp as without them.
         [UnityTest]
         public IEnumerator Materials_that_mix_are_drawn_stirred_beside_a_sharp_border_to_others()
         {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using NUnit.Framework.Constraints;
 using Unity.Collections;
 using Unity.Mathematics;
 
@@ -13,8 +14,8 @@ namespace Rill.Tests
         const float Spacing = 0.01f;
         const float StepRate = 60f;
         const float Unit = Spacing * Spacing * StepRate;        // m²/s of 1 d² a step
-        const float Middle = 16f;
-        static readonly float3 Box = new float3(2f * Middle, 16f, 14f);
+        const float Center = 16f;
+        static readonly float3 Box = new float3(2f * Center, 16f, 14f);
         static readonly int3 Counts = new int3(32, 12, 14);
 
         /// <summary>A still tank. Phase 1 has a density in kg/m³, phase 0 is water.</summary>
@@ -43,7 +44,7 @@ namespace Rill.Tests
             public float3 gravity;
         }
 
-        static int Beyond(float3 p) => p.x > Middle ? 1 : 0;
+        static int Beyond(float3 p) => p.x > Center ? 1 : 0;
 
         static (float3 position, float3 velocity, uint phase)[] Particles(TestFluid fluid)
         {
@@ -54,7 +55,7 @@ namespace Rill.Tests
         }
 
         // Particles of each half in the other spread as erfc(x / √(4 D t)) / 2, of which ∫ |x| dx over both halves is D t. A particle is 1 d³.
-        static double Spread(TestFluid fluid) => Particles(fluid).Where(p => p.phase != Beyond(p.position)).Sum(p => math.abs(p.position.x - Middle))
+        static double Spread(TestFluid fluid) => Particles(fluid).Where(p => p.phase != Beyond(p.position)).Sum(p => math.abs(p.position.x - Center))
             / (Counts.y * Counts.z);
 
         // Walls and the surface, where half of the neighbors are missing, slow nothing down. In a still lattice the mean of r² is 0.95 of that of a
@@ -106,7 +107,8 @@ namespace Rill.Tests
                 (float3 position, float3 velocity, uint phase)[] particles = Particles(fluid.Step(10));
                 Assert.That(particles.Where(p => p.position.z < 5f).Count(p => p.phase != Beyond(p.position)), Is.GreaterThan(25));
                 foreach (uint phase in new[] { 2u, 3u })
-                    Assert.That(particles.Where(p => p.phase == phase).All(p => p.position.z > 6f && 2 + Beyond(p.position) == phase), $"phase {phase}");
+                    Assert.That(particles.Where(p => p.phase == phase).All(p => p.position.z > 6f && 2 + Beyond(p.position) == phase),
+                        $"phase {phase}");
             }
         }
 
@@ -125,8 +127,7 @@ namespace Rill.Tests
                     fluid.Solver.Velocities.SetData(velocities);
                     (float3 position, float3 velocity, uint phase)[] particles = Particles(fluid.Step());
                     momenta[run] = particles.Aggregate(float3.zero, (sum, p) => sum + (p.phase == 1 ? 0.25f : 1f) * p.velocity);
-                    Assert.That(particles.Count(p => p.phase != Beyond(p.position)), run == 0 ? (NUnit.Framework.Constraints.IResolveConstraint)Is.Zero
-                        : Is.GreaterThan(20));
+                    Assert.That(particles.Count(p => p.phase != Beyond(p.position)), run == 0 ? (IResolveConstraint)Is.Zero : Is.GreaterThan(20));
                 }
             }
             TestContext.Out.WriteLine($"momentum {momenta[0]} without, {momenta[1]} with");
