@@ -44,6 +44,8 @@ namespace Rill.Tests
             }
             if (made.density > 0f)
                 scene.Fluid.PhaseMaterials = new[] { null, oil = FluidMaterialAsset.Create("Oil", made.density, made.dynamicViscosity) };
+            if (made.diffusion > 0f)
+                scene.Fluid.MaterialPairs = new[] { FluidMaterialPair.Mixing(oil, null, made.diffusion) };
             FluidEmitter emitter = null;
             if (made.emitter)
                 emitter = scene.Add<FluidEmitter>(new Vector3(0.1f, 0.4f, 0f), Vector3.down, e =>
@@ -164,7 +166,7 @@ namespace Rill.Tests
         public DeepWater deepWater = DeepWater.Off;
         public int substeps = 1;
         public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frictionAngle,
-            frameSteps = 1f, density;
+            frameSteps = 1f, density, diffusion;
         public bool colliders, emitter, drain, field, moves, stands, draws;
         public int steps = 12;
 

@@ -33,6 +33,10 @@ namespace Rill.Tests
             {
                 name = "two liquids", emitter = true, density = 500f, deepWater = DeepWater.On, depth = 0.6f, steps = 20
             };
+            yield return new SnapshotCase
+            {
+                name = "two liquids that mix", emitter = true, density = 900f, diffusion = 0.01f, substeps = 2, depth = 0.3f, steps = 20
+            };
             yield return new SnapshotCase { name = "drain that recycles", emitter = true, drain = true, steps = 20, frameSteps = 0.7f };
             yield return new SnapshotCase { name = "falling asleep", sleepSpeed = 0.5f, stands = true, colliders = true, field = true, steps = 28 };
             yield return new SnapshotCase { name = "sleep", sleepSpeed = 0.5f, stands = true, colliders = true, field = true, steps = 56 };
