@@ -40,6 +40,9 @@ namespace Rill
                     .With(Features.Emitters, stored.borders.HasOpen).With(Features.Drains, stored.borders.HasOpen);
                 foreach (Feature feature in Features.OfSettings)
                     used = used.With(feature, feature.IsAsked(null, stored));
+                // Their materials may be known to emitters and scripts alone.
+                foreach (FluidMaterialPair pair in fluid.MaterialPairs)
+                    used = used.With(Features.Diffusion, pair.diffusion > 0f);
                 fluid.GetComponentsInChildren(true, volumes);
                 foreach (FluidVolume volume in volumes)
                     if (volume.Material != null)

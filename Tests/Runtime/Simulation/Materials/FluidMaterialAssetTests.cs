@@ -134,6 +134,10 @@ namespace Rill.Tests
                 sand.Cohesion = 100f;
                 emitter.Material = sand;
                 Assert.That(((IUsesFeatures)emitter).UsedFeatures.HasAll(Features.Materials | Features.GrainFriction | Features.DeepWater));
+                Assert.That(((IUsesFeatures)scene.Fluid).UsedFeatures.Has(Features.Diffusion), Is.False);
+                FluidMaterialAsset dye = Material("Dye", 1000f);       // which a script brings
+                scene.Fluid.MaterialPairs = new[] { FluidMaterialPair.Mixing(null, dye, 0.001f), FluidMaterialPair.Mixing(sand, dye, 0f) };
+                Assert.That(((IUsesFeatures)scene.Fluid).UsedFeatures.Has(Features.Diffusion));
             }
         }
 
