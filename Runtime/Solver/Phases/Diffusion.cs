@@ -65,24 +65,12 @@ namespace Rill
         public void Upload(CommandBuffer cmd, in StepInput input, SolverLayout layout)
         {
             double squares = layout.ListRadius * (double)layout.ListRadius, unit = layout.Spacing * (double)layout.Spacing / input.SubstepTime;
-            var constants = new DiffusionConstants();
+            var rates = new PhasePairs();
             for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
-            {
-                float4 low = 0f, high = 0f;
                 for (int other = 0; other < PhaseMaterials.Phases; other++)
-                {
-                    double strength = Math.Min(input.phases.Diffusion(phase, other) / unit, MaxStrength);
-                    float rate = (float)(10.0 * strength / squares);
-                    if (other < 4)
-                        low[other] = rate;
-                    else
-                        high[other - 4] = rate;
-                }
-                constants.lowRates[phase] = low;
-                constants.highRates[phase] = high;
-            }
-            upload[0] = constants;
-            cmd.SetBufferData(this.constants, upload);
+                    rates[phase, other] = (float)(10.0 * Math.Min(input.phases.Diffusion(phase, other) / unit, MaxStrength) / squares);
+            upload[0] = new DiffusionConstants { lowRates = rates.low, highRates = rates.high };
+            cmd.SetBufferData(constants, upload);
         }
 
         /// <summary>Records the exchange of a substep, at its end.</summary>

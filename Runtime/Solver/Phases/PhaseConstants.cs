@@ -50,20 +50,12 @@ namespace Rill
 
         static void SetAttractions(ref PhaseConstants constants, in StepInput input, float spacing, bool deepWater, double scale)
         {
+            var attractions = new PhasePairs();
             for (int phase = 0; phase < PhaseMaterials.Phases; phase++)
-            {
-                float4 low = 0f, high = 0f;
                 for (int other = 0; other < PhaseMaterials.Phases; other++)
-                {
-                    float attraction = (float)(scale * SurfaceTension.Attraction(input, phase, other, spacing, deepWater));
-                    if (other < 4)
-                        low[other] = attraction;
-                    else
-                        high[other - 4] = attraction;
-                }
-                constants.lowAttractions[phase] = low;
-                constants.highAttractions[phase] = high;
-            }
+                    attractions[phase, other] = (float)(scale * SurfaceTension.Attraction(input, phase, other, spacing, deepWater));
+            constants.lowAttractions = attractions.low;
+            constants.highAttractions = attractions.high;
         }
 
         static float MixesWith(int phase, in PhaseMaterials phases)
@@ -83,6 +75,21 @@ namespace Rill
 
         public float4 this[int phase]
         {
+            readonly get
+            {
+                switch (phase)
+                {
+                    case 0: return phase0;
+                    case 1: return phase1;
+                    case 2: return phase2;
+                    case 3: return phase3;
+                    case 4: return phase4;
+                    case 5: return phase5;
+                    case 6: return phase6;
+                    case 7: return phase7;
+                    default: throw new ArgumentOutOfRangeException(nameof(phase));
+                }
+            }
             set
             {
                 switch (phase)
@@ -97,6 +104,27 @@ namespace Rill
                     case 7: phase7 = value; break;
                     default: throw new ArgumentOutOfRangeException(nameof(phase));
                 }
+            }
+        }
+    }
+
+    /// <summary>A value for each pair of phases, as PhasePairs.hlsl reads it.</summary>
+    struct PhasePairs
+    {
+        /// <summary>Values of each phase with phases 0 to 3, and with phases 4 to 7.</summary>
+        public PhaseRows low, high;
+
+        public float this[int phase, int other]
+        {
+            readonly get => other < 4 ? low[phase][other] : high[phase][other - 4];
+            set
+            {
+                float4 row = other < 4 ? low[phase] : high[phase];
+                row[other & 3] = value;
+                if (other < 4)
+                    low[phase] = row;
+                else
+                    high[phase] = row;
             }
         }
     }

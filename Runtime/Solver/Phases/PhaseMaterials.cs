@@ -21,12 +21,12 @@ namespace Rill
             public float angle;         // degrees
             public float friction;      // angle, degrees
             public float cohesion;      // Pa
-            public float4 lowDiffusion, highDiffusion;      // with phases 0 to 3 and 4 to 7, m²/s
-            public float4 lowTension, highTension;          // the same, N/m; 0: by the tensions of both
         }
 
         int last;
-        Row row0, row1, row2, row3, row4, row5, row6, row7;
+        Row row1, row2, row3, row4, row5, row6, row7;
+        PhasePairs diffusions;      // m²/s
+        PhasePairs tensions;        // N/m; 0: by the tensions of both
 
         /// <summary>Largest phase with a material of its own; 0 for none.</summary>
         public int Last => last;
@@ -41,13 +41,15 @@ namespace Rill
         /// <param name="cohesion">Cohesion of grains, Pa.</param>
         public void Set(int phase, float density, float viscosity, float tension = 0f, float angle = 90f, float friction = 0f, float cohesion = 0f)
         {
-            ref Row row = ref RowOf(ref this, phase > 0 ? phase : -1);      // phase 0 is the fluid's own
-            row.density = density;
-            row.viscosity = viscosity;
-            row.tension = tension;
-            row.angle = angle;
-            row.friction = friction;
-            row.cohesion = cohesion;
+            RowOf(ref this, phase) = new Row
+            {
+                density = density,
+                viscosity = viscosity,
+                tension = tension,
+                angle = angle,
+                friction = friction,
+                cohesion = cohesion,
+            };
             last = math.max(last, phase);
         }
 
@@ -58,25 +60,15 @@ namespace Rill
         /// <param name="interfaceTension">N/m; 0: the difference of their tensions.</param>
         public void SetPair(int a, int b, float diffusion, float interfaceTension = 0f)
         {
-            SetPair(ref RowOf(ref this, a), b, diffusion, interfaceTension);
-            SetPair(ref RowOf(ref this, b), a, diffusion, interfaceTension);
+            diffusions[a, b] = diffusions[b, a] = diffusion;
+            tensions[a, b] = tensions[b, a] = interfaceTension;
         }
 
         /// <summary>Returns how fast two phases mix, m²/s; 0 where they stay apart.</summary>
-        public float Diffusion(int a, int b)
-        {
-            ref Row row = ref RowOf(ref this, Has(a) ? a : 0);
-            int other = Has(b) ? b : 0;
-            return a == b ? 0f : other < 4 ? row.lowDiffusion[other] : row.highDiffusion[other - 4];
-        }
+        public float Diffusion(int a, int b) => diffusions[Has(a) ? a : 0, Has(b) ? b : 0];
 
         /// <summary>Returns the tension between two phases that their pair has, N/m; 0 where it has none of its own.</summary>
-        public float InterfaceTension(int a, int b)
-        {
-            ref Row row = ref RowOf(ref this, Has(a) ? a : 0);
-            int other = Has(b) ? b : 0;
-            return a == b ? 0f : other < 4 ? row.lowTension[other] : row.highTension[other - 4];
-        }
+        public float InterfaceTension(int a, int b) => tensions[Has(a) ? a : 0, Has(b) ? b : 0];
 
         /// <summary>Returns whether two phases mix, by themselves or through others.</summary>
         public bool AreMixing(int a, int b)
@@ -100,7 +92,7 @@ namespace Rill
             {
                 float4 most = 0f;
                 for (int phase = 0; phase <= last; phase++)
-                    most = math.max(most, math.max(RowOf(ref this, phase).lowDiffusion, RowOf(ref this, phase).highDiffusion));
+                    most = math.max(most, math.max(diffusions.low[phase], diffusions.high[phase]));
                 return math.cmax(most);
             }
         }
@@ -206,7 +198,7 @@ namespace Rill
             for (int phase = 1; phase <= last; phase++)
                 differ |= Density(phase, own) != own.density || Viscosity(phase, own) != own.dynamicViscosity
                     || FrictionAngle(phase, own) != own.frictionAngle || Cohesion(phase, own) != own.cohesion
-                    || math.any(RowOf(ref this, phase).lowTension != 0f) || math.any(RowOf(ref this, phase).highTension != 0f)
+                    || math.any(tensions.low[phase] != 0f) || math.any(tensions.high[phase] != 0f)
                     || Tension(phase, own) != own.surfaceTension || Tension(phase, own) > 0f && Angle(phase, own) != own.contactAngle;
             return differ;
         }
@@ -233,32 +225,16 @@ namespace Rill
         public PhaseMaterials WithoutDiffusion()
         {
             PhaseMaterials apart = this;
-            for (int phase = 0; phase <= last; phase++)
-                RowOf(ref apart, phase).lowDiffusion = RowOf(ref apart, phase).highDiffusion = 0f;
+            apart.diffusions = default;
             return apart;
         }
 
         bool Has(int phase) => phase > 0 && phase <= last && RowOf(ref this, phase).density > 0f;
 
-        static void SetPair(ref Row row, int phase, float diffusion, float tension)
-        {
-            if (phase < 4)
-            {
-                row.lowDiffusion[phase] = diffusion;
-                row.lowTension[phase] = tension;
-            }
-            else
-            {
-                row.highDiffusion[phase - 4] = diffusion;
-                row.highTension[phase - 4] = tension;
-            }
-        }
-
         static ref Row RowOf(ref PhaseMaterials of, int phase)
         {
             switch (phase)
             {
-                case 0: return ref of.row0;
                 case 1: return ref of.row1;
                 case 2: return ref of.row2;
                 case 3: return ref of.row3;
