@@ -48,6 +48,7 @@ namespace Rill.Editor
             ("Rill.Velocity", "Velocity, smoothing"),
             ("Rill.Viscoelasticity", "Viscoelasticity"),
             ("Rill.Vorticity", "Vorticity"),
+            ("Rill.Diffusion", "Diffusion of materials"),
             ("Rill.Foam", "Foam"),
             ("Rill.Emit", "Emitters"),
             ("Rill.Surface", "Surface"),

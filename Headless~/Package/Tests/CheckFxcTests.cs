@@ -118,9 +118,9 @@ namespace Host.Tests
         public void A_fault_in_an_include_of_the_package_is_seen_once_with_kernels_that_have_it()
         {
             using (var copy = new PackageCopy())
-                copy.Catches(new FxcRule(), () => copy.Replace("Shaders/Solver/GridRows.hlsl", "#endif",
-                    "float Planted(float4 four) { return four; }\n#endif"), "Shaders/Solver/GridRows.hlsl(", "warning X3206",
-                    "Shaders/Solver/Effects/SurfaceMesh.compute (", " more");
+                copy.Catches(new FxcRule(), () => copy.Replace("Shaders/Baking/Pose.hlsl", "#endif",
+                    "float Planted(float4 four) { return four; }\n#endif"), "Shaders/Baking/Pose.hlsl(", "warning X3206",
+                    "Shaders/Baking/MeshSdf.compute (", " more");
         }
 
         [Test]

@@ -57,6 +57,7 @@ namespace Rill.Tests
                 step.settings.sleepSpeed = 1f;
                 step.borders.minX.kind = BorderKind.Absorbing;
                 step.phases.Set(1, 500f, 2f, cohesion: 100f);
+                step.phases.SetPair(0, 1, 0.001f);
                 if (feature == Features.Sleep)
                     step.material.vorticity = 0f;
                 Assert.That(feature.IsAsked(null, step), feature.Name);
