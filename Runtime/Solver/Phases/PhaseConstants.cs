@@ -44,7 +44,8 @@ namespace Rill
                 float cohesion = GrainFriction.Cohesion(input.phases.Cohesion(phase, own), angle, mass * heaviest, spacing, input.SubstepTime);
                 constants.walls[phase] = new float4((float)(tension * wall), friction, cohesion, 0f);
             }
-            SetAttractions(ref constants, input, spacing, deepWater, 1.0 / maxTension);
+            if (SurfaceTension.IsNeeded(input))
+                SetAttractions(ref constants, input, spacing, deepWater, 1.0 / maxTension);
             return constants;
         }
 

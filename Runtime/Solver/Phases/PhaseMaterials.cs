@@ -73,7 +73,7 @@ namespace Rill
         /// <summary>Returns whether two phases mix, by themselves or through others.</summary>
         public bool AreMixing(int a, int b)
         {
-            int found = 1 << a, before = 0;
+            int found = 1 << a, before = MaxDiffusion > 0f ? 0 : found;
             while (found != before)
             {
                 before = found;
