@@ -14,7 +14,9 @@ namespace Rill
         readonly FluidMaterialAsset[] added = new FluidMaterialAsset[PhaseMaterials.Phases];        // by phase
         OnceLog log;
         string tooMany, tooLight;
-        StepInput last;     // of the last step
+        float diffusion;            // of the last step, m²/s; 0 where it acts in full
+        double diffusionLimit;      // m²/s
+        int substeps;
         float lightest;     // kg/m³ that a fluid can hold
 
         public PhaseTable(FluidSimulation fluid) => this.fluid = fluid;
@@ -28,7 +30,7 @@ namespace Rill
             Array.Clear(added, 0, added.Length);
             log.Reset();
             tooMany = tooLight = null;
-            last = default;
+            diffusion = 0f;
         }
 
         /// <summary>Returns the material of a phase; null for the fluid's own.</summary>
@@ -129,24 +131,23 @@ namespace Rill
         /// <summary>Checks a step as it is recorded, and logs once where materials mix slower than they should.</summary>
         public void CheckDiffusion(in StepInput input)
         {
-            last = input;
-            if (log.ShouldLog(TooFast, IsTooFast))
+            float asked = input.phases.MaxDiffusion;
+            diffusionLimit = Diffusion.Limit(fluid.ParticleSpacing, input.SubstepTime);
+            substeps = input.settings.substeps;
+            diffusion = asked > diffusionLimit ? asked : 0f;
+            if (log.ShouldLog(TooFast, diffusion > 0f))
                 Debug.LogWarning($"Rill: FluidSimulation '{fluid.name}': {TooFastProblem}", fluid);
         }
-
-        bool IsTooFast => Diffusion.IsNeeded(last) && last.phases.MaxDiffusion > DiffusionLimit;
-
-        double DiffusionLimit => Diffusion.Limit(fluid.ParticleSpacing, last.SubstepTime);
 
         string TooFastProblem
         {
             get
             {
-                if (!IsTooFast)
+                if (diffusion == 0f)
                     return null;
-                double asked = last.phases.MaxDiffusion, beyond = asked / DiffusionLimit, substeps = Math.Ceiling(last.settings.substeps * beyond);
-                return Invariant($"its diffusion of {asked:G3} m²/s acts like {DiffusionLimit:G3} m²/s, the most at this spacing and substep. ") +
-                    "Take " + (substeps <= SolverSettings.MaxSubsteps ? Invariant($"{substeps} substeps, or ") : "") +
+                double beyond = diffusion / diffusionLimit, needed = Math.Ceiling(substeps * beyond);
+                return Invariant($"its diffusion of {diffusion:G3} m²/s acts like {diffusionLimit:G3} m²/s, the most at this spacing and substep. ") +
+                    "Take " + (needed <= SolverSettings.MaxSubsteps ? Invariant($"{needed} substeps, or ") : "") +
                     Invariant($"a particle spacing of {fluid.ParticleSpacing * Math.Sqrt(beyond):G3} m, or lower it.");
             }
         }
