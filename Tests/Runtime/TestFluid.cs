@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Collections;
@@ -57,6 +58,18 @@ namespace Rill.Tests
             Added += points.Length;
             return this;
         }
+
+        /// <summary>Adds still particles of a phase. Positions in d.</summary>
+        public TestFluid AddPhase(int phase, IEnumerable<float3> points)
+        {
+            using (var positions = new NativeArray<float4>(points.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))
+            using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
+                Solver.AddInSpacings(positions, velocity, 0f, Solver.Layout.DomainSize, Solver.TagFor(phase, 0));
+            return this;
+        }
+
+        /// <summary>Phases of the particles, in the order of the buffers.</summary>
+        public uint[] Phases() => GpuTest.Read<uint>(Solver.Tags, Alive).Select(tag => tag >> ParticleTags.PhaseShift).ToArray();
 
         public TestFluid Step(int count = 1)
         {

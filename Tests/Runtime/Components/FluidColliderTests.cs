@@ -268,7 +268,7 @@ namespace Rill.Tests
             Assert.That(collider.TryGetForce(out _, out _), "of now");
         }
 
-        // What was known and summed of the forces is of the pose that the box had. In two steps of which nothing was read back the lump's first
+        // Forces that were known or summed are of the pose that the box had. In two steps of which nothing was read back the lump's first
         // and second layer hit; the third one does after the restore.
         [Test]
         public void A_fluid_that_is_restored_turned_tells_only_forces_of_its_own_steps()

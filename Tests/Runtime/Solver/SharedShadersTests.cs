@@ -1,6 +1,5 @@
 using System.Linq;
 using NUnit.Framework;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace Rill.Tests
@@ -50,10 +49,7 @@ namespace Rill.Tests
             if (kind == Kind.Densities)
             {
                 fluid.Input.phases.Set(1, 500f, 0f);
-                float4[] points = ParticleState.Lattice(0f, 0.5f, 8, 0.1f).positions.Select(p => new float4(p.xyz, 0f)).ToArray();
-                using (var positions = new NativeArray<float4>(points, Allocator.Persistent))
-                using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
-                    fluid.Solver.AddInSpacings(positions, velocity, 0f, fluid.Solver.Layout.DomainSize, fluid.Solver.TagFor(1, 0));
+                fluid.AddPhase(1, ParticleState.Lattice(0f, 0.5f, 8, 0.1f).positions.Select(p => p.xyz));
                 return fluid.AddBlock(new float3(8f, 0f, 0f) * Spacing, 7f * Spacing);
             }
             if (kind == Kind.Asleep)

@@ -6,7 +6,7 @@ namespace Rill.Tests
     /// <summary>Variants of the shaders that draw the surface's mesh.</summary>
     public class MeshDrawTests
     {
-        // Of each setting, what another one leaves on, and what is there again after all.
+        // Each setting is turned off while the others are on, and then all are.
         [Test]
         public void A_setting_that_is_turned_off_leaves_no_keyword_on()
         {

@@ -204,7 +204,7 @@ namespace Rill.Tests
             return ForceOn(fluid, 0, out torque);
         }
 
-        // Of what was taken last.
+        // Returns the force and torque of the reactions that were taken last.
         static float3 ForceOn(TestFluid fluid, int index, out float3 torque)
         {
             ColliderReactions reactions = fluid.Solver.Reactions;

@@ -1,7 +1,6 @@
 using System;
 using System.Linq;
 using NUnit.Framework;
-using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine.Rendering;
 
@@ -64,8 +63,8 @@ namespace Rill.Tests
                 fluid.Input.phases.Set(1, 500f, 0f, FreeDrop.Tension(light));
                 fluid.Input.phases.Set(2, 1000f, 0f, FreeDrop.Tension(heavy));
                 fluid.Input.phases.SetPair(2, 1, diffusion, FreeDrop.Tension(between));
-                AddTagged(fluid, 1, new float3(11.2f, 12f, 12f));
-                AddTagged(fluid, 2, new float3(12.8f, 12f, 12f));
+                fluid.AddPhase(1, new[] { new float3(11.2f, 12f, 12f) });
+                fluid.AddPhase(2, new[] { new float3(12.8f, 12f, 12f) });
                 fluid.Step();
                 double left = 11.2f, right = 12.8f;
                 for (int i = 0; i < 2; i++)
@@ -93,8 +92,8 @@ namespace Rill.Tests
                 fluid.Input.phases.Set(2, 2000f, 0f, FreeDrop.Tension(0.0));
                 if (isCollider)
                     ColliderTests.Use(fluid, Floor(floor));
-                AddTagged(fluid, 1, new float3(6f, floor + Height, 12f));
-                AddTagged(fluid, 2, new float3(18f, floor + Height, 12f));
+                fluid.AddPhase(1, new[] { new float3(6f, floor + Height, 12f) });
+                fluid.AddPhase(2, new[] { new float3(18f, floor + Height, 12f) });
                 fluid.Step();
                 double pass = 2.6 * 0.02 / 2.0 * (angle == 60f ? 1.25 : 0.35355339), height = Height;      // of WallFraction
                 for (int i = 0; i < 2; i++)
@@ -125,13 +124,6 @@ namespace Rill.Tests
             double one = End(1);
             Assert.That(one, Is.LessThan(8.88), "it is drawn in");
             Assert.That(End(3), Is.EqualTo(one).Within(1e-5));
-        }
-
-        static void AddTagged(TestFluid fluid, int phase, float3 position)
-        {
-            using (var positions = new NativeArray<float4>(new[] { new float4(position, 0f) }, Allocator.Persistent))
-            using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
-                fluid.Solver.AddInSpacings(positions, velocity, 0f, 24f, fluid.Solver.TagFor(phase, 0));
         }
 
         [Test]

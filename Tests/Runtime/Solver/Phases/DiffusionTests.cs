@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using NUnit.Framework.Constraints;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace Rill.Tests
@@ -31,10 +30,8 @@ namespace Rill.Tests
                 fluid.Input.phases.Set(phase, phase == 1 ? density : 1000f, 0f);
             fluid.Input.phases.SetPair(0, 1, diffusion);
             ParticleState block = ParticleState.Lattice(0f, 0.5f, Counts, 0.02f);
-            foreach (IGrouping<int, float4> group in block.positions.GroupBy(p => phaseOf(p.xyz)))
-                using (var positions = new NativeArray<float4>(group.Select(p => new float4(p.xyz, 0f)).ToArray(), Allocator.Persistent))
-                using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
-                    fluid.Solver.AddInSpacings(positions, velocity, 0f, Box, fluid.Solver.TagFor(group.Key, 0));
+            foreach (IGrouping<int, float3> group in block.positions.Select(p => p.xyz).GroupBy(phaseOf))
+                fluid.AddPhase(group.Key, group);
             return fluid;
         }
 
@@ -49,9 +46,8 @@ namespace Rill.Tests
         static (float3 position, float3 velocity, uint phase)[] Particles(TestFluid fluid)
         {
             ParticleState state = fluid.Read();
-            uint[] tags = GpuTest.Read<uint>(fluid.Solver.Tags, state.Count);
-            return Enumerable.Range(0, state.Count).Select(i => (state.positions[i].xyz, state.velocities[i].xyz,
-                tags[i] >> ParticleTags.PhaseShift)).ToArray();
+            uint[] phases = fluid.Phases();
+            return Enumerable.Range(0, state.Count).Select(i => (state.positions[i].xyz, state.velocities[i].xyz, phases[i])).ToArray();
         }
 
         // Particles of each half in the other spread as erfc(x / √(4 D t)) / 2, of which ∫ |x| dx over both halves is D t. A particle is 1 d³.

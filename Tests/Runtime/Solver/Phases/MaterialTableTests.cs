@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
-using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -34,25 +33,16 @@ namespace Rill.Tests
             fluid.Input.timeStep = 1f / stepRate;
             fluid.Input.phases.Set(1, density, 0f);
             ParticleState block = ParticleState.Lattice(0f, 0.5f, counts, 0.02f);
-            foreach (int phase in new[] { 0, 1 })
-            {
-                uint tag = fluid.Solver.TagFor(phase, 0);
-                float4[] own = block.positions.Where(p => isOther(p.xyz) == (phase == 1)).Select(p => new float4(p.xyz, 0f)).ToArray();
-                if (own.Length == 0)
-                    continue;
-                using (var positions = new NativeArray<float4>(own, Allocator.Persistent))
-                using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
-                    fluid.Solver.AddInSpacings(positions, velocity, 0f, box, tag);
-            }
+            foreach (IGrouping<bool, float3> group in block.positions.Select(p => p.xyz).GroupBy(isOther).OrderBy(group => group.Key))
+                fluid.AddPhase(group.Key ? 1 : 0, group);
             return fluid;
         }
 
         static (float3 position, float3 velocity, bool isOther)[] Particles(TestFluid fluid)
         {
             ParticleState state = fluid.Read();
-            uint[] tags = GpuTest.Read<uint>(fluid.Solver.Tags, state.Count);
-            return Enumerable.Range(0, state.Count).Select(i => (state.positions[i].xyz, state.velocities[i].xyz,
-                tags[i] >> ParticleTags.PhaseShift == 1)).ToArray();
+            uint[] phases = fluid.Phases();
+            return Enumerable.Range(0, state.Count).Select(i => (state.positions[i].xyz, state.velocities[i].xyz, phases[i] == 1)).ToArray();
         }
 
         // Amplitude of the interface, from the number of water's particles along x: those of a wave η = a cos(2π x / L) above it.

@@ -1,7 +1,6 @@
 using System;
 using System.Linq;
 using NUnit.Framework;
-using Unity.Collections;
 using Unity.Mathematics;
 
 namespace Rill.Tests
@@ -255,15 +254,12 @@ namespace Rill.Tests
                 fluid.Input.material.wallFriction = 0f;
                 fluid.Input.phases.Set(1, 1600f, 0f, friction: 31f, cohesion: 2000f);
                 foreach (int phase in new[] { 0, 1 })
-                {
-                    float4[] own = ParticleState.Lattice(0f, new float3(phase * 52f + 0.5f, 0.5f, 0.5f), new int3(12, 12, 16), 0.02f).positions
-                        .Select(p => new float4(p.xyz, 0f)).ToArray();
-                    AddPhase(fluid, own, phase);
-                }
+                    fluid.AddPhase(phase, ParticleState.Lattice(0f, new float3(phase * 52f + 0.5f, 0.5f, 0.5f), new int3(12, 12, 16), 0.02f)
+                        .positions.Select(p => p.xyz));
                 fluid.Step(14);
                 ParticleState state = fluid.Read();
-                uint[] tags = GpuTest.Read<uint>(fluid.Solver.Tags, state.Count);
-                float Height(int phase) => state.positions.Where((p, i) => tags[i] >> ParticleTags.PhaseShift == phase).Average(p => p.y);
+                uint[] phases = fluid.Phases();
+                float Height(int phase) => state.positions.Where((p, i) => phases[i] == phase).Average(p => p.y);
                 TestContext.Out.WriteLine($"mean heights of 6 d: water {Height(0):0.0} d, sand {Height(1):0.0} d");
                 Assert.That(Height(0), Is.LessThan(4.5f));
                 Assert.That(Height(1), Is.GreaterThan(5.7f));
@@ -278,14 +274,10 @@ namespace Rill.Tests
             {
                 fluid.Input.material.wallFriction = 0f;
                 fluid.Input.phases.Set(1, 1000f, 0f, cohesion: 3000f);
-                float4[] column = ParticleState.Lattice(0f, 0.5f, 12, 0.02f).positions.Select(p => new float4(p.xyz, 0f)).ToArray();
-                bool IsWater(float4 p) => isMixed && math.csum((int3)p.xyz) % 2 == 0;
-                foreach (int phase in new[] { 0, 1 })
-                {
-                    float4[] own = column.Where(p => IsWater(p) == (phase == 0)).ToArray();
-                    if (own.Length > 0)
-                        AddPhase(fluid, own, phase);
-                }
+                bool IsSand(float3 p) => !isMixed || math.csum((int3)p) % 2 != 0;
+                foreach (IGrouping<bool, float3> group in ParticleState.Lattice(0f, 0.5f, 12, 0.02f).positions.Select(p => p.xyz).GroupBy(IsSand)
+                    .OrderBy(group => group.Key))
+                    fluid.AddPhase(group.Key ? 1 : 0, group);
                 float height = fluid.Step(14).Read().positions.Average(p => p.y);
                 TestContext.Out.WriteLine($"mean height {height:0.0} d of 6");
                 Assert.That(height, isMixed ? Is.LessThan(3.2f) : Is.GreaterThan(5.7f), "water comes to 2.6 d");
@@ -318,13 +310,6 @@ namespace Rill.Tests
                 TestContext.Out.WriteLine($"{state.Count} grains at {mean:0.000} m/s");
                 Assert.That(mean, Is.EqualTo(expected).Within(0.25f * speed));
             }
-        }
-
-        static void AddPhase(TestFluid fluid, float4[] points, int phase)
-        {
-            using (var positions = new NativeArray<float4>(points, Allocator.Persistent))
-            using (var velocity = new NativeArray<float4>(1, Allocator.Persistent))
-                fluid.Solver.AddInSpacings(positions, velocity, 0f, fluid.Solver.Layout.DomainSize, fluid.Solver.TagFor(phase, 0));
         }
     }
 }

@@ -102,7 +102,7 @@ namespace Rill.Tests
             borders.minX = new FluidBorder { kind = BorderKind.Absorbing, width = 1f };
             float3 position = new float3(At, 2f, 2f), start = new float3(0.4f, 0.3f, -0.5f);
             double3 before = Lone(default, gravity, position, start), after = Lone(borders, gravity, position, start), up = -math.normalize(gravity);
-            // What gravity gives in the step comes after.
+            // Gravity acts after the border in a step.
             double3 then = before - (double3)gravity / 60.0 / Spacing, across = then - up * math.dot(then, up), change = after - before;
             double part = -math.dot(change, across) / math.dot(across, across);
             TestContext.Out.WriteLine($"{part:0.000} of what is across is gone");
