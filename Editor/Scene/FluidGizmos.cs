@@ -114,6 +114,14 @@ namespace Rill.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
+        static void DrawSmokeSource(FluidSmokeSource source, GizmoType type)
+        {
+            DrawSphere(source.transform, source.Radius, GizmoColors.Emitter);
+            if (source.Speed > 0f)
+                DrawArrow(source.transform, ArrowTime * source.Speed, GizmoColors.Emitter);
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawProbe(FluidProbe probe, GizmoType type)
         {
             DrawSphere(probe.transform, probe.Radius, GizmoColors.Query);

@@ -50,6 +50,8 @@ namespace Rill.Editor
             }
         }
 
+        public static bool TryGet(FluidSmokeSource source, out Bounds bounds) => TrySphere(source.transform, source.Radius, out bounds);
+
         public static bool TryGet(FluidProbe probe, out Bounds bounds) => TrySphere(probe.transform, probe.Radius, out bounds);
 
         public static bool TryGet(FluidDetector detector, out Bounds bounds)

@@ -50,6 +50,7 @@ namespace Rill.Editor
             ("Rill.Vorticity", "Vorticity"),
             ("Rill.Diffusion", "Diffusion of materials"),
             ("Rill.Foam", "Foam"),
+            ("Rill.Smoke", "Smoke"),
             ("Rill.Emit", "Emitters"),
             ("Rill.Surface", "Surface"),
             ("Rill.Mesh", "Surface mesh"),

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>The parts that are attached to a fluid, by their numbers: emitters, drains and force fields, which act on it, and probes and
+    /// <summary>The parts that are attached to a fluid, by their numbers: emitters, drains, force fields and sources of smoke, which act on it, and probes and
     /// detectors, which measure it. Gathers those that act for each step.</summary>
     sealed class SceneParts
     {
@@ -13,6 +13,7 @@ namespace Rill
         readonly FluidPart[] emitters = new FluidPart[StepSources.MaxEmitters];
         readonly FluidPart[] drains = new FluidPart[StepSources.MaxDrains];
         readonly FluidPart[] fields = new FluidPart[StepSources.MaxFields];
+        readonly FluidPart[] smokeSources = new FluidPart[StepSources.MaxSmokeSources];
         readonly FluidPart[] probes = new FluidPart[Queries.MaxProbes];
         readonly FluidPart[] detectors = new FluidPart[Queries.MaxDetectors];
         int actingCount;
@@ -140,6 +141,10 @@ namespace Rill
                 if (part != null && part is IForceField field && !field.IsUniform && gate.IsLoaded(Features.ForceFields)
                     && field.TryGetStep(frame, spacing, out FieldRegion region))
                     sources.Add(region);
+            if (input.hasSmoke)
+                foreach (FluidPart part in smokeSources)
+                    if (part != null && ((ISmokeSource)part).TryGetStep(frame, spacing, input.smoke.airTemperature, out SmokeRegion region))
+                        sources.Add(region);
             if (atBorders != 0 && gate.IsLoaded(Features.Emitters) && gate.IsLoaded(Features.Drains))
                 levels.AddTo(sources, input, atBorders, fluid.Solver.Layout, fluid.Solver.StepIndex);
             sources.needsLifetimes = sources.needsLifetimes && gate.IsLoaded(Features.Drains);
@@ -322,6 +327,7 @@ namespace Rill
                 case PartKind.Drain: return drains;
                 case PartKind.ForceField: return fields;
                 case PartKind.Probe: return probes;
+                case PartKind.SmokeSource: return smokeSources;
                 default: return detectors;
             }
         }

@@ -43,6 +43,9 @@ namespace Rill
         /// <summary>Set every frame by what draws foam, which then is made in the next steps; none where it was not set.</summary>
         public FoamSettings? NeedsFoam { get; set; }
 
+        /// <summary>Set every frame by what draws smoke, which then is made in the next steps; none where it was not set.</summary>
+        public SmokeSettings? NeedsSmoke { get; set; }
+
         /// <summary>Raised after the commands of a fixed step, with its number: for what is recorded of the state that it leaves.</summary>
         public event Action<CommandBuffer, int> AfterStep;
 
@@ -95,9 +98,12 @@ namespace Rill
                 tracksPhases = fluid.TrackPhases,
                 foam = NeedsFoam ?? default,
                 foamSeed = fluid.Seed,
+                hasSmoke = NeedsSmoke.HasValue,
+                smoke = NeedsSmoke ?? default,
             };
             NeedsDensity = false;
             NeedsFoam = null;
+            NeedsSmoke = null;
             fluid.Support.Gate.TurnOffMissing(fluid.Solver, ref input);
             if (inputs.Connections.Neighbors is StepConnections neighbors)
             {
@@ -131,6 +137,7 @@ namespace Rill
             };
             NeedsDensity = false;
             NeedsFoam = null;
+            NeedsSmoke = null;
             fluid.Support.BeginSteps();
             fluid.Support.TurnOffRefused(ref input, settings);
         }

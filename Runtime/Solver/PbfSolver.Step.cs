@@ -60,6 +60,7 @@ namespace Rill
             isRestored = false;
             substepsSinceSurface += lastSubsteps;
             Foam?.Record(step, WaterDepth(input.gravity));
+            Smoke?.Record(step);
             RecordEmission(step, step.Substeps - 1);
             hasNew = Emitters.IsNeeded(input.sources);
         }
@@ -87,6 +88,9 @@ namespace Rill
 
         /// <summary>Foam, spray and bubbles; null while nothing asks for them.</summary>
         public Foam Foam => (Foam)stages[Features.Foam.Index];
+
+        /// <summary>Air with smoke; null while nothing asks for it.</summary>
+        public Smoke Smoke => (Smoke)stages[Features.Smoke.Index];
 
         /// <summary>Elements of the surface; null while nothing draws it.</summary>
         public SurfaceParticles Surface => (SurfaceParticles)stages[Features.SurfaceParticles.Index];
@@ -145,6 +149,7 @@ namespace Rill
                 VorticityConfinement.Describe(Vorticity, step),
                 Diffusion.Describe(Diffusion, step),
                 Foam.Describe(Foam, step),
+                Smoke.Describe(Smoke, step),
                 Emitters.Describe(Emitters, step, ParticleTags),
                 SurfaceParticles.Describe(Surface, step, Mesh != null),
                 SurfaceMesh.Describe(Mesh),

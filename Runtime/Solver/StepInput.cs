@@ -37,6 +37,10 @@ namespace Rill
         public FoamSettings foam;
         /// <summary>Seed of the random numbers of foam.</summary>
         public int foamSeed;
+        /// <summary>Whether there is air with smoke over the fluid.</summary>
+        public bool hasSmoke;
+        /// <summary>Validated.</summary>
+        public SmokeSettings smoke;
 
         /// <summary>Whether all particles have phases: a script asks for them, or they have materials that differ or mix.</summary>
         public readonly bool HasPhases => tracksPhases || MaterialTable.IsNeeded(this) || Diffusion.IsNeeded(this);

@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Linq;
 using NUnit.Framework;
 using Rill.Testing;
 using UnityEngine;
@@ -154,6 +155,23 @@ namespace Rill.Tests
             return wetness;
         }
 
+        static FluidSmoke Smoke(FluidSimulation fluid)
+        {
+            #region Smoke (components.md)
+            var smoke = fluid.gameObject.AddComponent<FluidSmoke>();            // on the fluid's own object
+            SmokeSettings air = SmokeSettings.Default;
+            air.steam = 4f;                                                     // 1/m, over the water
+            smoke.Settings = air;
+            var fire = new GameObject("Fire").AddComponent<FluidSmokeSource>();
+            fire.transform.position = new Vector3(0f, 0.5f, 0f);
+            fire.Temperature = 1200f;                                           // °C
+            fire.Density = 8f;                                                  // 1/m
+            fire.Simulation = fluid;
+            #endregion
+            fire.transform.parent = fluid.transform;
+            return smoke;
+        }
+
         static FluidConnection Connection(FluidSimulation lake, FluidSimulation basin)
         {
             var connection = new GameObject("Opening").AddComponent<FluidConnection>();
@@ -218,6 +236,18 @@ namespace Rill.Tests
             yield return Frames(3);
             Assert.That(wetness.isActiveAndEnabled);
             Assert.That(wetness.HasAnything);
+        }
+
+        [UnityTest]
+        public IEnumerator Smoke_made_by_its_snippet_rises_from_its_fire()
+        {
+            FluidSimulation fluid = Fluid("Lake", new Vector3(2f, 2f, 1f), 0.1f, 6000, Vector3.zero);
+            Smoke(fluid);
+            yield return Frames(4);
+            int cells = fluid.Solver.Smoke.Counts.x * fluid.Solver.Smoke.Counts.y * fluid.Solver.Smoke.Counts.z;
+            float[] air = GpuTest.Read<float>(fluid.Solver.Smoke.Air, 2 * cells);
+            Assert.That(air.Take(cells).Max(), Is.GreaterThan(300f), "K");
+            Assert.That(air.Skip(cells).Max(), Is.InRange(3f, 9f), "1/m");
         }
 
         [UnityTest]

@@ -112,8 +112,8 @@ namespace Host.Tests
             Assert.That(off.Select(stage => stage.Name),
                 Is.EquivalentTo(new[] { "Particle access", "Drains", "Transfer", "Resting regions", "Force fields", "Borders",
                 "Coarse correction", "Colliders", "Particle tags", "Materials", "Implicit viscosity", "Grain friction", "Viscoelasticity",
-                "Velocity extrapolation", "Vorticity confinement", "Diffusion", "Foam", "Emitters", "Queries", "Query batches",
-                "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
+                "Velocity extrapolation", "Vorticity confinement", "Diffusion", "Foam", "Smoke", "Emitters", "Queries",
+                "Query batches", "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
         }

@@ -25,7 +25,7 @@ namespace Host.Tests
             "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
             "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure", "WithTension",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Borders", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
-            "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
+            "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam", "Smoke",
             "Queries", "QueryBatch", "ParticleTransfer", "Rill.Transfer", "Rill.Kept" };
 
         // Work that each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so,
@@ -220,6 +220,13 @@ namespace Host.Tests
                 new[] { $"+1 Emitters.compute Feel {RestingRegions.Keyword}", $"+1 Emitters.compute Press {RestingRegions.Keyword}",
                     $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}",
                 "+1 Rill.Emitters.*" }),
+            // it asks for smoke in its first frame
+            ("smoke", null, s => { s.gameObject.AddComponent<FluidSmoke>(); PlayerLoop.Frame(FrameTime); }, new[]
+            {
+                "+1 Smoke.compute FindWater", "+1 Smoke.compute Move", "+1 Smoke.compute Correct", "+1 Smoke.compute FindCurls",
+                "+1 Smoke.compute AddForcesAndConfine", "+1 Smoke.compute FindDivergence", "+2 CoarseSolver.compute *",
+                "+1 Smoke.compute Project", "+1 Smoke.compute Shade", "+1 SmokeVolume.shader", "+1 Rill.Smoke.*", "+1 Rill.Coarse.*",
+            }),
             // it asks for foam in its first frame
             ("foam", null, s => { s.gameObject.AddComponent<FluidFoam>(); PlayerLoop.Frame(FrameTime); }, new[]
             {
@@ -287,6 +294,7 @@ namespace Host.Tests
                 UnityEngine.Object.DestroyImmediate(owner);
             foreach (FluidCollider collider in SceneColliders.Enabled.Except(collidersBefore).ToArray())
                 UnityEngine.Object.DestroyImmediate(collider.gameObject);
+            UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidSmoke>());
             UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidFoam>());
             UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidRecorder>());
             UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidPlayback>());

@@ -6,6 +6,7 @@ using Host.Assets;
 using NUnit.Framework;
 using Rill;
 using Rill.Samples;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
@@ -313,6 +314,39 @@ namespace Host.Tests
                 Assert.That(phases.Count(phase => phase > 0), Is.EqualTo(poured));
                 Assert.That(replaced, Is.GreaterThan(0.2 * poured));
             }
+        }
+
+        [Test]
+        public void The_spring_steams_and_the_smoke_of_its_fire_goes_around_the_beam()
+        {
+            using (new SampleScene("Hot Spring"))
+            {
+                FluidSmoke[] all = Object.FindObjectsOfType<FluidSmoke>();
+                FluidSmoke bath = all.Single(smoke => smoke.name == "Hot Spring"), fire = all.Single(smoke => smoke.name == "Fire");
+                bath.GetComponent<FluidSimulation>().Configure(new Vector3(1.6f, 1.2f, 1.2f), 0.05f, 5000);
+                foreach (FluidSmoke smoke in all)
+                {
+                    SmokeSettings settings = smoke.Settings;
+                    settings.cellSize = 0.05f;
+                    smoke.Settings = settings;
+                }
+                Play(75);
+                float steam = new[] { 0.3f, 0.35f, 0.4f, 0.45f }.Max(y => DensityAt(bath, new Vector3(0.3f, y, 0f)));
+                Assert.That(steam, Is.GreaterThan(0.4f), "over the water, 1/m");
+                Assert.That(DensityAt(fire, new Vector3(1.42f, 1.1f, 0.05f)), Is.LessThan(0.05f), "in the beam, 1/m");
+                Assert.That(new[] { -0.1f, 0.2f }.Max(z => DensityAt(fire, new Vector3(1.42f, 1.35f, z))), Is.GreaterThan(0.2f), "above it, 1/m");
+            }
+        }
+
+        // Extinction in the cell of a point of the world, 1/m.
+        static float DensityAt(FluidSmoke smoke, Vector3 point)
+        {
+            var fluid = smoke.GetComponent<FluidSimulation>();
+            Smoke air = fluid.Solver.Smoke;
+            int3 cell = (int3)((float3)fluid.DomainToWorld.inverse.MultiplyPoint3x4(point) / air.CellSize), counts = air.Counts;
+            var values = new float[air.Air.count];
+            air.Air.GetData(values);
+            return values[counts.x * counts.y * counts.z + (cell.z * counts.y + cell.y) * counts.x + cell.x];
         }
 
         static bool IsBetween(float value, float low, float high) => value > low && value < high;

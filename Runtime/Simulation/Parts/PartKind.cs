@@ -1,5 +1,5 @@
 namespace Rill
 {
     /// <summary>Kind of a <see cref="FluidPart"/>.</summary>
-    enum PartKind { Emitter, Drain, ForceField, Probe, Detector }
+    enum PartKind { Emitter, Drain, ForceField, Probe, Detector, SmokeSource }
 }

@@ -139,6 +139,14 @@ namespace Rill
             turnOff: (ref StepInput step) => step.foam.budget = 0,
             make: (PbfSolver solver, in StepInput step) => new Rill.Foam(solver.Layout, step.foam.budget, solver.ReadbackErrors));
 
+        // Its grid is made of deep water's parts.
+        public static readonly Feature Smoke = new Feature("smoke", "disable its FluidSmoke",
+            stages: new[] { "Smoke" },
+            asked: (PbfSolver solver, in StepInput step) => Rill.Smoke.IsNeeded(step),
+            turnOff: (ref StepInput step) => step.hasSmoke = false,
+            make: (PbfSolver solver, in StepInput step) => new Rill.Smoke(solver.Layout, Rill.Smoke.WantedSize(step, solver.Layout.Spacing),
+                solver.Limits));
+
         public static readonly Feature Statistics = new Feature("statistics", "set the statistics interval to 0", stages: new[] { "Statistics" });
 
         // A device that does not hold a part of the surface does not get any.
@@ -184,7 +192,7 @@ namespace Rill
 
         /// <summary>The most important first: where a device does not hold two of them together, the first stays.</summary>
         public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Materials,
-            Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Diffusion, Foam,
+            Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Diffusion, Foam, Smoke,
             Statistics, SurfaceParticles, Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness,
             ParticleRenderer, DomainRenderer, Baking);
 

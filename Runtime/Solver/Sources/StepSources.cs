@@ -1,6 +1,6 @@
 namespace Rill
 {
-    /// <summary>Work of emitters, drains and force fields in one step, in the domain's frame; used again for every step.</summary>
+    /// <summary>Work of emitters, drains, force fields and sources of smoke in one step, in the domain's frame; used again for every step.</summary>
     sealed class StepSources
     {
         /// <summary>Most emitters of a simulation.</summary>
@@ -9,11 +9,14 @@ namespace Rill
         [GenerateHlsl("Drains")] public const int MaxDrains = 32;
         /// <summary>Most force fields of a simulation.</summary>
         public const int MaxFields = 32;
+        /// <summary>Most sources of smoke of a simulation.</summary>
+        public const int MaxSmokeSources = 32;
 
         public readonly EmitterStep[] emitters = new EmitterStep[MaxEmitters];
         public readonly DrainRegion[] drains = new DrainRegion[MaxDrains];
         public readonly FieldRegion[] fields = new FieldRegion[MaxFields];
-        public int emitterCount, drainCount, fieldCount;
+        public readonly SmokeRegion[] smoke = new SmokeRegion[MaxSmokeSources];
+        public int emitterCount, drainCount, fieldCount, smokeCount;
 
         /// <summary>Bit e: the emitter with number e is gone, and what waits for it is given up before this step emits.</summary>
         public uint goneEmitters;
@@ -37,7 +40,7 @@ namespace Rill
         /// <summary>Nothing acts, until it is added.</summary>
         public void Clear()
         {
-            emitterCount = drainCount = fieldCount = 0;
+            emitterCount = drainCount = fieldCount = smokeCount = 0;
             goneEmitters = goneDrains = 0;
             keepsEmitters = keepsDrains = needsTags = needsLifetimes = recycles = limitsDrains = hasWind = false;
         }
@@ -61,6 +64,8 @@ namespace Rill
             fields[fieldCount++] = field;
             hasWind |= field.kind == (uint)ForceFieldKind.Wind;
         }
+
+        public void Add(in SmokeRegion region) => smoke[smokeCount++] = region;
 
         /// <summary>Takes out what emitters do.</summary>
         public void LeaveOutEmitters()

@@ -45,6 +45,8 @@ namespace Host.Bench
                 Description = "The upper half is a liquid that is lighter by this factor; 1 for one liquid.", DefaultValueFactory = _ => 1f };
             var diffusion = new Option<float>("--diffusion") { Description = "With which the halves mix, m²/s; 0 for none.",
                 DefaultValueFactory = _ => 0f };
+            var smoke = new Option<float>("--smoke") { Description = "Side of a cell of the air with smoke over it, d; 0 for none.",
+                DefaultValueFactory = _ => 0f };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.",
                 DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
@@ -56,7 +58,7 @@ namespace Host.Bench
             Option<string> shaders = ShadersOption.Create();
 
             var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
-                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, diffusion, deepWater, window, steps,
+                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, diffusion, smoke, deepWater, window, steps,
                 kernels, json, shaders,
                 BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(),
                 PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
@@ -98,6 +100,13 @@ namespace Host.Bench
                     input.phases.Set(1, material.density / ratio, material.dynamicViscosity);
                 if (mixing > 0f)
                     input.phases.SetPair(0, 1, mixing);
+                float cell = parsed.GetValue(smoke);
+                if (!(cell >= 0f) || cell > 10f)
+                    throw new HostException($"--smoke {cell}: give 0 to 10 d.");
+                input.hasSmoke = cell > 0f;
+                input.smoke = SmokeSettings.Default;
+                input.smoke.cellSize = cell * scene.Spacing;
+                input.smoke.steam = 5f;
                 return Execute(scene, input, windows, parsed.GetValue(steps), parsed.GetValue(json), System.Console.Out);
             });
             return command;
@@ -129,7 +138,8 @@ namespace Host.Bench
                 $"{input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, " +
                 $"velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear " +
                 $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, density ratio " +
-                $"{input.phases.Ratio(input.material)}, diffusion {input.phases.MaxDiffusion} m²/s, {input.settings.neighborCapacity} list entries");
+                $"{input.phases.Ratio(input.material)}, diffusion {input.phases.MaxDiffusion} m²/s, smoke " +
+                $"{(input.hasSmoke ? $"in cells of {input.smoke.cellSize / scene.Spacing} d" : "off")}, {input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
