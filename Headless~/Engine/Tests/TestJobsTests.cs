@@ -197,6 +197,43 @@ namespace Heavy { public class Sweep { [TestCase(1), TestCase(2, Category = ""Gp
             Assert.That(run.ExitCode, Is.Not.Zero);
         }
 
+        [TestCase("1"), TestCase("2")]
+        public void A_fixture_that_leaves_a_setting_of_the_engine_changed_fails_by_name_and_changes_no_other(string jobs)
+        {
+            planted.Bring("UnityEngine");
+            planted.Bring("UnityEngine.PhysicsModule");
+            planted.Compile("Planted.Tests", @"
+using NUnit.Framework;
+using UnityEngine;
+namespace Leaving
+{
+    public abstract class Base
+    {
+        [Test] public void One()
+        {
+            Assert.That(Time.timeScale, Is.EqualTo(1f));
+            Assert.That(Physics.bounceThreshold, Is.EqualTo(2f));
+            Assert.That(Screen.width, Is.EqualTo(1280));
+            Time.timeScale = 0f;
+            Physics.bounceThreshold = 3f;
+            Screen.SetResolution(64, Screen.height, false);
+        }
+    }
+    public class First : Base { }
+    public class Second : Base { }
+    public class Third : Base { [TearDown] public void PutBack()
+        { Time.timeScale = 1f; Physics.bounceThreshold = 2f; Screen.SetResolution(1280, Screen.height, false); } }
+}");
+            Assert.That(Run(out string[] lines, "--jobs", jobs, "--filter", "Leaving."), Is.EqualTo(1));
+            foreach (string fixture in new[] { "First", "Second" })
+            {
+                int at = Array.FindIndex(lines, line => line == $"    FAILED {fixture}");
+                Assert.That(lines[at + 1], Does.StartWith("      it leaves ").And.Contain("Time.timeScale at 0 instead of 1")
+                    .And.Contain("Physics.bounceThreshold at 3 instead of 2").And.Contain("Player.ScreenWidth at 64 instead of 1280"));
+            }
+            Assert.That(lines[^1], Is.EqualTo("3 passed, 2 failed"));
+        }
+
         [Test]
         public void A_failing_test_in_a_worker_fails_the_run_with_its_message()
         {

@@ -49,7 +49,6 @@ namespace Rill.Tests
         public IEnumerator LeaveNothing()
         {
             (RenderSettings.ambientMode, RenderSettings.ambientLight) = (ambientMode, ambient);
-            RenderSettings.fog = false;
             yield return scene.End();
         }
 

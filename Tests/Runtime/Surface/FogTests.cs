@@ -28,7 +28,6 @@ namespace Rill.Tests
         [UnityTearDown]
         public IEnumerator LeaveNothing()
         {
-            RenderSettings.fog = false;
             yield return scene.End();
         }
 

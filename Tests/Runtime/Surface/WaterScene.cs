@@ -21,6 +21,8 @@ namespace Rill.Tests
 
         readonly List<Object> kept = new List<Object>();
         readonly List<RenderTexture> targets = new List<RenderTexture>();
+        readonly (bool, FogMode, Color, float, float, float) fogBefore = (RenderSettings.fog, RenderSettings.fogMode, RenderSettings.fogColor,
+            RenderSettings.fogDensity, RenderSettings.fogStartDistance, RenderSettings.fogEndDistance);
 
         /// <param name="pixels">Width and height of the picture.</param>
         public WaterScene(int pixels) : this(pixels, Vector3.one, Depth, 8000) { }
@@ -221,6 +223,8 @@ namespace Rill.Tests
         /// <summary>Leaves nothing behind.</summary>
         public IEnumerator End()
         {
+            (RenderSettings.fog, RenderSettings.fogMode, RenderSettings.fogColor, RenderSettings.fogDensity, RenderSettings.fogStartDistance,
+                RenderSettings.fogEndDistance) = fogBefore;
             Time.captureDeltaTime = 0f;
             foreach (Object one in kept)
                 Object.Destroy(one);

@@ -223,7 +223,7 @@ namespace Host.Commands
         static List<TestFacts> RunHere(Choice choice, List<Assembly> assemblies, TestTally tally)
         {
             using var session = new Session(Session.Root(), scripts: assemblies, validation: choice.Validation);
-            var run = new TestRun(tally.Add, choice.ShowsAll);
+            var run = new TestRun(tally.Add, choice.ShowsAll, watchesStatics: true);
             foreach (Assembly assembly in assemblies)
                 run.Run(assembly, choice.Filter);
             return new List<TestFacts> { TestFacts.Of(session, run) };

@@ -21,6 +21,9 @@ namespace Host.Testing
             return Load(files);
         }
 
+        /// <summary>Whether its tests are of the host, and never run in Unity.</summary>
+        public static bool IsOfHost(string assembly) => EngineTests.Concat(BuiltInPackage.Current.ProgramTests).Contains(assembly);
+
         /// <summary>Returns those that are there, which may be none.</summary>
         public static List<Assembly> LoadBuilt(bool host, bool package) => Load(Files(host, package));
 

@@ -20,18 +20,24 @@ namespace Host.Testing
         readonly List<ITestResult> failuresOfFixture = new();
 
         readonly Dictionary<string, string> madeBy = new();
+        readonly EngineStatics statics;
+        bool isOfHost;
         FixtureFilter claimed;
         StringWriter output = new();
         FixtureReport counts = new();
         string assemblyName;
         List<string> aliveBefore;
+        string leftStatics;     // fault of the fixture that ends
         long dispatchesBefore;
 
         /// <param name="report">Gets each fixture as it ends; not through Console.Out, which NUnit takes away while tests run.</param>
         /// <param name="showsAll">Also what tests wrote that passed.</param>
         /// <param name="order">Which fixtures run here and which of them first; null for all, as they are listed.</param>
-        public TestRun(Action<FixtureReport> report, bool showsAll = false, FixtureOrder order = null)
+        /// <param name="watchesStatics">Settings of the engine go back to what they are now after each fixture. One of a package that leaves
+        /// them changed fails: in Unity it would change the fixtures after it.</param>
+        public TestRun(Action<FixtureReport> report, bool showsAll = false, FixtureOrder order = null, bool watchesStatics = false)
         {
+            statics = watchesStatics ? new EngineStatics() : null;
             this.report = report;
             this.showsAll = showsAll;
             this.order = order;
@@ -45,6 +51,7 @@ namespace Host.Testing
             if (runner.CountTestCases(filter) == 0)
                 return;
             assemblyName = assembly.GetName().Name;
+            isOfHost = TestAssemblies.IsOfHost(assemblyName);
             if (order == null)
                 report(new FixtureReport { Assembly = assemblyName });
             order?.Sort(tests);
@@ -119,7 +126,12 @@ namespace Host.Testing
             else if (result.ResultState.Status == TestStatus.Failed && result.ResultState.Site == FailureSite.TearDown)
                 Fail(result);
             if (result.Test is TestFixture)
+            {
+                List<string> left = statics?.PutBack() ?? new List<string>();
+                if (left.Count > 0 && !isOfHost)
+                    leftStatics = $"it leaves {string.Join(", ", left)}: put back what a test sets";
                 ReportFixture(result);
+            }
         }
 
         public void TestOutput(TestOutput text) { }
@@ -171,6 +183,13 @@ namespace Host.Testing
             string failed = fixture.FailCount > 0 ? $", {fixture.FailCount} FAILED" : "";
             string skipped = fixture.SkipCount + fixture.InconclusiveCount > 0 ? $", {fixture.SkipCount + fixture.InconclusiveCount} skipped" : "";
             output.WriteLine($"  {fixture.Test.Name,-44} {fixture.PassCount,4} passed{failed}{skipped}  {fixture.Duration:0.0} s");
+            if (leftStatics != null)
+            {
+                counts.Failed++;
+                output.WriteLine($"    FAILED {fixture.Test.Name}");
+                Indent(leftStatics);
+                leftStatics = null;
+            }
             Send(FixtureOrder.NameOf(fixture.Test), fixture.Duration, fixture.PassCount + fixture.FailCount + fixture.SkipCount
                 + fixture.InconclusiveCount == fixture.Test.TestCaseCount);
         }

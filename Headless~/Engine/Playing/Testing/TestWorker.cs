@@ -34,7 +34,7 @@ namespace Host.Testing
         {
             using var session = new Session(Session.Root(), scripts: assemblies, validation: validation);
             var run = new TestRun(report => Send(new WorkerMessage { Report = report }), showsAll,
-                new FixtureOrder(Claim, new TestDurations(), alone));
+                new FixtureOrder(Claim, new TestDurations(), alone), watchesStatics: true);
             foreach (Assembly assembly in assemblies)
                 run.Run(assembly, filter);
             TestFacts facts = TestFacts.Of(session, run);
