@@ -438,7 +438,7 @@ namespace Rill.Tests
             Assert.That(Vector3.Distance(bake.Bounds.size, 0.1f * (Vector3)bake.Resolution), Is.LessThan(1e-5f));
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Two_bakes_give_the_same_bits_however_the_work_is_split()
         {
             // more triangles than 65,535 groups, and large ones

@@ -57,7 +57,7 @@ namespace Rill.Tests
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(8)]
-        [TestCase(16)]
+        [TestCase(16, Category = "LongRun")]
         public void Substeps_take_the_time_of_one_step(int substeps)
         {
             SolverSettings settings = SolverSettings.Default;
@@ -245,7 +245,7 @@ namespace Rill.Tests
             Assert.That(statistics.volumeRatio, Is.EqualTo(1f).Within(0.1f), "what four passes of one step can hold");
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void Energy_of_a_closed_box_does_not_rise()
         {
             using (var fluid = Dam())

@@ -44,7 +44,7 @@ namespace Rill.Tests
 
         static double Calm(double2 at) => 0.1;
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Light_gathers_on_the_floor_as_photons_do([Values(0f, 40f)] float degrees)
         {
             Make(degrees, Waves, Across, 0.05f);

@@ -69,7 +69,7 @@ namespace Rill.Tests
             Assert.That(right, Is.GreaterThan(0.9f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator The_floor_is_seen_as_far_aside_as_Snell_bends_it()
         {
             SurfaceLook clear = surface.Look;

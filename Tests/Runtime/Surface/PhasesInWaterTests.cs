@@ -131,7 +131,7 @@ namespace Rill.Tests
         }
 
         // Grains that scatter all light within a millimeter are seen by the part that gets through the water above: exp(-2).
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator Opaque_grains_under_murky_water_are_seen_through_it()
         {
             const float Upper = 0.3f;
@@ -156,7 +156,7 @@ namespace Rill.Tests
             return look;
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator The_suns_light_on_what_stands_in_the_water_is_absorbed_by_what_is_above()
         {
             AddPlate(-0.15f);

@@ -183,7 +183,7 @@ namespace Rill.Tests
             Assert.That(Top(fluid), Is.EqualTo(before).Within(0.06f));
         }
 
-        [UnityTest]
+        [UnityTest, Category("LongRun")]
         public IEnumerator A_mesh_that_rests_is_baked_once_and_the_water_may_sleep_beside_it()
         {
             FluidDeformingMesh deforming = AddArm();

@@ -91,7 +91,7 @@ namespace Rill.Tests
         [TestCase("scattered cells", Dilute)]
         [TestCase("deep column", VeryDilute)]
         [TestCase("half filled, one level above the tail", Dilute)]
-        [TestCase("large half filled box", Dilute)]
+        [TestCase("large half filled box", Dilute, Category = "LongRun")]
         public void Where_the_water_would_be_in_tension_the_potential_is_zero_and_the_rest_converges(string name, double source)
         {
             using (var problem = new Problem(name, source, path))

@@ -60,6 +60,7 @@ namespace Rill.Tests
         [TestCase(0.05f, 1, 1f, 0.95)]
         [TestCase(0.05f, 3, 1f, 0.95)]
         [TestCase(0.05f, 1, 1.25f, 1.14)]
+        [Category("LongRun")]
         public void A_border_of_two_liquids_widens_by_ficks_law(float strength, int substeps, float listMargin, double lattice)
         {
             int steps = (int)Math.Round(2f / strength);      // D t = 2 d²

@@ -147,6 +147,7 @@ namespace Rill.Tests
         // wide as high on a rough floor on less.
         [TestCase(1f, true)]
         [TestCase(0f, false)]
+        [Category("LongRun")]
         public void Damp_sand_stands_as_high_as_its_cohesion_allows(float part, bool stands)
         {
             const int radius = 10;
@@ -163,7 +164,7 @@ namespace Rill.Tests
 
         // Walls carry part of what lies between them (Janssen 1895): less than theirs could, since grains that do not move need no friction where
         // the pressure alone holds them.
-        [Test]
+        [Test, Category("LongRun")]
         public void Walls_carry_part_of_what_a_silo_holds()
         {
             float rough = FloorPressure(1f), smooth = FloorPressure(0f);
@@ -222,6 +223,7 @@ namespace Rill.Tests
         // A plate that leans by 20 degrees, below the friction angle, under a block.
         [TestCase(1f, true)]
         [TestCase(0f, false)]
+        [Category("LongRun")]
         public void Sand_rests_on_a_collider_by_its_friction(float friction, bool rests)
         {
             var box = new float3(64f, 40f, 16f);
