@@ -192,10 +192,20 @@ namespace Rill.Editor
             if (phases.MaxDiffusion > 0f)
                 InspectorRows.Text("Diffusion", Diffusion.Text(phases.MaxDiffusion, Simulation.ParticleSpacing,
                     Simulation.FixedStep / Simulation.Settings.substeps, Simulation.Settings.substeps));
+            if (Simulation.Material.contacts)
+                InspectorRows.Text("Contacts", ContactsText());
             if (Simulation.Material.surfaceTension > 0f)
                 InspectorRows.Text("Surface tension",
                     PresetText.TensionText(Simulation.Material, Simulation.Settings, Simulation.ParticleSpacing,
                     Simulation.FixedStep / Simulation.Settings.substeps));
+        }
+
+        string ContactsText()
+        {
+            int layers = Contacts.LayersHeld(Simulation.Gravity.magnitude, Simulation.ParticleSpacing,
+                Simulation.FixedStep / Simulation.Settings.substeps);
+            return layers > 3 ? "4 layers of balls hold; higher heaps are pressed together"
+                : Invariant($"{layers} layer(s) of balls hold at this spacing; more with more substeps");
         }
 
         private protected override void DrawLive()

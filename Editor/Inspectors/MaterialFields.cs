@@ -16,6 +16,7 @@ namespace Rill.Editor
             new InspectorField("material.contactAngle", "degrees", When.IsPositive("material.surfaceTension")),
             new InspectorField("material.frictionAngle", "degrees"),
             new InspectorField("material.cohesion", "Pa"),
+            new InspectorField("material.contacts"),
         };
 
         /// <summary>Rows that few fluids need.</summary>

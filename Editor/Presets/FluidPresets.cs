@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.Linq;
 using System.Reflection;
 using UnityEditor;
@@ -129,6 +130,8 @@ namespace Rill.Editor
                 SerializedProperty one = property.FindPropertyRelative(field.Name);
                 if (field.FieldType == typeof(Color))
                     one.colorValue = (Color)field.GetValue(values);
+                else if (field.FieldType == typeof(bool))
+                    one.boolValue = (bool)field.GetValue(values);
                 else
                     one.floatValue = (float)field.GetValue(values);
             }
@@ -148,7 +151,7 @@ namespace Rill.Editor
             return true;
         }
 
-        static float ValueOf(FieldInfo field, FluidMaterial material) => (float)field.GetValue(material);
+        static float ValueOf(FieldInfo field, FluidMaterial material) => Convert.ToSingle(field.GetValue(material), CultureInfo.InvariantCulture);
 
         static bool Near(float a, float b) => Math.Abs(a - b) <= SameFraction * Math.Abs(b);
     }

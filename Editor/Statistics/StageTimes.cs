@@ -44,6 +44,7 @@ namespace Rill.Editor
             ("Rill.List", "Neighbor list"),
             ("Rill.Lambda", "Pressure"),
             ("Rill.ApplyDeltaP", "Displacement"),
+            ("Rill.Contacts", "Contacts"),
             ("Rill.DensityCorrection", "Deep water: density"),
             ("Rill.Velocity", "Velocity, smoothing"),
             ("Rill.Viscoelasticity", "Viscoelasticity"),

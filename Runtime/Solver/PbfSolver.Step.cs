@@ -44,7 +44,13 @@ namespace Rill
                 neighborSearch.RecordSort(step, takesProjection: Coarse != null && !solvesViscosity && !solvesFriction,
                     Viscoelasticity?.PreviousIndices);
                 ParticleTags?.RecordSort(step);
-                densityConstraint.Record(step);
+                if (Contacts == null)
+                    densityConstraint.Record(step);
+                else
+                {
+                    densityConstraint.RecordList(step);
+                    Contacts.Record(step);
+                }
                 velocityUpdate.Record(step);
                 Viscoelasticity?.Record(step);
                 Vorticity?.Record(step);
@@ -102,6 +108,7 @@ namespace Rill
         public Queries Queries => (Queries)stages[Features.Queries.Index];
 
         MaterialTable Materials => (MaterialTable)stages[Features.Materials.Index];
+        Contacts Contacts => (Contacts)stages[Features.Contacts.Index];
         Diffusion Diffusion => (Diffusion)stages[Features.Diffusion.Index];
         ImplicitViscosity Viscosity => (ImplicitViscosity)stages[Features.Viscosity.Index];
         GrainFriction Friction => (GrainFriction)stages[Features.GrainFriction.Index];
@@ -143,6 +150,7 @@ namespace Rill
                 ParticleTags.Describe(ParticleTags, step),
                 MaterialTable.Describe(Materials, input),
                 densityConstraint.Describe(step),
+                Contacts.Describe(Contacts, step),
                 velocityUpdate.Describe(step),
                 VelocityExtrapolation.Describe(Extrapolation, step),
                 Viscoelasticity.Describe(Viscoelasticity, step),

@@ -285,7 +285,8 @@ namespace Rill.Editor.Tests
         static FluidMaterial Changed(FieldInfo field)
         {
             object material = FluidMaterial.Water;
-            field.SetValue(material, 0.5f * (float)field.GetValue(material) + 0.01f);
+            object before = field.GetValue(material);
+            field.SetValue(material, before is bool on ? !on : (object)(0.5f * (float)before + 0.01f));
             return (FluidMaterial)material;
         }
 

@@ -15,6 +15,7 @@ namespace Rill.Editor.Tests
             "SolveCoarseLevels")]
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "ApplyDeltaP", "ApplyDeltaPWithPressure",
             "ApplyDeltaPDeep", "ApplyDeltaPDeepWithPressure", "ApplyDeltaPWithTension", "ApplyDeltaPDeepWithTension")]
+        [TestCase("Contacts", "FindContacts", "ResolveContacts")]
         [TestCase("ParticleUpload", "Append", "CommitAppend", "Clear")]
         [TestCase("Foam", "AverageCells", "Move", "Compact", "Spawn", "Commit")]
         [TestCase("FoamSources", "FindPotentials", "CountSpawned")]

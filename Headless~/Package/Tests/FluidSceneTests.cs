@@ -29,6 +29,11 @@ namespace Host.Tests
             ("grains", WithMaterial((ref FluidMaterial m) => (m.frictionAngle, m.cohesion) = (30f, 100f)), false, false),
             ("viscous grains that sleep, two substeps", Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }),
                 WithMaterial((ref FluidMaterial m) => (m.frictionAngle, m.dynamicViscosity) = (30f, 10f))), false, false),
+            ("contacts", WithMaterial((ref FluidMaterial m) => m.contacts = true), false, false),
+            ("contacts of two materials that sleep, two substeps",
+                Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }),
+                Both(s => s.PhaseMaterials = new[] { FluidMaterialAsset.Create("Cork", 500f) },
+                WithMaterial((ref FluidMaterial m) => (m.contacts, m.surfaceTension, m.frictionAngle) = (true, 1f, 30f)))), false, false),
             ("elasticity", WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f), false, false),
             ("elasticity and sleep in deep water, two substeps",
                 Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }),
@@ -111,7 +116,7 @@ namespace Host.Tests
             List<StageDescription> off = simulation.Results.Describe().Where(stage => !stage.IsUsed).ToList();
             Assert.That(off.Select(stage => stage.Name),
                 Is.EquivalentTo(new[] { "Particle access", "Drains", "Transfer", "Resting regions", "Force fields", "Borders",
-                "Coarse correction", "Colliders", "Particle tags", "Materials", "Implicit viscosity", "Grain friction", "Viscoelasticity",
+                "Coarse correction", "Colliders", "Particle tags", "Materials", "Implicit viscosity", "Grain friction", "Contacts", "Viscoelasticity",
                 "Velocity extrapolation", "Vorticity confinement", "Diffusion", "Foam", "Smoke", "Emitters", "Queries",
                 "Query batches", "Recording", "Statistics", "Surface particles", "Surface mesh", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);

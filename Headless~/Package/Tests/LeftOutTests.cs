@@ -22,7 +22,7 @@ namespace Host.Tests
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
         static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "GrainFriction", "Rill.Friction",
             "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
-            "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
+            "Contact", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
             "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Unconfined", "Regions", RestingRegions.Keyword, "WithPressure", "WithTension",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Borders", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
             "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam", "Smoke",
@@ -62,6 +62,11 @@ namespace Host.Tests
                 "+18 GrainFriction.compute MoveNodes", "+16 GrainFriction.compute StressCells", "+1 GrainFriction.compute MoveGrainsBefore",
                 "+1 GrainFriction.compute MoveGrains", "+1 Rill.Friction.*",
                 "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCells",
+            }),
+            ("contacts", null, Material((ref FluidMaterial v) => v.contacts = true), new[]
+            {
+                $"+{Iterations} Contacts.compute FindContacts", $"+{Iterations} Contacts.compute ResolveContacts", "+1 Rill.ContactCounts *",
+                $"-{Iterations} DensityConstraint.compute ApplyDeltaP", $"-{Iterations - 1} DensityConstraint.compute SolveLambda",
             }),
             ("elasticity", null, Material((ref FluidMaterial v) => v.shearModulus = 100f), new[]
             {

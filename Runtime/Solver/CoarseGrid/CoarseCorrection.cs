@@ -126,11 +126,12 @@ namespace Rill
 
         /// <summary>Whether a step needs the correction: for the depth of its water, or for the pressure between grains.</summary>
         public static bool IsNeeded(in StepInput input, float layers, bool present)
-            => IsNeeded(input.settings.deepWater, layers, present) || GrainFriction.IsNeeded(input);
+            => !Contacts.IsNeeded(input) && (IsNeeded(input.settings.deepWater, layers, present) || GrainFriction.IsNeeded(input));
 
         /// <summary>Says why a step runs the correction, or why not.</summary>
         public static string Reason(in StepInput input, float layers, bool present)
-            => IsNeeded(input.settings.deepWater, layers, present) || !GrainFriction.IsNeeded(input)
+            => Contacts.IsNeeded(input) ? "loose balls have contacts instead of a pressure"
+            : IsNeeded(input.settings.deepWater, layers, present) || !GrainFriction.IsNeeded(input)
             ? Reason(input.settings.deepWater, layers, present) : "grains need its pressure";
 
         /// <summary>Layers of particles up to which plain iterations hold the water; see Research~/solver-study.md.</summary>

@@ -58,6 +58,14 @@ namespace Rill
             make: (PbfSolver solver, in StepInput step) => new MaterialTable(solver.Layout.Capacity),
             ofSettings: true);
 
+        // They take the place of the density constraint, and of all that acts through it.
+        public static readonly Feature Contacts = new Feature("contacts of loose balls", "set Contacts to off",
+            stages: new[] { "Contacts" },
+            asked: (PbfSolver solver, in StepInput step) => Rill.Contacts.IsNeeded(step),
+            turnOff: (ref StepInput step) => step.material.contacts = false,
+            make: (PbfSolver solver, in StepInput step) => new Rill.Contacts(solver.Layout.Capacity),
+            ofSettings: true);
+
         public static readonly Feature Diffusion = new Feature("diffusion of materials", "set the diffusion of its material pairs to 0",
             stages: new[] { "Diffusion" },
             asked: (PbfSolver solver, in StepInput step) => Rill.Diffusion.IsNeeded(step),
@@ -192,8 +200,8 @@ namespace Rill
 
         /// <summary>The most important first: where a device does not hold two of them together, the first stays.</summary>
         public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Materials,
-            Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Diffusion, Foam, Smoke,
-            Statistics, SurfaceParticles, Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness,
+            Contacts, Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Diffusion, Foam,
+            Smoke, Statistics, SurfaceParticles, Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness,
             ParticleRenderer, DomainRenderer, Baking);
 
         /// <summary>Those that the settings of a fluid alone ask for.</summary>

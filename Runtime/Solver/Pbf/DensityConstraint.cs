@@ -95,6 +95,11 @@ namespace Rill
                 Invariant($"substeps, neighbor lists in {lists}, artificial pressure is {ArtificialPressure(step.Input)}, ") +
                 SurfaceTension.Describe(step));
             stage.Kernel(buildList.For(deep, withColliders), substeps, variant);
+            if (Contacts.IsNeeded(step.Input))
+            {
+                Lists.Describe(stage);
+                return stage;
+            }
             if (iterations > 1)
                 stage.Kernel(solveLambda.For(withColliders), substeps * (iterations - 1), variant);
             if (deep)

@@ -34,7 +34,7 @@ namespace Rill
         }
 
         public static bool IsNeeded(in StepInput input) => input.settings.numericalDamping < 1f && !Viscoelasticity.IsNeeded(input)
-            && !GrainFriction.IsNeeded(input);
+            && !GrainFriction.IsNeeded(input) && !Contacts.IsNeeded(input);
 
         /// <summary>β of a step; 0 where there is none.</summary>
         public static float WeightFor(in StepInput input)
@@ -94,7 +94,8 @@ namespace Rill
             var description = new StageDescription("Velocity extrapolation", needed, needed
                 ? Invariant($"numerical damping {input.settings.numericalDamping} of a first-order ") +
                 "step's" : Viscoelasticity.IsNeeded(input)
-                ? "the fluid is elastic" : GrainFriction.IsNeeded(input) ? "grains need the damping" : "the numerical damping is 1");
+                ? "the fluid is elastic" : Contacts.IsNeeded(input) ? "contacts need the damping"
+                : GrainFriction.IsNeeded(input) ? "grains need the damping" : "the numerical damping is 1");
             if (!needed || stage == null)
                 return description;
             description.Kernel(step.Search.GatherMeans, step.Substeps, step.Search.Variant(step));

@@ -143,16 +143,16 @@ namespace Rill
             return most;
         }
 
-        /// <summary>Returns whether any phase is of grains.</summary>
-        public bool HaveGrains(in FluidMaterial own) => MaxFrictionAngle(own) > 0f || MaxCohesion(own) > 0f;
+        /// <summary>Returns whether any phase is of grains; loose balls are none.</summary>
+        public bool HaveGrains(in FluidMaterial own) => !own.contacts && (MaxFrictionAngle(own) > 0f || MaxCohesion(own) > 0f);
 
-        /// <summary>Returns whether any phase has surface tension.</summary>
+        /// <summary>Returns whether any phase has surface tension; loose balls have none.</summary>
         public bool HaveTension(in FluidMaterial own)
         {
             bool any = own.surfaceTension > 0f;
             for (int phase = 1; phase <= last; phase++)
                 any |= Tension(phase, own) > 0f;
-            return any;
+            return any && !own.contacts;
         }
 
         /// <summary>Returns the density of the heaviest phase, kg/m³.</summary>

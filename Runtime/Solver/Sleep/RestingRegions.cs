@@ -37,7 +37,8 @@ namespace Rill
         [GenerateHlsl("RestingRegions")] const int MotionStride = 5;
 
         const int TensionBytes = 2 * sizeof(float);     // of a material, before the last: tension and angle
-        const int GrainBytes = 2 * sizeof(float);       // the last: friction and cohesion
+        const int GrainBytes = 2 * sizeof(float);       // before contacts: friction and cohesion
+        const int ContactBytes = sizeof(int);           // the last, with what fills up the struct
         const float GravityChange = 0.01f;      // fraction of it that wakes everything
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");
@@ -164,13 +165,15 @@ namespace Rill
             return description;
         }
 
-        /// <summary>Checksum of a material. One without friction or surface tension has that from before there was any, for older
-        /// snapshots.</summary>
+        /// <summary>Checksum of a material. One without contacts, friction or surface tension has that from before there was any, for
+        /// older snapshots.</summary>
         public static uint Checksum(FluidMaterial material)
         {
             ReadOnlySpan<byte> bytes = StructBytes.Of(ref material);
             bool isGranular = material.frictionAngle != 0f || material.cohesion != 0f;
-            int newer = isGranular ? 0 : material.surfaceTension != 0f ? GrainBytes : GrainBytes + TensionBytes;
+            int newer = material.contacts ? 0 : ContactBytes;
+            if (newer > 0 && !isGranular)
+                newer += material.surfaceTension != 0f ? GrainBytes : GrainBytes + TensionBytes;
             return Crc32C.Of(bytes.Slice(0, bytes.Length - newer));
         }
 

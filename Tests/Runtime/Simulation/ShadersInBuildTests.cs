@@ -78,7 +78,7 @@ namespace Rill.Tests
 
         [UnityTest]
         public IEnumerator What_is_switched_on_without_its_stage_stays_off_after_one_error_and_the_fluid_goes_on(
-            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
+            [Values("ImplicitViscosity", "Viscoelasticity", "Contacts", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
             "Colliders", "Emitters", "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
         {
             FluidSimulation fluid = Fluid();
@@ -125,7 +125,7 @@ namespace Rill.Tests
             fluid.ShadersInBuild = ShadersInBuild.AllFeatures;
             Build(fluid.gameObject);
             fluid.gameObject.SetActive(true);
-            foreach (string stage in new[] { "ImplicitViscosity", "GrainFriction", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders",
+            foreach (string stage in new[] { "ImplicitViscosity", "GrainFriction", "Viscoelasticity", "Contacts", "Statistics", "CoarseGrid", "Colliders",
                 "Emitters",
                 "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries" })
                 SwitchOn(stage, fluid);
@@ -174,6 +174,10 @@ namespace Rill.Tests
             fluid.Material = material;
             Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.DeepWater | Features.Viscosity
                 | Features.Elasticity | Features.Vorticity));
+            material = FluidMaterial.Water;
+            material.contacts = true;       // without a pressure
+            fluid.Material = material;
+            Assert.That(Used(fluid), Is.EqualTo(Features.Core | Features.Statistics | Features.Sleep | Features.Contacts));
         }
 
         [Test]
@@ -235,6 +239,7 @@ namespace Rill.Tests
             {
                 case "ImplicitViscosity": material.dynamicViscosity = 1f; fluid.Material = material; break;
                 case "GrainFriction": material.frictionAngle = 30f; fluid.Material = material; break;
+                case "Contacts": material.contacts = true; fluid.Material = material; break;
                 case "Viscoelasticity": material.shearModulus = 100f; fluid.Material = material; break;
                 case "VorticityConfinement": material.vorticity = 1f; fluid.Material = material; break;
                 case "RestingRegions": fluid.Settings = With(fluid.Settings, fluid.Settings.deepWater, 0.1f); break;

@@ -10,7 +10,7 @@ namespace Rill.Tests
         const float Spacing = 0.05f;
         const int Steps = 3, StepsToSleep = 32;     // of what is slower than the sleep speed for half a second
 
-        public enum Kind { Densities, Asleep, TwoLists, Deep }
+        public enum Kind { Densities, Asleep, TwoLists, Deep, Balls }
 
         [Test]
         public void A_plain_fluid_and_one_of_another_kind_do_by_turns_what_each_does_alone([Values] Kind kind)
@@ -46,6 +46,7 @@ namespace Rill.Tests
             settings.deepWater = kind == Kind.Deep ? DeepWater.On : DeepWater.Off;
             settings.sleepSpeed = kind == Kind.Asleep ? 10f : 0f;
             var fluid = new TestFluid(new float3(20f, 16f, 8f) * Spacing, Spacing, 1000, settings, kind == Kind.TwoLists ? 96 * 4 * 512 : 0);
+            fluid.Input.material.contacts = kind == Kind.Balls;
             if (kind == Kind.Densities)
             {
                 fluid.Input.phases.Set(1, 500f, 0f);

@@ -72,6 +72,7 @@ namespace Rill.Tests
             { "Rill.Friction.NodeSolids", (Why.Rewritten, "FindSolids writes it") },
             { "Rill.Friction.Trial", (Why.Rewritten, "FindCells writes it") },
             { "Rill.Friction.Limits", (Why.Rewritten, "FindCells writes it before the prediction") },
+            { "Rill.ContactCounts", (Why.Rewritten, "FindContacts writes it") },
             { "Rill.DeformedConformation", (Why.Rewritten, "Deform writes it") },
             { "Rill.Stress", (Why.Rewritten, "Deform writes it") },
             { "Rill.PreviousIndices", (Why.Rewritten, "the sort writes it") },
@@ -129,7 +130,7 @@ namespace Rill.Tests
         public void Every_buffer_is_stored_or_has_a_reason_not_to_be()
         {
             var seen = new HashSet<string>();
-            foreach (SnapshotCase made in new[] { AllStages, ElasticStages })
+            foreach (SnapshotCase made in new[] { AllStages, ElasticStages, new SnapshotCase { name = "contacts", contacts = true } })
                 using (SnapshotScene scene = new SnapshotScene(made).Run(6))
                 {
                     HashSet<GraphicsBuffer> stored = Stored(scene);

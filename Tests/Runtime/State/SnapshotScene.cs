@@ -36,6 +36,7 @@ namespace Rill.Tests
             material.relaxationTime = 0.5f;
             material.frictionAngle = made.frictionAngle;
             material.vorticity = made.vorticity;
+            material.contacts = made.contacts;
             scene.Fluid.Material = material;
             if (made.colliders)
             {
@@ -167,7 +168,7 @@ namespace Rill.Tests
         public int substeps = 1;
         public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frictionAngle,
             frameSteps = 1f, density, diffusion;
-        public bool colliders, emitter, drain, field, moves, stands, draws;
+        public bool contacts, colliders, emitter, drain, field, moves, stands, draws;
         public int steps = 12;
 
         /// <summary>s; frames that are not whole steps differ from each other, too.</summary>

@@ -19,6 +19,7 @@ namespace Rill.Tests
             yield return new SnapshotCase { name = "viscous", dynamicViscosity = 5f, substeps = 2 };
             yield return new SnapshotCase { name = "viscous deep water", dynamicViscosity = 5f, deepWater = DeepWater.On, depth = 0.6f };
             yield return new SnapshotCase { name = "grains", frictionAngle = 30f, deepWater = DeepWater.On, depth = 0.6f, colliders = true };
+            yield return new SnapshotCase { name = "contacts", contacts = true, colliders = true, density = 500f, emitter = true, steps = 20 };
             yield return new SnapshotCase { name = "elastic", shearModulus = 100f };
             yield return new SnapshotCase { name = "vorticity", vorticity = 0.3f };
             yield return new SnapshotCase { name = "moving colliders", colliders = true, frameSteps = 0.7f };

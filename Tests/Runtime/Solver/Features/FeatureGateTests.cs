@@ -12,7 +12,7 @@ namespace Rill.Tests
     public class FeatureGateTests
     {
         static readonly FeatureSet Everything = Features.Colliders | Features.DeepWater | Features.VelocitySmoothing
-            | Features.Emitters | Features.Tags | Features.Drains
+            | Features.Contacts | Features.Emitters | Features.Tags | Features.Drains
             | Features.ForceFields | Features.Borders | Features.Viscosity | Features.GrainFriction | Features.Elasticity | Features.Vorticity
             | Features.Reactions | Features.Sleep | Features.Extrapolation | Features.Foam | Features.Statistics
             | Features.SurfaceParticles | Features.Queries | Features.ParticleAccess;

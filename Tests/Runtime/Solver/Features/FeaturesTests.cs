@@ -58,6 +58,7 @@ namespace Rill.Tests
                 step.borders.minX.kind = BorderKind.Absorbing;
                 step.phases.Set(1, 500f, 2f, cohesion: 100f);
                 step.phases.SetPair(0, 1, 0.001f);
+                step.material.contacts = feature == Features.Contacts;
                 if (feature == Features.Sleep)
                     step.material.vorticity = 0f;
                 Assert.That(feature.IsAsked(null, step), feature.Name);
@@ -89,7 +90,7 @@ namespace Rill.Tests
         {
             object material = FluidMaterial.Water;
             foreach (FieldInfo field in typeof(FluidMaterial).GetFields(BindingFlags.Instance | BindingFlags.Public))
-                field.SetValue(material, 1f);
+                field.SetValue(material, field.FieldType == typeof(bool) ? vorticity == 0f : (object)1f);
             var step = new StepInput { settings = SolverSettings.Default, material = (FluidMaterial)material };
             step.material.vorticity = vorticity;
             step.settings.sleepSpeed = 1f;

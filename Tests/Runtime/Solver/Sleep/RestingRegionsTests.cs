@@ -82,6 +82,11 @@ namespace Rill.Tests
             checksum = RestingRegions.Checksum(tense);
             tense.cohesion = 100f;
             Assert.That(RestingRegions.Checksum(tense), Is.Not.EqualTo(checksum));
+            Assert.That(RestingRegions.Checksum(tense), Is.EqualTo(Crc32C.Of(floats.Concat(new[] { 0.1f, 120f, 30f, 100f })
+                .SelectMany(System.BitConverter.GetBytes).ToArray())), "as before there were contacts");
+            checksum = RestingRegions.Checksum(water);
+            water.contacts = true;
+            Assert.That(RestingRegions.Checksum(water), Is.Not.EqualTo(checksum));
         }
 
         [Test, Category("LongRun")]
@@ -326,6 +331,7 @@ namespace Rill.Tests
             {
                 case float number: return number + 0.5f;
                 case int number: return number + 1;
+                case bool on: return !on;
                 case float3 vector: return vector + new float3(0f, 1f, 0f);
                 case DeepWater mode: return mode == DeepWater.On ? DeepWater.Off : DeepWater.On;
                 case PhaseMaterials phases:
