@@ -349,6 +349,65 @@ namespace Host.Tests
             return values[counts.x * counts.y * counts.z + (cell.z * counts.y + cell.y) * counts.x + cell.x];
         }
 
+        [Test]
+        public void The_cube_of_balls_spreads_on_the_floor_and_none_lies_in_another()
+        {
+            using (new SampleScene("Falling Cube"))
+            {
+                var start = Object.FindObjectOfType<FluidSimulation>();
+                const float diameter = 0.08f;       // an eighth of the balls
+                start.Configure(start.DomainSize, diameter, 512);
+                FluidSimulation fluid = Play(150);
+                Vector3[] balls = Particles(fluid).OrderBy(p => p.x).ToArray();
+                float nearest = float.MaxValue;
+                for (int i = 0; i < balls.Length; i++)
+                    for (int j = i + 1; j < balls.Length && balls[j].x - balls[i].x < nearest; j++)
+                        nearest = Mathf.Min(nearest, (balls[i] - balls[j]).magnitude);
+                float width = balls.Last().x - balls[0].x;
+                int above = balls.Count(p => p.y > 0.8f * diameter);
+                float fastest = Velocities(fluid).Max(v => v.magnitude);
+                TestContext.WriteLine($"{balls.Length} balls over {width:0.00} m, {above} above the first layer, nearest pair " +
+                    $"{nearest / diameter:0.000} of a diameter, fastest {fastest:0.000} m/s");
+                Assert.That(balls.Length, Is.EqualTo(512));
+                Assert.That(nearest, Is.GreaterThan(0.9f * diameter));
+                Assert.That(width, Is.GreaterThan(2f * 0.64f));
+                Assert.That(above, Is.LessThan(10));
+                Assert.That(fastest, Is.LessThan(0.1f));
+            }
+        }
+
+        // Of a drop that is alone on its part of the leaf. Water without tension lies there as a film.
+        [Test, Category("LongRun")]
+        public void Dew_stands_on_the_leaf_in_beads()
+        {
+            using (new SampleScene("Dew"))
+            {
+                FluidSimulation fluid = Play(24);
+                List<Vector3> particles = Particles(fluid);
+                IsOutsideOfAll(fluid, particles);
+                Vector3 center = Object.FindObjectsOfType<FluidVolume>().OrderByDescending(volume => volume.Radius).First().transform.position;
+                float radius = Object.FindObjectsOfType<FluidVolume>().Max(volume => volume.Radius);
+                Vector3[] drop = particles.Where(p => (p - center).magnitude < 1.6f * radius).ToArray();
+                float height = drop.Max(p => p.y) - drop.Min(p => p.y), width = drop.Max(p => p.z) - drop.Min(p => p.z);
+                TestContext.WriteLine($"{drop.Length} particles of {particles.Count}, {height / radius:0.00} radii high, {width / radius:0.00} wide");
+                Assert.That(drop.Length, Is.GreaterThan(600));
+                Assert.That(height, Is.GreaterThan(0.75f * radius));
+                Assert.That(width, Is.LessThan(2.3f * radius));
+            }
+        }
+
+        [Test, Category("LongRun"), Category("GpuOnly")]
+        public void Dew_runs_down_the_leaf_that_tilts()
+        {
+            using (new SampleScene("Dew"))
+            {
+                float before = Particles(Play(30)).Average(p => p.x);
+                float after = Particles(Play(96)).Average(p => p.x);
+                TestContext.WriteLine($"{1000f * (after - before):0} mm");
+                Assert.That(after - before, Is.GreaterThan(0.02f));
+            }
+        }
+
         static bool IsBetween(float value, float low, float high) => value > low && value < high;
 
         static FluidSimulation Play(int frames, Action<FluidSimulation> afterEach = null)
