@@ -35,7 +35,8 @@ namespace Rill
                 {
                     settings = fluid.Settings, material = fluid.Material, phases = fluid.Phases.ForStep(), borders = fluid.Borders
                 };
-                FeatureSet used = ((FeatureSet)Features.Core).With(Features.DeepWater, stored.settings.deepWater != DeepWater.Off && !stored.material.contacts)
+                FeatureSet used = ((FeatureSet)Features.Core)
+                    .With(Features.DeepWater, stored.settings.deepWater != DeepWater.Off && !stored.material.contacts)
                     .With(Features.Statistics, fluid.StatisticsInterval > 0)
                     .With(Features.Emitters, stored.borders.HasOpen).With(Features.Drains, stored.borders.HasOpen);
                 foreach (Feature feature in Features.OfSettings)

@@ -1,3 +1,4 @@
+using System;
 using UnityEngine;
 
 namespace Rill.Samples
@@ -17,8 +18,8 @@ namespace Rill.Samples
         [Min(0.01f)]
         [SerializeField] float duration = 2f;
 
-        float time;
-        Quaternion start;
+        [NonSerialized] float time;
+        [NonSerialized] Quaternion start;
 
         void Start() => start = transform.localRotation;
 

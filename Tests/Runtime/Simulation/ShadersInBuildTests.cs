@@ -125,8 +125,8 @@ namespace Rill.Tests
             fluid.ShadersInBuild = ShadersInBuild.AllFeatures;
             Build(fluid.gameObject);
             fluid.gameObject.SetActive(true);
-            foreach (string stage in new[] { "ImplicitViscosity", "GrainFriction", "Viscoelasticity", "Contacts", "Statistics", "CoarseGrid", "Colliders",
-                "Emitters",
+            foreach (string stage in new[] { "ImplicitViscosity", "GrainFriction", "Viscoelasticity", "Contacts", "Statistics", "CoarseGrid",
+                "Colliders", "Emitters",
                 "Drains", "ForceFields", "Borders", "ParticleAccess", "ParticleEdits", "Queries" })
                 SwitchOn(stage, fluid);
             fluid.gameObject.AddComponent<ParticleRenderer>();
