@@ -15,7 +15,7 @@ cbuffer RillSmoke
     float _SteamDensity;    // of air beside water, 1/m; 0 for no steam
     float _SteamHeat;    // of air beside water, K above the fresh air
     float _PotentialShift;    // added to the potential, so that it is never below 0, d^2
-    float _Unused;
+    uint _FlickerSteps;    // after which the heat of a source is another
 };
 
 #define _SmokeGravity (_SmokeGravityAndSmokeStep.xyz)    // d/s^2

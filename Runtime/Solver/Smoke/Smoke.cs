@@ -22,6 +22,9 @@ namespace Rill
         /// <summary>Shift of the potential, for each d of the box's longest side, d: a flow that moves so far in a step stays above 0.</summary>
         const float ShiftPerLength = 8f;
 
+        /// <summary>Time after which the heat of a source is another, s. A flame of some decimeters flickers so.</summary>
+        const float FlickerTime = 0.2f;
+
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Smoke");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Smoke");
@@ -229,6 +232,7 @@ namespace Rill
             to.smokeVorticity = settings.vorticity;
             to.steamDensity = settings.steam;
             to.steamHeat = settings.steamTemperature - settings.airTemperature;
+            to.flickerSteps = (uint)math.max(math.round(FlickerTime / time), 1f);
             StepSources from = step.Input.sources;
             to.sourceCount = (uint)(from?.smokeCount ?? 0);
             step.Commands.SetBufferData(constants, values);

@@ -34,7 +34,8 @@ namespace Rill
         public float steamHeat;
         /// <summary>added to the potential, so that it is never below 0, d²</summary>
         public float potentialShift;
-        public float unused;
+        /// <summary>after which the heat of a source is another</summary>
+        public uint flickerSteps;
     }
 
     /// <summary>Air that a source heats and fills with smoke, in the domain's frame.</summary>

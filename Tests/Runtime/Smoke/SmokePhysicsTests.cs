@@ -32,7 +32,7 @@ namespace Rill.Tests
         }
 
         // Morton, Taylor and Turner 1956: over a small source of heat a plume of a radius b = 6/5 alpha z rises at w ~ z^(-1/3), both of its mean
-        // flow (top hat), alpha 0.08 to 0.13. Its first second is a thermal, and on a grid of half as many cells it hardly widens.
+        // flow (top hat), alpha 0.08 to 0.13. On a grid of half as many cells along a side it stays too narrow.
         [Test, Category("LongRun"), Category("GpuOnly")]
         public void A_plume_widens_and_slows_as_theory_says()
         {
