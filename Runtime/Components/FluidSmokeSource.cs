@@ -4,8 +4,8 @@ using static System.FormattableString;
 
 namespace Rill
 {
-    /// <summary>Heats the air in a ball and fills it with smoke, over a <see cref="FluidSimulation"/> that has a <see cref="FluidSmoke"/>: a
-    /// fire, a chimney, a vent.</summary>
+    /// <summary>Heats the air in a ball and fills it with smoke, over a <see cref="FluidSimulation"/> with a Fluid Smoke: a fire, a chimney,
+    /// a vent.</summary>
     /// <remarks>Air within the radius takes on what the source gives within a twentieth of a second. Follows position and rotation.</remarks>
     [AddComponentMenu("Rill/Fluid Smoke Source"), Icon(PackagePaths.Icon), ManualPage("smoke", "fluid-smoke-source")]
     public sealed class FluidSmokeSource : FluidPart, ISmokeSource
@@ -69,7 +69,7 @@ namespace Rill
 
         private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
         {
-            if (!fluid.TryGetComponent(out FluidSmoke smoke) || !smoke.enabled)
+            if (!fluid.TryGetComponent(out IHoldsSmoke smoke) || !smoke.IsOn)
                 problems.Add(Invariant($"FluidSimulation '{fluid.name}' has no FluidSmoke, so this makes no smoke. Add that component to it."));
         }
     }

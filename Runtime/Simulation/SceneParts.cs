@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>The parts that are attached to a fluid, by their numbers: emitters, drains, force fields and sources of smoke, which act on it, and probes and
-    /// detectors, which measure it. Gathers those that act for each step.</summary>
+    /// <summary>The parts that are attached to a fluid, by their numbers: emitters, drains, force fields and sources of smoke, which act on it,
+    /// and probes and detectors, which measure it. Gathers those that act for each step.</summary>
     sealed class SceneParts
     {
         const int ReadbackInterval = 10;        // steps between readbacks of the emitters' and drains' numbers

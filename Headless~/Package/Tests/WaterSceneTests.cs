@@ -402,7 +402,7 @@ namespace Host.Tests
             using (new SampleScene("Dew"))
             {
                 float before = Particles(Play(30)).Average(p => p.x);
-                float after = Particles(Play(96)).Average(p => p.x);
+                float after = Particles(Play(150)).Average(p => p.x);
                 TestContext.WriteLine($"{1000f * (after - before):0} mm");
                 Assert.That(after - before, Is.GreaterThan(0.02f));
             }

@@ -1,8 +1,8 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
-using static System.FormattableString;
 
 namespace Rill
 {
@@ -10,12 +10,12 @@ namespace Rill
     /// them.</summary>
     /// <remarks>
     /// The air lives on a grid. Heat lifts it, colliders and water push it; it pushes neither. Smoke comes from each
-    /// <see cref="FluidSmokeSource"/> of the simulation, steam from the water's surface. Snapshots and recordings leave it out. Without this component
-    /// none of it costs anything.
+    /// <see cref="FluidSmokeSource"/> of the simulation, steam from the water's surface. Snapshots and recordings leave it out. Without this
+    /// component none of it costs anything.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Smoke"), Icon(PackagePaths.Icon), ManualPage("smoke", "fluid-smoke")]
     [DisallowMultipleComponent]
-    public sealed class FluidSmoke : FluidRenderer, IHasProblems
+    public sealed class FluidSmoke : FluidRenderer, IHasProblems, IHoldsSmoke
     {
         const int VerticesPerSlice = 6, MinSlices = 16, MaxSlices = 192;
         const float MaxGlow = 100f;
@@ -38,8 +38,8 @@ namespace Rill
 
         MaterialPropertyBlock properties;
         CommandBuffer commands;
-        int shadedSteps = -1;
-        Vector3 shadedLight;
+        [NonSerialized] int shadedSteps = -1;
+        [NonSerialized] Vector3 shadedLight;
         Smoke shaded;
 
         FluidSmoke() : base(ShadowCastingMode.Off) { }
@@ -60,6 +60,8 @@ namespace Rill
 
         /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
         public Color Ambient { get => ambient; set => ambient = value; }
+
+        bool IHoldsSmoke.IsOn => enabled;
 
         private protected override Feature Drawn => Features.Smoke;
         private protected override FeatureSet UsedFeatures => Features.Smoke | Features.DeepWater;

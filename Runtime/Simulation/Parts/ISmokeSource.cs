@@ -1,5 +1,12 @@
 namespace Rill
 {
+    /// <summary>Component on a fluid's object that fills its box with air, and so with the smoke of its sources.</summary>
+    interface IHoldsSmoke
+    {
+        /// <summary>Whether it does so now.</summary>
+        bool IsOn { get; }
+    }
+
     /// <summary>Heats the air over a fluid and fills it with smoke; a <see cref="FluidPart"/>.</summary>
     interface ISmokeSource
     {

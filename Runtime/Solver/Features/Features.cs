@@ -201,8 +201,8 @@ namespace Rill
         /// <summary>The most important first: where a device does not hold two of them together, the first stays.</summary>
         public static readonly Feature[] All = Numbered(Core, TwoLists, Colliders, DeepWater, VelocitySmoothing, Emitters, Tags, Materials,
             Contacts, Drains, ForceFields, Borders, Viscosity, GrainFriction, Elasticity, Vorticity, Reactions, Sleep, Extrapolation, Diffusion, Foam,
-            Smoke, Statistics, SurfaceParticles, Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh, Wetness,
-            ParticleRenderer, DomainRenderer, Baking);
+            Smoke, Statistics, SurfaceParticles, Queries, ParticleAccess, ParticleEdits, Transfer, Recording, SurfaceMesh, Surface, RenderedMesh,
+            Wetness, ParticleRenderer, DomainRenderer, Baking);
 
         /// <summary>Those that the settings of a fluid alone ask for.</summary>
         public static readonly Feature[] OfSettings = Array.FindAll(All, feature => feature.OfSettings);

@@ -92,7 +92,8 @@ namespace Rill.Tests
         {
             using (var stage = new SmokeStage(new int3(20, 32, 20), SmokeStage.Lasting(BoxWalls.Top)))
             {
-                ColliderTests.Use(stage.Fluid, ColliderTests.Still(ColliderShape.Box, new float3(4f, 2f, 4f), new float3(10f, 14f, 10f), quaternion.identity));
+                ColliderTests.Use(stage.Fluid,
+                    ColliderTests.Still(ColliderShape.Box, new float3(4f, 2f, 4f), new float3(10f, 14f, 10f), quaternion.identity));
                 stage.AddSource(new float3(10f, 4f, 10f), 3f, 150f, density: 10f).Step(140);
                 Assert.That(Math.Abs(stage.Rise(10, 13, 10)) + Math.Abs(stage.Rise(10, 14, 10)), Is.LessThan(1e-3f), "inside, d/s");
                 Assert.That(stage.Density(10, 13, 10), Is.LessThan(0.01f), "inside");
@@ -114,7 +115,8 @@ namespace Rill.Tests
                 for (int step = 0; step < 20; step++)
                 {
                     float x = 6f + Speed * step * stage.StepTime;
-                    ColliderMotion motion = ColliderTests.Still(ColliderShape.Box, new float3(2f, 4f, 4f), new float3(x, 8f, 8f), quaternion.identity);
+                    var center = new float3(x, 8f, 8f);
+                    ColliderMotion motion = ColliderTests.Still(ColliderShape.Box, new float3(2f, 4f, 4f), center, quaternion.identity);
                     motion.end.position.x += Speed * stage.StepTime;
                     ColliderTests.Use(stage.Fluid, motion);
                     stage.Fluid.Input.colliders.Version = step + 1;

@@ -311,7 +311,7 @@ namespace Rill.Tests
 
         // Inputs that do not change how particles at rest move: readers of them, and what wakes regions by itself.
         // those that are removed wake what is around them, and a connected fluid does not sleep
-        static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed",
+        static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed", "hasSmoke", "smoke",
             "removesKilled", "tracksPhases", "connections", "takesParticles", "borders" };
 
         static IEnumerable<string> FieldsOfTheInput() => typeof(StepInput).GetFields().Where(field => !Others.Contains(field.Name))
