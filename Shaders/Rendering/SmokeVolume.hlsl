@@ -1,4 +1,4 @@
-// Draws smoke as slices across the view, the farthest first: each a square that hides and adds the light of its part of the way, and that what
+// Draws smoke as slices across the view, the farthest first: each a square that hides and adds the light of its part of the path, and that what
 // stands before it in the scene hides by its depth. So no pass needs the scene's depth as a texture. The SubShader around it says for which
 // pipeline, see View.hlsl. Includes nothing of Unity's.
 //

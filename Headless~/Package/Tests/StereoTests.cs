@@ -94,6 +94,28 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Each_eye_sees_smoke_as_a_camera_there_does()
+        {
+            DrawFrozenFrame();
+            Color32[] without = Slice(0);
+            fluid.Paused = false;
+            fluid.gameObject.AddComponent<FluidSmoke>().Ambient = Color.white;
+            var source = new GameObject("Fire").AddComponent<FluidSmokeSource>();
+            source.transform.parent = fluid.transform;
+            source.Radius = 0.3f;
+            source.Density = 10f;
+            for (int i = 0; i < 6; i++)
+                PlayerLoop.Frame(FrameTime);
+            DrawFrozenFrame();
+            Color32[][] eyes = { Slice(0), Slice(1) };
+            Assert.That(Unlike(eyes[0], without), Is.GreaterThan(200), "smoke");
+            Assert.That(Unlike(eyes[0], eyes[1]), Is.GreaterThan(100), "two eyes see two pictures");
+            (Matrix4x4[] views, Matrix4x4[] projections) = ((Matrix4x4[])StereoView.Views.Clone(), (Matrix4x4[])StereoView.Projections.Clone());
+            for (int eye = 0; eye < 2; eye++)
+                Assert.That(Unlike(eyes[eye], DrawAlone(views[eye], projections[eye])), Is.LessThanOrEqualTo(Width * Height / 100), $"eye {eye}");
+        }
+
+        [Test]
         public void The_screen_shows_the_left_eye_on_the_left()
         {
             DrawFrozenFrame();

@@ -376,7 +376,7 @@ namespace Host.Tests
             }
         }
 
-        // Of a drop that is alone on its part of the leaf. Water without tension lies there as a film.
+        // Measures a drop that is alone on its part of the leaf. Water without tension lies there as a film.
         [Test, Category("LongRun")]
         public void Dew_stands_on_the_leaf_in_beads()
         {

@@ -65,7 +65,7 @@ namespace Rill.Tests
         /// <summary>Velocity along y at a cell's center, d/s.</summary>
         public float Rise(int x, int y, int z) => 0.5f * (Flow[Face(1, x, y, z)] + Flow[Face(1, x, y + 1, z)]);
 
-        /// <summary>What flows out of a cell, 1/s.</summary>
+        /// <summary>Divergence of the flow in a cell, 1/s.</summary>
         public float Divergence(int x, int y, int z)
         {
             float3 size = Smoke.CellSize;

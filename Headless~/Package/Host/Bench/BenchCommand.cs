@@ -41,6 +41,7 @@ namespace Host.Bench
                 DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
             var friction = new Option<float>("--friction-angle") { Description = "Of grains, degrees; 0 for a liquid.",
                 DefaultValueFactory = _ => FluidMaterial.Water.frictionAngle };
+            var contacts = new Option<bool>("--contacts") { Description = "Loose balls instead of a liquid." };
             var densityRatio = new Option<float>("--density-ratio") {
                 Description = "The upper half is a liquid that is lighter by this factor; 1 for one liquid.", DefaultValueFactory = _ => 1f };
             var diffusion = new Option<float>("--diffusion") { Description = "With which the halves mix, m²/s; 0 for none.",
@@ -58,8 +59,8 @@ namespace Host.Bench
             Option<string> shaders = ShadersOption.Create();
 
             var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
-                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, densityRatio, diffusion, smoke, deepWater, window, steps,
-                kernels, json, shaders,
+                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, friction, contacts, densityRatio, diffusion, smoke, deepWater,
+                window, steps, kernels, json, shaders,
                 BakeBenchCommand.Create(), CollidersBench.Create(), FieldsBench.Create(), FoamBench.Create(), GameBench.Create(),
                 PictureBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
                 SurfaceBench.Create() };
@@ -77,6 +78,7 @@ namespace Host.Bench
                 material.velocitySmoothing = parsed.GetValue(smoothing);
                 material.dynamicViscosity = parsed.GetValue(viscosity);
                 material.frictionAngle = parsed.GetValue(friction);
+                material.contacts = parsed.GetValue(contacts);
                 material.shearModulus = parsed.GetValue(shearModulus);
                 if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))
                     System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());
@@ -137,9 +139,10 @@ namespace Host.Bench
                 $"x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), " +
                 $"{input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, " +
                 $"velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear " +
-                $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, density ratio " +
-                $"{input.phases.Ratio(input.material)}, diffusion {input.phases.MaxDiffusion} m²/s, smoke " +
-                $"{(input.hasSmoke ? $"in cells of {input.smoke.cellSize / scene.Spacing} d" : "off")}, {input.settings.neighborCapacity} list entries");
+                $"modulus {input.material.shearModulus} Pa, contacts {(input.material.contacts ? "on" : "off")}, " +
+                $"deep water {input.settings.deepWater}, density ratio {input.phases.Ratio(input.material)}, " +
+                $"diffusion {input.phases.MaxDiffusion} m²/s, smoke {(input.hasSmoke ? $"in cells of {input.smoke.cellSize / scene.Spacing} d" : "off")}, " +
+                $"{input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)

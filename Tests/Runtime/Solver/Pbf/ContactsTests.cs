@@ -112,7 +112,7 @@ namespace Rill.Tests
             }
         }
 
-        // What Research~/solver-study.md has: a square lattice that fills the box, after two seconds.
+        // The cases of Research~/solver-study.md: a square lattice that fills the box, after two seconds.
         [TestCase(0.01f, 1, 1)]
         [TestCase(0.01f, 2, 2)]
         [TestCase(0.01f, 4, 3)]
