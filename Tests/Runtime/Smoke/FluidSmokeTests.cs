@@ -111,6 +111,51 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Hot_smoke_glows_by_its_temperature()
+        {
+            Make();
+            smoke.Color = Color.black;
+            smoke.Ambient = Color.black;
+            source.Density = 100f;
+            source.Temperature = 1200f;
+            fluid.SetActive(true);
+            View();
+            camera.backgroundColor = Color.black;
+            Time.captureDeltaTime = 1f / 60f;
+            for (int frame = 0; frame < 12; frame++)
+                yield return null;
+            Color hot = Pixel(32, 30);
+            Assert.That(hot.r, Is.GreaterThan(0.3f));
+            Assert.That(hot.r, Is.GreaterThan(1.4f * hot.b));
+            smoke.Glow = 0f;
+            yield return null;
+            yield return null;
+            Assert.That(Pixel(32, 30).r, Is.LessThan(0.02f), "without its glow");
+        }
+
+        [UnityTest]
+        public IEnumerator Smoke_shades_what_is_below_it()
+        {
+            Make();
+            smoke.Color = Color.white;
+            smoke.Ambient = Color.black;
+            source.Density = 30f;
+            source.Temperature = 20f;
+            var sun = new GameObject("Sun").AddComponent<Light>();
+            sun.transform.parent = fluid.transform;
+            sun.type = LightType.Directional;
+            sun.transform.rotation = Quaternion.Euler(90f, 0f, 0f);
+            smoke.Sun = sun;
+            fluid.SetActive(true);
+            View();
+            camera.backgroundColor = Color.black;
+            Time.captureDeltaTime = 1f / 60f;
+            for (int frame = 0; frame < 20; frame++)
+                yield return null;
+            Assert.That(Pixel(32, 37).g, Is.GreaterThan(1.3f * Pixel(32, 27).g), "the upper part of the ball");
+        }
+
+        [UnityTest]
         public IEnumerator Another_cell_size_makes_another_grid()
         {
             Make();

@@ -131,6 +131,33 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Moving_water_pushes_the_air_before_it()
+        {
+            using (var stage = new SmokeStage(new int3(24, 16, 16), SmokeStage.Lasting(AllButFloor)))
+            {
+                const float Speed = 20f;
+                stage.Fluid.Input.gravity = 0f;
+                stage.Fluid.AddBlock(new float3(2f, 4f, 4f) * SmokeStage.Spacing, 8f * SmokeStage.Spacing, new float3(Speed * SmokeStage.Spacing, 0f, 0f));
+                stage.Step(4);
+                float ahead = stage.Flow[stage.Face(0, 13, 8, 8)];
+                TestContext.WriteLine($"ahead of it {ahead:0.0} d/s of {Speed}");
+                Assert.That(ahead, Is.InRange(0.25f * Speed, 1.1f * Speed));
+            }
+        }
+
+        [Test]
+        public void A_source_blows_along_its_velocity()
+        {
+            using (var stage = new SmokeStage(new int3(16, 16, 16), SmokeStage.Lasting(AllButFloor)))
+            {
+                stage.Fluid.Input.gravity = 0f;
+                stage.AddSource(8f, 2f, 0f, velocity: new float3(0f, 12f, 0f)).Step(30);
+                Assert.That(stage.Rise(8, 8, 8), Is.EqualTo(12f).Within(3f), "d/s");
+                Assert.That(stage.Rise(8, 12, 8), Is.GreaterThan(2f), "before it, d/s");
+            }
+        }
+
+        [Test]
         public void Steam_comes_from_the_water_and_nowhere_else()
         {
             SmokeSettings settings = SmokeStage.Lasting(AllButFloor);
