@@ -137,7 +137,8 @@ namespace Rill.Tests
             {
                 const float Speed = 20f;
                 stage.Fluid.Input.gravity = 0f;
-                stage.Fluid.AddBlock(new float3(2f, 4f, 4f) * SmokeStage.Spacing, 8f * SmokeStage.Spacing, new float3(Speed * SmokeStage.Spacing, 0f, 0f));
+                var velocity = new float3(Speed * SmokeStage.Spacing, 0f, 0f);
+                stage.Fluid.AddBlock(new float3(2f, 4f, 4f) * SmokeStage.Spacing, 8f * SmokeStage.Spacing, velocity);
                 stage.Step(4);
                 float ahead = stage.Flow[stage.Face(0, 13, 8, 8)];
                 TestContext.WriteLine($"ahead of it {ahead:0.0} d/s of {Speed}");
