@@ -32,10 +32,10 @@ namespace Rill.Editor
 
         internal override void ListLive(List<(string label, string text)> live)
         {
-            if (!(((FluidSmoke)target).GetComponent<FluidSimulation>().Solver?.Smoke is Smoke smoke))
-                return;
-            float spacing = ((FluidSmoke)target).GetComponent<FluidSimulation>().ParticleSpacing;
-            live.Add(("Grid", Invariant($"{smoke.Counts.x} x {smoke.Counts.y} x {smoke.Counts.z} cells of {smoke.CellSize.x * spacing:0.###} m")));
+            var simulation = ((FluidSmoke)target).GetComponent<FluidSimulation>();
+            if (simulation.Solver?.Smoke is Smoke smoke)
+                live.Add(("Grid", Invariant($"{smoke.Counts.x} x {smoke.Counts.y} x {smoke.Counts.z} cells of ") +
+                    Invariant($"{smoke.CellSize.x * simulation.ParticleSpacing:0.###} m")));
         }
     }
 }

@@ -34,6 +34,13 @@ namespace Host.Tests
             Player.Assets = assetsBefore;
         }
 
+        /// <param name="name">Pipeline and its version, as "Universal 17".</param>
+        private protected void Build(string name)
+        {
+            int space = name.IndexOf(' ');
+            Build(name.StartsWith("Universal") ? PipelineKind.Universal : PipelineKind.HighDefinition, name.Substring(space + 1));
+        }
+
         // Shaders are imported for the pipeline that runs: by a project of its own.
         private protected void Build(PipelineKind kind, string version, bool editor = false, string adapterRoot = null)
         {

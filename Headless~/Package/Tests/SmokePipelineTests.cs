@@ -1,5 +1,4 @@
 using System.Linq;
-using Host.Pipelines;
 using NUnit.Framework;
 using Rill;
 using UnityEngine;
@@ -9,12 +8,6 @@ namespace Host.Tests
     /// <summary>Smoke looks in each render pipeline as in the Built-in one: its draw needs no adapter.</summary>
     public class SmokePipelineTests : PipelineSurfaceFixture
     {
-        void Build(string name)
-        {
-            int space = name.IndexOf(' ');
-            Build(name.StartsWith("Universal") ? PipelineKind.Universal : PipelineKind.HighDefinition, name.Substring(space + 1));
-        }
-
         void Smoke(bool isOn)
         {
             Object.DestroyImmediate(simulation.GetComponent<FluidSurface>());

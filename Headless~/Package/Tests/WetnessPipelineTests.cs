@@ -1,5 +1,4 @@
 using System.Linq;
-using Host.Pipelines;
 using NUnit.Framework;
 using Rill;
 using UnityEngine;
@@ -13,12 +12,6 @@ namespace Host.Tests
         static readonly string[] Pipelines = { "Universal 14", "Universal 17", "Universal 17 by Execute", "HighDefinition 14", "HighDefinition 17" };
 
         FluidWetness Wetness => simulation.GetComponent<FluidWetness>();
-
-        void Build(string name)
-        {
-            int space = name.IndexOf(' ');
-            Build(name.StartsWith("Universal") ? PipelineKind.Universal : PipelineKind.HighDefinition, name.Substring(space + 1));
-        }
 
         // Without water in the end: what there is to see is what it has left. Or with it, and more of it to the side.
         void Flood(bool leaves)

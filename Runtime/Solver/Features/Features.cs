@@ -58,7 +58,7 @@ namespace Rill
             make: (PbfSolver solver, in StepInput step) => new MaterialTable(solver.Layout.Capacity),
             ofSettings: true);
 
-        // They take the place of the density constraint, and of all that acts through it.
+        // They replace the density constraint, and all that acts through it.
         public static readonly Feature Contacts = new Feature("contacts of loose balls", "set Contacts to off",
             stages: new[] { "Contacts" },
             asked: (PbfSolver solver, in StepInput step) => Rill.Contacts.IsNeeded(step),

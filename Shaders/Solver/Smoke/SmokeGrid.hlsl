@@ -66,14 +66,60 @@ bool IsFresh(float3 g)
     return isFresh;
 }
 
+// The eight values around a point: at the corners of a box from low to high, in which the point lies at part.
+struct Corners
+{
+    uint3 low, high;
+    float3 part;
+};
+
+// at: the point, where the values have whole numbers; last: the greatest of them.
+Corners CornersAround(float3 at, float3 last)
+{
+    at = clamp(at, 0.0, last);
+    Corners corners;
+    corners.low = uint3(at);
+    corners.high = min(corners.low + 1, uint3(last));
+    corners.part = at - corners.low;
+    return corners;
+}
+
+// Faces along an axis.
+Corners FacesAround(uint axis, float3 g)
+{
+    return CornersAround(g - 0.5 + 0.5 * UnitAxis(axis), float3(_CoarseCounts) - 1.0 + UnitAxis(axis));
+}
+
+// Centers of cells.
+Corners CellsAround(float3 g)
+{
+    return CornersAround(g - 0.5, float3(_CoarseCounts) - 1.0);
+}
+
+bool3 IsHighCorner(uint corner)
+{
+    return bool3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+}
+
+uint3 CornerOf(Corners corners, uint corner)
+{
+    return IsHighCorner(corner) ? corners.high : corners.low;
+}
+
+float WeightOf(Corners corners, uint corner)
+{
+    float3 weights = IsHighCorner(corner) ? corners.part : 1.0 - corners.part;
+    return weights.x * weights.y * weights.z;
+}
+
 #ifdef READS_FLOW
 StructuredBuffer<float> _Flow;
 
 float FlowAt(uint axis, float3 g)
 {
-    float3 at = clamp(g - 0.5 + 0.5 * UnitAxis(axis), 0.0, float3(_CoarseCounts) - 1.0 + UnitAxis(axis));
-    uint3 low = uint3(at), high = min(low + 1, _CoarseCounts - 1 + uint3(UnitAxis(axis)));
-    float3 part = at - low;
+    Corners faces = FacesAround(axis, g);
+    uint3 low = faces.low, high = faces.high;
+    float3 part = faces.part;
     float2 rows[2];
     [unroll]
     for (uint z = 0; z < 2; z++)
@@ -117,17 +163,11 @@ float2 AirAt(float3 g)
 {
     if (IsFresh(g))
         return 0.0;
-    float3 at = clamp(g - 0.5, 0.0, float3(_CoarseCounts) - 1.0);
-    uint3 low = uint3(at), high = min(low + 1, _CoarseCounts - 1);
-    float3 part = at - low;
+    Corners cells = CellsAround(g);
     float2 sum = 0.0;
     [unroll]
     for (uint corner = 0; corner < 8; corner++)
-    {
-        bool3 isHigh = bool3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
-        float3 weights = isHigh ? part : 1.0 - part;
-        sum += weights.x * weights.y * weights.z * AirAt(isHigh ? high : low);
-    }
+        sum += WeightOf(cells, corner) * AirAt(CornerOf(cells, corner));
     return sum;
 }
 #endif

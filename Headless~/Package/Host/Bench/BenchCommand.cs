@@ -141,7 +141,8 @@ namespace Host.Bench
                 $"velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear " +
                 $"modulus {input.material.shearModulus} Pa, contacts {(input.material.contacts ? "on" : "off")}, " +
                 $"deep water {input.settings.deepWater}, density ratio {input.phases.Ratio(input.material)}, " +
-                $"diffusion {input.phases.MaxDiffusion} m²/s, smoke {(input.hasSmoke ? $"in cells of {input.smoke.cellSize / scene.Spacing} d" : "off")}, " +
+                $"diffusion {input.phases.MaxDiffusion} m²/s, " +
+                $"smoke {(input.hasSmoke ? $"in cells of {input.smoke.cellSize / scene.Spacing} d" : "off")}, " +
                 $"{input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
