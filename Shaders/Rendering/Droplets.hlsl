@@ -1,6 +1,6 @@
 // Droplets are the water that is thinner than its mesh can hold: each particle that flies by itself is a dozen of them, of its volume together,
-// drawn out along their path while the picture is exposed. Those that are small on the picture are added up by
-// WaterSpray.compute, the others are drawn one by one by WaterDrops.hlsl.
+// drawn out along their path while the picture is exposed. Those that are small on the picture, or so large that they would have burst, are added
+// up by WaterSpray.compute, the others are drawn one by one by WaterDrops.hlsl.
 //
 //   _SurfaceElements  in  see SurfaceElement.hlsl
 //   _MeshDrops        in  uint, indices of those that are drops
@@ -21,6 +21,8 @@ static const float kSmallestDroplet = 0.45;     // radius of the last of a parti
 static const float kFirstRadius = 0.3694;       // of the first, d: with those radii all together have a volume of d^3
 static const float kSpread = 1.1;               // of a particle's droplets around it, d
 static const float kSmall = 6.0;                // radius up to which a droplet is added up with others, texels
+// Radius up to which drops stay whole, m. Falling ones burst from 0.003 on (Villermaux and Bossa 2009), more than a particle is ever seen as.
+static const float kLargestDrop = 0.01;
 static const float kOnSolid = 0.8;              // nearer to a collider or a wall a particle lies on it, d
 // A particle that lies there is a cap of a ball, with a contact angle of 40 degrees and a volume of d^3: radius of the ball and of the cap, d;
 // distance of the ball's center below the solid over its radius.
@@ -77,6 +79,17 @@ Droplet DropletOf(uint index)
         droplet.shown = 1.0;
     }
     return droplet;
+}
+
+bool HasBurst(Droplet droplet)
+{
+    return !droplet.isCap && droplet.across * Spacing() > kLargestDrop;
+}
+
+// Whether it is drawn by itself: where it is whole and not small on the picture.
+bool IsShown(Droplet droplet)
+{
+    return !HasBurst(droplet) && (droplet.isCap ? kCapRadius : droplet.across) >= kSmall * droplet.texel;
 }
 
 // Light that a ball of water sends on from a far light, mean over its disc, where a white surface that faces the light sends 1: what it mirrors

@@ -38,7 +38,7 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
 
     Droplet droplet = DropletOf(vertex / 6);
     float size = droplet.isCap ? kCapRadius : droplet.across;
-    if (size == 0.0 || size < kSmall * droplet.texel)
+    if (size == 0.0 || !IsShown(droplet))
         return result;
     float3 x, y;
     TangentsOf(droplet.axis, x, y);

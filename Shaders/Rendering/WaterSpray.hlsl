@@ -18,7 +18,7 @@ float4 SprayFragment(SurfaceVaryings input) : SV_Target
 {
     RestoreView(input);
     float2 picture = input.picture.xy;
-    float3 spray = SprayAt(picture, eyeIndex, rill_linear_clamp_sampler);
+    float4 spray = SprayAt(picture, eyeIndex, rill_linear_clamp_sampler);
     if (spray.x + spray.y < 1e-3)
         discard;
     SurfaceRay ray = RayThrough(picture, eyeIndex);
@@ -38,11 +38,11 @@ float4 SprayFragment(SurfaceVaryings input) : SV_Target
         float2 toLight = clip.xy / max(clip.w, 1e-6) - picture;
         toLight *= texel / max(length(toLight / texel), 1e-6) / texel;
         float3 beside = float3(texel, 0.0);
-        float more = 0.25 * (SprayAt(picture + beside.xz, eyeIndex, rill_linear_clamp_sampler).x
-            + SprayAt(picture - beside.xz, eyeIndex, rill_linear_clamp_sampler).x
-            + SprayAt(picture + beside.zy, eyeIndex, rill_linear_clamp_sampler).x
-            + SprayAt(picture - beside.zy, eyeIndex, rill_linear_clamp_sampler).x) - spray.x;
-        float shading = SprayAt(picture + toLight, eyeIndex, rill_linear_clamp_sampler).x - spray.x;
+        float more = 0.25 * (SprayAt(picture + beside.xz, eyeIndex, rill_linear_clamp_sampler).w
+            + SprayAt(picture - beside.xz, eyeIndex, rill_linear_clamp_sampler).w
+            + SprayAt(picture + beside.zy, eyeIndex, rill_linear_clamp_sampler).w
+            + SprayAt(picture - beside.zy, eyeIndex, rill_linear_clamp_sampler).w) - spray.w;
+        float shading = SprayAt(picture + toLight, eyeIndex, rill_linear_clamp_sampler).w - spray.w;
         float3 lit = LitFoam(around * Unshaded(more), sun * Unshaded(shading), light.direction.y);
         color = lerp(color, lit, foam);
         body = lerp(body, 1.0, foam);

@@ -10,7 +10,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Water.Spray");
 
         const float UnderWater = 1f;        // d below the surface
-        const int Words = 3, FoamWords = 5;
+        const int Words = 3, FoamWords = 6;
 
         readonly ComputeShader shader = StageShader.LoadCompute("WaterSpray");
         readonly BufferClear clear = new BufferClear();
@@ -50,7 +50,11 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, resolve, Ids.SprayAmounts, scratch.SprayAmounts);
                 cmd.SetComputeTextureParam(shader, resolve, WaterView.Ids.Spray, view.Spray);
                 if (mesh.HasFoam)
+                {
                     cmd.SetComputeTextureParam(shader, resolve, WaterView.Ids.Bubbles, view.Bubbles);
+                    cmd.SetComputeTextureParam(shader, resolve, WaterRays.Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
+                    cmd.SetComputeTextureParam(shader, resolve, WaterRays.Ids.Faces, scratch.Faces);
+                }
                 cmd.SetComputeBufferParam(shader, resolve, WaterRays.Ids.TileMarks, scratch.TileMarks);
                 SurfaceIds.Dispatch(cmd, shader, resolve, view.CoarseWindow.Width, view.CoarseWindow.Height);
             }
