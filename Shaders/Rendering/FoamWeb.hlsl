@@ -31,9 +31,9 @@ float RankOnBorders(float3 at, uint pattern)
     int3 first = int3(floor(at));
     float2 nearest = 8.0;
     [loop]
-    for (int i = 0; i < 27; i++)
+    for (uint i = 0; i < 27; i++)
     {
-        int3 cell = first + int3(i % 3, i / 3 % 3, i / 9) - 1;
+        int3 cell = first + int3(uint3(i % 3, i / 3 % 3, i / 9)) - 1;
         uint hash = Hash(asuint(cell.x) * 73856093u ^ asuint(cell.y) * 19349663u ^ asuint(cell.z) * 83492791u, pattern);
         float3 offset = cell + float3(uint3(hash >> 20, hash >> 10, hash) & 1023u) / 1023.0 - at;
         float squared = dot(offset, offset);

@@ -44,7 +44,7 @@ namespace Rill
             new KernelNeed("WaterSpray", "AddFoam", "ADD_FOAM", 128, 0, 3, 1, 3),
             new KernelNeed("WaterSpray", "AddDroplets", "ADD_DROPLETS", 128, 0, 4, 1, 2),
             new KernelNeed("WaterSpray", "ResolveSpray", "", 64, 4, 2, 2, 1),
-            new KernelNeed("WaterSpray", "ResolveFoam", "WITH_FOAM", 64, 4, 2, 3, 2),
+            new KernelNeed("WaterSpray", "ResolveFoam", "WITH_FOAM", 64, 4, 2, 3, 4),
             new KernelNeed("Wetness", "MarkWet", "MARK", 128, 0, 3, 1, 0),
             new KernelNeed("Wetness", "ShiftWetness", "", 64, 0, 2, 1, 0),
             new KernelNeed("CoarseColliders", "OpenCells", "", 64, 484, 5, 3, 2),
