@@ -121,10 +121,7 @@ namespace Rill
         public void Pose(GraphicsBuffer rest, GraphicsBuffer vertexBones, GraphicsBuffer bones, int count)
         {
             Begin(poseVertices, 0, count);
-            Bind(poseVertices, Ids.RestVertices, rest);
-            Bind(poseVertices, Ids.VertexBones, vertexBones);
-            Bind(poseVertices, Ids.Bones, bones);
-            Bind(poseVertices, Ids.VerticesMade, vertices);
+            Ids.Pose.Bind(cmd, shader, poseVertices, rest, vertexBones, bones, vertices);
             Run(poseVertices, GroupsFor(count), GatherMarker);
         }
 
@@ -132,11 +129,7 @@ namespace Rill
         public void Gather(int first, int count, bool isMirrored = false)
         {
             Begin(gather, first, count);
-            cmd.SetComputeIntParam(shader, Ids.IsMirrored, isMirrored ? 1 : 0);
-            cmd.SetComputeVectorParam(shader, Ids.Min, new float4(grid.Min, 0f));
-            cmd.SetComputeFloatParam(shader, Ids.PerMeter, 1f / grid.VoxelSize);
-            Bind(gather, Ids.TrianglesMade, triangles);
-            Bind(gather, Ids.SpheresMade, spheres);
+            Ids.Gather.Bind(cmd, shader, gather, isMirrored, grid.Min, 1f / grid.VoxelSize, triangles, spheres);
             Run(gather, GroupsFor(count), GatherMarker);
         }
 
@@ -166,8 +159,7 @@ namespace Rill
         void Splat(int kernel, in BakeGeometry.Slice slice, ProfilerMarker marker)
         {
             Begin(kernel, unchecked((int)slice.First), slice.Count);
-            cmd.SetComputeIntParam(shader, Ids.LowTriangle, slice.Low);
-            cmd.SetComputeIntParam(shader, Ids.HighTriangle, slice.High);
+            Ids.Slice.Bind(cmd, shader, kernel, slice.Low, slice.High);
             Run(kernel, slice.Count, marker);
         }
 
@@ -175,9 +167,7 @@ namespace Rill
         public void Flood(int stride, int first, int count)
         {
             Begin(flood, first, count);
-            cmd.SetComputeIntParam(shader, Ids.Stride, stride);
-            Bind(flood, Ids.NearestBefore, nearest);
-            Bind(flood, Ids.Nearest, distances);
+            Ids.Flood.Bind(cmd, shader, flood, stride, nearest, distances);
             Run(flood, GroupsFor(count), FloodMarker);
         }
 
@@ -198,9 +188,7 @@ namespace Rill
         public void FindSides(int firstBlock, int count, bool isClosed)
         {
             Begin(findSides, firstBlock, count);
-            cmd.SetComputeIntParam(shader, Ids.IsClosed, isClosed ? 1 : 0);
-            Bind(findSides, Ids.ClustersRead, clusters);
-            Bind(findSides, Ids.NearestBefore, nearest);
+            Ids.Sides.Bind(cmd, shader, findSides, isClosed, clusters, nearest);
             Run(findSides, count, SidesMarker);
         }
 
@@ -217,10 +205,7 @@ namespace Rill
         public void ResolveSolid(int first, int count, GraphicsBuffer into = null)
         {
             Begin(resolveSolid, first, count);
-            Bind(resolveSolid, Ids.ClustersRead, clusters);
-            Bind(resolveSolid, Ids.NearestBefore, nearest);
-            Bind(resolveSolid, Ids.SidesRead, sides);
-            Bind(resolveSolid, Ids.Distances, into ?? distances);
+            Ids.Solid.Bind(cmd, shader, resolveSolid, clusters, nearest, sides, into ?? distances);
             Run(resolveSolid, count, ResolveMarker);
         }
 
@@ -229,9 +214,7 @@ namespace Rill
         public void ResolveShell(int first, int count, GraphicsBuffer into = null)
         {
             Begin(resolveShell, first, count);
-            cmd.SetComputeFloatParam(shader, Ids.HalfThickness, 0.5f * grid.Thickness / grid.VoxelSize);
-            Bind(resolveShell, Ids.NearestBefore, nearest);
-            Bind(resolveShell, Ids.Distances, into ?? distances);
+            Ids.Shell.Bind(cmd, shader, resolveShell, 0.5f * grid.Thickness / grid.VoxelSize, nearest, into ?? distances);
             Run(resolveShell, GroupsFor(count), ResolveMarker);
         }
 
@@ -269,15 +252,9 @@ namespace Rill
         void Begin(int kernel, int first, int count)
         {
             buffers.Bind(cmd, shader, kernel);
-            cmd.SetComputeIntParam(shader, Ids.TriangleCount, triangleCount);
             cmd.SetComputeIntParams(shader, Ids.Resolution, resolution);
-            cmd.SetComputeIntParam(shader, Ids.First, first);
-            cmd.SetComputeIntParam(shader, Ids.Count, count);
-            cmd.SetComputeIntParam(shader, Ids.LevelCount, levels.Length);
-            cmd.SetComputeFloatParam(shader, Ids.VoxelSize, grid.VoxelSize);
+            Ids.Common.Bind(cmd, shader, kernel, triangleCount, levels.Length, grid.VoxelSize, first, count);
         }
-
-        void Bind(int kernel, int id, GraphicsBuffer buffer) => cmd.SetComputeBufferParam(shader, kernel, id, buffer);
 
         // The commands of a tool are executed one by one: a driver can then stop a device's watchdog between any two of them.
         void Run(int kernel, long groups, ProfilerMarker marker)
@@ -295,32 +272,17 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int RestVertices = Shader.PropertyToID("_RestVertices");
-            public static readonly int VertexBones = Shader.PropertyToID("_VertexBones");
-            public static readonly int Bones = Shader.PropertyToID("_Bones");
-            public static readonly int VerticesMade = Shader.PropertyToID("_VerticesMade");
-            public static readonly int TrianglesMade = Shader.PropertyToID("_TrianglesMade");
-            public static readonly int SpheresMade = Shader.PropertyToID("_SpheresMade");
-            public static readonly int NearestBefore = Shader.PropertyToID("_NearestBefore");
-            public static readonly int Distances = Shader.PropertyToID("_Distances");
-            public static readonly int Nearest = Shader.PropertyToID("_Nearest");
-            public static readonly int ClustersRead = Shader.PropertyToID("_ClustersRead");
-            public static readonly int SidesRead = Shader.PropertyToID("_SidesRead");
-            public static readonly int TriangleCount = Shader.PropertyToID("_TriangleCount");
+            public static readonly ShaderParameters Common = new ShaderParameters("_TriangleCount", "_LevelCount", "_VoxelSize", "_First", "_Count");
+            public static readonly ShaderParameters Pose = new ShaderParameters("_RestVertices", "_VertexBones", "_Bones", "_VerticesMade");
+            public static readonly ShaderParameters Gather = new ShaderParameters(
+                "_IsMirrored", "_Min", "_PerMeter", "_TrianglesMade", "_SpheresMade");
+            public static readonly ShaderParameters Slice = new ShaderParameters("_LowTriangle", "_HighTriangle");
+            public static readonly ShaderParameters Flood = new ShaderParameters("_Stride", "_NearestBefore", "_Nearest");
+            public static readonly ShaderParameters Sides = new ShaderParameters("_IsClosed", "_ClustersRead", "_NearestBefore");
+            public static readonly ShaderParameters Solid = new ShaderParameters("_ClustersRead", "_NearestBefore", "_SidesRead", "_Distances");
+            public static readonly ShaderParameters Shell = new ShaderParameters("_HalfThickness", "_NearestBefore", "_Distances");
             public static readonly int Resolution = Shader.PropertyToID("_Resolution");
-            public static readonly int Min = Shader.PropertyToID("_Min");
-            public static readonly int PerMeter = Shader.PropertyToID("_PerMeter");
-            public static readonly int First = Shader.PropertyToID("_First");
-            public static readonly int Count = Shader.PropertyToID("_Count");
-            public static readonly int LowTriangle = Shader.PropertyToID("_LowTriangle");
-            public static readonly int HighTriangle = Shader.PropertyToID("_HighTriangle");
-            public static readonly int Stride = Shader.PropertyToID("_Stride");
             public static readonly int Level = Shader.PropertyToID("_Level");
-            public static readonly int LevelCount = Shader.PropertyToID("_LevelCount");
-            public static readonly int IsMirrored = Shader.PropertyToID("_IsMirrored");
-            public static readonly int IsClosed = Shader.PropertyToID("_IsClosed");
-            public static readonly int HalfThickness = Shader.PropertyToID("_HalfThickness");
-            public static readonly int VoxelSize = Shader.PropertyToID("_VoxelSize");
         }
     }
 }

@@ -59,11 +59,7 @@ namespace Rill
                 return;
 
             int tiles = TileCount(count);
-            cmd.SetComputeIntParam(shader, Ids.Count, count);
-            cmd.SetComputeIntParam(shader, Ids.TileCount, tiles);
-
-            cmd.SetComputeBufferParam(shader, sumTiles, Ids.Counts, counts);
-            cmd.SetComputeBufferParam(shader, sumTiles, Ids.TileSums, tileSums);
+            Ids.Sum.Bind(cmd, shader, sumTiles, count, tiles, counts, tileSums);
             cmd.DispatchCompute(shader, sumTiles, tiles, 1, 1);
 
             bool few = IsFew(tiles);
@@ -74,9 +70,7 @@ namespace Rill
             }
 
             int scan = few ? scanFewTiles : scanTiles;
-            cmd.SetComputeBufferParam(shader, scan, Ids.Counts, counts);
-            cmd.SetComputeBufferParam(shader, scan, Ids.TileSums, tileSums);
-            cmd.SetComputeBufferParam(shader, scan, Ids.Sums, sums);
+            Ids.Scan.Bind(cmd, shader, scan, counts, tileSums, sums);
             cmd.DispatchCompute(shader, scan, tiles, 1, 1);
         }
 
@@ -104,11 +98,9 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Counts = Shader.PropertyToID("_Counts");
-            public static readonly int Sums = Shader.PropertyToID("_Sums");
+            public static readonly ShaderParameters Sum = new ShaderParameters("_Count", "_TileCount", "_Counts", "_TileSums");
+            public static readonly ShaderParameters Scan = new ShaderParameters("_Counts", "_TileSums", "_Sums");
             public static readonly int TileSums = Shader.PropertyToID("_TileSums");
-            public static readonly int Count = Shader.PropertyToID("_Count");
-            public static readonly int TileCount = Shader.PropertyToID("_TileCount");
         }
     }
 }

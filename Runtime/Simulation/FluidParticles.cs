@@ -80,19 +80,10 @@ namespace Rill
             NotNull(commands, nameof(commands));
             NotNull(shader, nameof(shader));
             Frame frame = FrameOf(from);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.Positions, from.Positions);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.StartPositions, from.StartPositions);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.Velocities, from.Velocities);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.ParticleIds, from.ParticleIds);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.Tags, from.TagsToBind);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.Counters, from.Counters);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.CellStarts, from.CellStarts);
-            commands.SetComputeBufferParam(shader, kernel, NameIds.Order, from.ParticleOrder);
+            NameIds.Buffers.Bind(commands, shader, kernel, from.Positions, from.StartPositions, from.Velocities, from.ParticleIds,
+                from.TagsToBind, from.Counters, from.CellStarts, from.ParticleOrder);
             commands.SetComputeMatrixParam(shader, NameIds.DomainToWorld, DomainToWorld);
-            commands.SetComputeVectorParam(shader, NameIds.Domain, frame.Domain);
-            commands.SetComputeVectorParam(shader, NameIds.Cells, frame.Cells);
-            commands.SetComputeVectorParam(shader, NameIds.InverseCellSize, frame.InverseCellSize);
-            commands.SetComputeVectorParam(shader, NameIds.Step, frame.Step);
+            NameIds.Frame.Bind(commands, shader, kernel, frame.Domain, frame.Cells, frame.InverseCellSize, frame.Step);
         }
 
         /// <summary>Sets all that RillParticles.hlsl declares for a draw of this frame.</summary>
@@ -103,19 +94,10 @@ namespace Rill
             PbfSolver from = Current;
             NotNull(properties, nameof(properties));
             Frame frame = FrameOf(from);
-            properties.SetBuffer(NameIds.Positions, from.Positions);
-            properties.SetBuffer(NameIds.StartPositions, from.StartPositions);
-            properties.SetBuffer(NameIds.Velocities, from.Velocities);
-            properties.SetBuffer(NameIds.ParticleIds, from.ParticleIds);
-            properties.SetBuffer(NameIds.Tags, from.TagsToBind);
-            properties.SetBuffer(NameIds.Counters, from.Counters);
-            properties.SetBuffer(NameIds.CellStarts, from.CellStarts);
-            properties.SetBuffer(NameIds.Order, from.ParticleOrder);
+            NameIds.Buffers.Set(properties, from.Positions, from.StartPositions, from.Velocities, from.ParticleIds, from.TagsToBind,
+                from.Counters, from.CellStarts, from.ParticleOrder);
             properties.SetMatrix(NameIds.DomainToWorld, DomainToWorld);
-            properties.SetVector(NameIds.Domain, frame.Domain);
-            properties.SetVector(NameIds.Cells, frame.Cells);
-            properties.SetVector(NameIds.InverseCellSize, frame.InverseCellSize);
-            properties.SetVector(NameIds.Step, frame.Step);
+            NameIds.Frame.Set(properties, frame.Domain, frame.Cells, frame.InverseCellSize, frame.Step);
         }
 
         /// <summary>Binds a kernel, as <see cref="Bind(CommandBuffer, ComputeShader, int)"/> does, and records it for all particles alive.</summary>
@@ -177,19 +159,11 @@ namespace Rill
 
         static class NameIds
         {
-            public static readonly int Positions = Shader.PropertyToID("_RillPositions");
-            public static readonly int StartPositions = Shader.PropertyToID("_RillStartPositions");
-            public static readonly int Velocities = Shader.PropertyToID("_RillVelocities");
-            public static readonly int ParticleIds = Shader.PropertyToID("_RillIds");
-            public static readonly int Tags = Shader.PropertyToID("_RillTags");
-            public static readonly int Counters = Shader.PropertyToID("_RillCounters");
-            public static readonly int CellStarts = Shader.PropertyToID("_RillCellStarts");
-            public static readonly int Order = Shader.PropertyToID("_RillOrder");
+            public static readonly ShaderParameters Buffers = new ShaderParameters(
+                "_RillPositions", "_RillStartPositions", "_RillVelocities", "_RillIds", "_RillTags", "_RillCounters", "_RillCellStarts",
+                "_RillOrder");
+            public static readonly ShaderParameters Frame = new ShaderParameters("_RillDomain", "_RillCells", "_RillInverseCellSize", "_RillStep");
             public static readonly int DomainToWorld = Shader.PropertyToID("_RillDomainToWorld");
-            public static readonly int Domain = Shader.PropertyToID("_RillDomain");
-            public static readonly int Cells = Shader.PropertyToID("_RillCells");
-            public static readonly int InverseCellSize = Shader.PropertyToID("_RillInverseCellSize");
-            public static readonly int Step = Shader.PropertyToID("_RillStep");
         }
     }
 }

@@ -106,15 +106,11 @@ namespace Rill
             SortedArguments = buffers.Arguments("Rill.SortedArguments");
         }
 
-        /// <summary>Records the state as what a kernel reads and writes: positions, those at the start of the substep, velocities, ids and
-        /// counters. What a kernel finds elsewhere is recorded after this.</summary>
+        /// <summary>Records the state as what a kernel reads and writes: positions, those at the start of the substep, velocities, ids,
+        /// counters and arguments of those alive. What a kernel finds elsewhere is recorded after this.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel)
         {
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, positions);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.StartPositions, Start);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Ids, ids);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, Counters);
+            ParticleIds.State.Bind(cmd, shader, kernel, positions, Start, Velocities, ids, Counters, AliveArguments);
         }
 
         /// <summary>Returns the particles as a set that transfers give to and take from.</summary>
@@ -155,13 +151,17 @@ namespace Rill
     /// <summary>Properties of the buffers of particles and cells in all shaders.</summary>
     static class ParticleIds
     {
+        public static readonly ShaderParameters State = new ShaderParameters(
+            "_Positions", "_StartPositions", "_Velocities", "_Ids", "_Counters", "_AliveArguments");
+        public static readonly ShaderParameters Motion = new ShaderParameters("_Positions", "_Velocities");
+        /// <summary>Positions that a pass of the constraint reads, and those that it writes.</summary>
+        public static readonly ShaderParameters Pass = new ShaderParameters("_Positions", "_Corrected");
+        public static readonly ShaderParameters Cells = new ShaderParameters("_CellStarts", "_Order");
         public static readonly int Positions = Shader.PropertyToID("_Positions");
         public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
         public static readonly int Velocities = Shader.PropertyToID("_Velocities");
         public static readonly int Ids = Shader.PropertyToID("_Ids");
         public static readonly int Counters = Shader.PropertyToID("_Counters");
         public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-        public static readonly int Order = Shader.PropertyToID("_Order");
-        public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
     }
 }

@@ -80,6 +80,10 @@ namespace Rill
             BindAsleep(shader, kernel);
         }
 
+        /// <summary>Records the particles listed by cell as they are, after <see cref="NeighborSearch.RecordOrderAtRest"/>.</summary>
+        public void BindOrderAtRest(ComputeShader shader, int kernel)
+            => ParticleIds.Cells.Bind(Commands, shader, kernel, Search.CellStartsAtRest, Search.CellOrder);
+
         /// <summary>Records which regions sleep, where any can.</summary>
         public void BindAsleep(ComputeShader shader, int kernel) => Resting?.Bind(Commands, shader, kernel);
 

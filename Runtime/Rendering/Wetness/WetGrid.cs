@@ -79,11 +79,8 @@ namespace Rill
             if (stamp < newest)
                 clear.Record(commands, stamps);
             newest = stamp;
-            SetGrid(commands);
-            commands.SetComputeIntParam(shader, Ids.Stamp, (int)stamp);
-            commands.SetComputeBufferParam(shader, mark, ParticleIds.Positions, solver.Positions);
-            commands.SetComputeBufferParam(shader, mark, ParticleIds.Counters, solver.Counters);
-            commands.SetComputeBufferParam(shader, mark, Ids.Stamps, stamps);
+            Ids.Grid.Bind(commands, shader, mark, stamps, size, origin);
+            Ids.Mark.Bind(commands, shader, mark, stamp, solver.Positions, solver.Counters);
             commands.DispatchCompute(shader, mark, solver.DrawArguments, GpuBuffer.DispatchArgumentsAt);
             commands.EndSample(Marker);
             Graphics.ExecuteCommandBuffer(commands);
@@ -104,10 +101,8 @@ namespace Rill
             stamps = NewStamps();
             commands.Clear();
             commands.BeginSample(Marker);
-            SetGrid(commands);
-            commands.SetComputeVectorParam(shader, Ids.ShiftBy, new Vector4(whole.x, whole.y, whole.z, 0f));
-            commands.SetComputeBufferParam(shader, shift, Ids.StampsIn, before);
-            commands.SetComputeBufferParam(shader, shift, Ids.Stamps, stamps);
+            Ids.Grid.Bind(commands, shader, shift, stamps, size, origin);
+            Ids.Shift.Bind(commands, shader, shift, (float3)whole, before);
             ThreadGroups.Dispatch(commands, shader, shift, ((long)stamps.count + WetGroup - 1) / WetGroup);
             commands.EndSample(Marker);
             Graphics.ExecuteCommandBuffer(commands);
@@ -118,12 +113,8 @@ namespace Rill
         /// <param name="time">Time of the frame, s.</param>
         public void SetOn(MaterialPropertyBlock block, double time)
         {
-            block.SetBuffer(Ids.Stamps, stamps);
-            block.SetVector(Ids.Size, size);
-            block.SetVector(Ids.Origin, (Vector3)origin);
-            block.SetVector(Ids.Shifted, (Vector3)shifted);
-            block.SetInteger(Ids.Now, (int)StampOf(time));
-            block.SetInteger(Ids.Stamp, (int)newest);
+            Ids.Grid.Set(block, stamps, size, origin);
+            Ids.Draw.Set(block, shifted, StampOf(time), newest);
         }
 
         public void Describe(StageDescription stage)
@@ -140,12 +131,6 @@ namespace Rill
 
         GraphicsBuffer NewStamps() => GpuBuffer.Structured<uint>("Rill.Wetness.Stamps", (long)nodes.x * nodes.y * nodes.z);
 
-        void SetGrid(CommandBuffer cmd)
-        {
-            cmd.SetComputeVectorParam(shader, Ids.Size, size);
-            cmd.SetComputeVectorParam(shader, Ids.Origin, (Vector3)origin);
-        }
-
         static uint StampOf(double time) => 1u + (uint)Math.Min(Math.Max(time, 0.0) * WetTicks, int.MaxValue - 2);
 
         // One more than the box needs: the first may lie before it.
@@ -153,14 +138,10 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Stamps = Shader.PropertyToID("_WetStamps");
-            public static readonly int StampsIn = Shader.PropertyToID("_WetStampsIn");
-            public static readonly int Stamp = Shader.PropertyToID("_WetStamp");
-            public static readonly int Now = Shader.PropertyToID("_WetNow");
-            public static readonly int Size = Shader.PropertyToID("_WetGridSize");
-            public static readonly int Origin = Shader.PropertyToID("_WetGridOrigin");
-            public static readonly int Shifted = Shader.PropertyToID("_WetGridShifted");
-            public static readonly int ShiftBy = Shader.PropertyToID("_WetShift");
+            public static readonly ShaderParameters Grid = new ShaderParameters("_WetStamps", "_WetGridSize", "_WetGridOrigin");
+            public static readonly ShaderParameters Mark = new ShaderParameters("_WetStamp", "_Positions", "_Counters");
+            public static readonly ShaderParameters Shift = new ShaderParameters("_WetShift", "_WetStampsIn");
+            public static readonly ShaderParameters Draw = new ShaderParameters("_WetGridShifted", "_WetNow", "_WetStamp");
         }
     }
 }

@@ -61,9 +61,7 @@ namespace Rill
             step.BindConstants(shader);
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
             colliders.BindShapes(cmd, shader, openCells);
-            cmd.SetComputeBufferParam(shader, openCells, Ids.OpenCells, raw);
-            cmd.SetComputeBufferParam(shader, openCells, Ids.CellCenters, centers);
-            cmd.SetComputeBufferParam(shader, openCells, Ids.CellFlow, flow);
+            Ids.Open.Bind(cmd, shader, openCells, raw, centers, flow);
             ThreadGroups.Dispatch(cmd, shader, openCells, (grid.Total + OpenCellsPerGroup - 1) / OpenCellsPerGroup);
             buffers.Bind(cmd, shader, linkCells);
             cmd.SetComputeBufferParam(shader, linkCells, Ids.OpenCells, open);
@@ -96,8 +94,7 @@ namespace Rill
         static class Ids
         {
             public static readonly int OpenCells = Shader.PropertyToID("_OpenCells");
-            public static readonly int CellCenters = Shader.PropertyToID("_CellCenters");
-            public static readonly int CellFlow = Shader.PropertyToID("_CellFlow");
+            public static readonly ShaderParameters Open = new ShaderParameters("_OpenCells", "_CellCenters", "_CellFlow");
         }
     }
 }

@@ -50,22 +50,12 @@ namespace Rill
         public void RecordTake(CommandBuffer cmd, in TransferRegion region, CoarseCorrection other, GraphicsBuffer from, GraphicsBuffer to,
             float scale)
         {
-            cmd.SetComputeBufferParam(shader, takePotential, NeighborIds.Potential, from);
-            cmd.SetComputeBufferParam(shader, takePotential, Ids.Potential, to);
-            cmd.SetComputeVectorParam(shader, NeighborIds.Offset, new float4(region.offset, 0f));
-            cmd.SetComputeVectorParam(shader, NeighborIds.InverseSize, new float4(1f / other.Grid.CellSize, scale));
-            cmd.SetComputeVectorParam(shader, NeighborIds.Counts, new float4(other.Grid.Counts, 0f));
-            cmd.SetComputeVectorParam(shader, NeighborIds.OwnSide, region.plane);
+            Neighbor.Bind(cmd, shader, takePotential, from, to, region.offset, new float4(1f / other.Grid.CellSize, scale),
+                (float3)other.Grid.Counts, region.plane);
             Dispatch(cmd, takePotential);
         }
 
-        static class NeighborIds
-        {
-            public static readonly int Offset = Shader.PropertyToID("_NeighborOffset");
-            public static readonly int InverseSize = Shader.PropertyToID("_NeighborInverseSize");
-            public static readonly int Counts = Shader.PropertyToID("_NeighborCounts");
-            public static readonly int OwnSide = Shader.PropertyToID("_OwnSide");
-            public static readonly int Potential = Shader.PropertyToID("_NeighborPotential");
-        }
+        static readonly ShaderParameters Neighbor = new ShaderParameters(
+            "_NeighborPotential", "_Potential", "_NeighborOffset", "_NeighborInverseSize", "_NeighborCounts", "_OwnSide");
     }
 }

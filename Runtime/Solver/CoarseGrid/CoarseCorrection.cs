@@ -182,15 +182,10 @@ namespace Rill
             Buffers.Bind(cmd, shader, bin);
             step.Particles.DispatchAlive(cmd, shader, bin);
 
-            int find = findSurface.For(WithColliders, WithMaterials);
-            BindCells(cmd, find, flowPotential);
-            coarseColliders?.BindVolume(cmd, shader, find);
-            cmd.SetComputeBufferParam(shader, find, ParticleIds.Counters, step.Particles.Counters);
-            Dispatch(cmd, find);
-
+            RecordCells(step, findSurface.For(WithColliders, WithMaterials), flowPotential);
             RecordNeighbors(step, ofFlow: true);
             FlowTime = step.SubstepTime;
-            RecordSource(step, findDivergence.For(WithColliders, WithMaterials), flowPotential);
+            RecordCells(step, findDivergence.For(WithColliders, WithMaterials), flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders, cellDensities,
                 math.max(FirstCycles, step.Materials != null ? MaterialTable.CyclesFor(step.Input) : 1));
             RecordDisplacements(cmd, displaceFlow.For(WithColliders, WithMaterials), flowPotential);
@@ -206,11 +201,8 @@ namespace Rill
         public void BindChange(in StepContext step, ComputeShader reads, int kernel)
         {
             step.BindCoarseConstants(reads);
-            step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.Displacements, Displacements);
-            if (DeepFlow == null)
-                return;
-            step.Commands.SetComputeFloatParam(reads, CoarseIds.FlowBlend, 1f - math.exp(-FlowBlendRate * step.SubstepTime));
-            step.Commands.SetComputeBufferParam(reads, kernel, CoarseIds.DeepFlow, DeepFlow);
+            float blend = 1f - math.exp(-FlowBlendRate * step.SubstepTime);
+            Ids.Change.Bind(step.Commands, reads, kernel, Displacements, DeepFlow, blend);
         }
 
         /// <summary>Records the density correction: <see cref="Displacements"/> from the errors in <see cref="Bins"/>.</summary>
@@ -221,7 +213,7 @@ namespace Rill
             step.BindConstants(shader);
             cmd.SetComputeFloatParam(shader, Ids.PressedError, (float)SurfaceTension.PressedError(step));
             RecordNeighbors(step, ofFlow: false);
-            RecordSource(step, findErrors.For(WithColliders), errorPotential);
+            RecordCells(step, findErrors.For(WithColliders), errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders, minCycles: FirstCycles);
             IsFirst = false;
             RecordDisplacements(cmd, displaceErrors.For(WithColliders), errorPotential);
@@ -278,7 +270,8 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
-        void RecordSource(in StepContext step, int kernel, GraphicsBuffer potential)
+        // For kernels that read the counters of the particles and the volume that the colliders leave.
+        void RecordCells(in StepContext step, int kernel, GraphicsBuffer potential)
         {
             CommandBuffer cmd = step.Commands;
             BindCells(cmd, kernel, potential);
@@ -309,6 +302,7 @@ namespace Rill
 
         static class Ids
         {
+            public static readonly ShaderParameters Change = new ShaderParameters("_Displacements", "_DeepFlow", "_FlowBlend");
             public static readonly int Potential = Shader.PropertyToID("_Potential");
             public static readonly int PressedError = Shader.PropertyToID("_PressedError");
         }
@@ -319,8 +313,6 @@ namespace Rill
     {
         public static readonly int Displacements = Shader.PropertyToID("_Displacements");
         public static readonly int Constants = Shader.PropertyToID("RillCoarse");
-        public static readonly int Bins = Shader.PropertyToID("_Bins");
         public static readonly int DeepFlow = Shader.PropertyToID("_DeepFlow");
-        public static readonly int FlowBlend = Shader.PropertyToID("_FlowBlend");
     }
 }

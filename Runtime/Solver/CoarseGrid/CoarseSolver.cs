@@ -74,19 +74,13 @@ namespace Rill
             bool withColliders = coarseColliders != null, withMaterials = densities != null;
             int first = smooth.For(withColliders, withMaterials), restrict = restrictGrid.For(withColliders, withMaterials),
                 last = correctAndSmooth.For(withColliders, withMaterials);
-            if (withMaterials)
-            {
-                cmd.SetComputeBufferParam(shader, first, Ids.Densities, densities);
-                cmd.SetComputeBufferParam(shader, restrict, Ids.Densities, densities);
-                cmd.SetComputeBufferParam(shader, last, Ids.Densities, densities);
-            }
             int tile = path.SmallTiles || withMaterials ? SmallTile : LargeTile;
             coarseColliders?.Bind(cmd, shader, first);
             coarseColliders?.Bind(cmd, shader, restrict);
             coarseColliders?.Bind(cmd, shader, last);
-            RecordSmooth(cmd, first, tile, source, diagonal, potential, smoothed);
+            RecordSmooth(cmd, first, tile, source, diagonal, densities, potential, smoothed);
             buffers.Bind(cmd, shader, restrict);
-            BindGrid(cmd, restrict, source, diagonal, smoothed);
+            Ids.Restrict.Bind(cmd, shader, restrict, source, diagonal, densities, smoothed);
             CoarseGrid.Dispatch(cmd, shader, restrict, Children * grid.Cells(1));
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
@@ -102,7 +96,7 @@ namespace Rill
                 RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
 
             buffers.Bind(cmd, shader, last);
-            RecordSmooth(cmd, last, tile, source, diagonal, smoothed, potential);
+            RecordSmooth(cmd, last, tile, source, diagonal, densities, smoothed, potential);
         }
 
         /// <param name="cycles">V-cycles in a step for one density.</param>
@@ -132,11 +126,10 @@ namespace Rill
 
         public void Dispose() => buffers.Dispose();
 
-        void RecordSmooth(CommandBuffer cmd, int kernel, int tile, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from,
-            GraphicsBuffer to)
+        void RecordSmooth(CommandBuffer cmd, int kernel, int tile, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer densities,
+            GraphicsBuffer from, GraphicsBuffer to)
         {
-            BindGrid(cmd, kernel, source, diagonal, from);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Smoothed, to);
+            Ids.Smooth.Bind(cmd, shader, kernel, source, diagonal, densities, from, to);
             DispatchTiles(cmd, kernel, tile, grid.Counts);
         }
 
@@ -153,20 +146,11 @@ namespace Rill
             cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
         }
 
-        void BindGrid(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Diagonal, diagonal);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
-        }
-
         static class Ids
         {
-            public static readonly int Source = Shader.PropertyToID("_Source");
-            public static readonly int Diagonal = Shader.PropertyToID("_Diagonal");
-            public static readonly int Potential = Shader.PropertyToID("_Potential");
-            public static readonly int Densities = Shader.PropertyToID("_CellDensities");
-            public static readonly int Smoothed = Shader.PropertyToID("_Smoothed");
+            public static readonly ShaderParameters Restrict = new ShaderParameters("_Source", "_Diagonal", "_CellDensities", "_Potential");
+            public static readonly ShaderParameters Smooth = new ShaderParameters(
+                "_Source", "_Diagonal", "_CellDensities", "_Potential", "_Smoothed");
             public static readonly int Level = Shader.PropertyToID("_Level");
         }
     }

@@ -210,8 +210,7 @@ namespace Rill
             Kernel kernel = PathsKernel(step.Materials != null);
             cmd.BeginSample(Marker);
             Bind(step, kernel, step.MaySleep);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellHistogram, cellHistogram);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
+            Ids.Cells.Bind(cmd, shader, kernel, cellHistogram, cellRanks);
             cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -227,8 +226,7 @@ namespace Rill
             if (SurfaceTension.IsNeeded(step.Input))
                 SurfaceTension.Bind(step, shader);
             Bind(step, kernel, step.MaySleep);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Multipliers);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
+            Ids.Pass.Bind(cmd, shader, kernel, particles.Multipliers, particles.Predicted);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -337,12 +335,10 @@ namespace Rill
         public void BindShapes(CommandBuffer cmd, ComputeShader reader, int kernel)
         {
             Bind(cmd, reader, kernel);
-            BindField(cmd, reader, kernel, Ids.Fields, meshes);
-            BindField(cmd, reader, kernel, Ids.Heights, heights);
+            Ids.Fields.Bind(cmd, reader, kernel, TextureOf(meshes), TextureOf(heights));
         }
 
-        void BindField(CommandBuffer cmd, ComputeShader reader, int kernel, int id, FieldAtlas atlas) =>
-            cmd.SetComputeTextureParam(reader, kernel, id, atlas.Texture != null ? (Texture)atlas.Texture : noField);
+        Texture TextureOf(FieldAtlas atlas) => atlas.Texture != null ? (Texture)atlas.Texture : noField;
 
         // Sums are there while a collider wants them, and begin again when the colliders get other numbers.
         void RecordReactions(CommandBuffer cmd, ColliderSet set, float timeStep)
@@ -390,13 +386,10 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Fields = Shader.PropertyToID("_Fields");
-            public static readonly int Heights = Shader.PropertyToID("_Heights");
-            public static readonly int Before = Shader.PropertyToID("_Before");
-            public static readonly int Corrected = Shader.PropertyToID("_Corrected");
+            public static readonly ShaderParameters Fields = new ShaderParameters("_Fields", "_Heights");
+            public static readonly ShaderParameters Pass = new ShaderParameters("_Before", "_Corrected");
+            public static readonly ShaderParameters Cells = new ShaderParameters("_CellHistogram", "_CellRanks");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
-            public static readonly int CellHistogram = Shader.PropertyToID("_CellHistogram");
-            public static readonly int CellRanks = Shader.PropertyToID("_CellRanks");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
         }
     }

@@ -225,8 +225,7 @@ namespace Rill
         void RecordCopy(CommandBuffer cmd, Texture3D field, int first)
         {
             int3 own = Size(field);
-            cmd.SetComputeTextureParam(shader, copyField, Ids.Field, field);
-            cmd.SetComputeTextureParam(shader, copyField, Ids.Atlas, Texture);
+            Ids.Copy.Bind(cmd, shader, copyField, field, Texture);
             SetBrick(cmd, first, own);
             int3 groups = (own + CopyGroup - 1) / CopyGroup;
             cmd.DispatchCompute(shader, copyField, groups.x, groups.y, groups.z);
@@ -236,11 +235,8 @@ namespace Rill
         {
             DeformingField field = collider.deforming.Field;
             int3 resolution = field.Resolution;
-            cmd.SetComputeBufferParam(shader, blendFields, Ids.OlderField, field.Older);
-            cmd.SetComputeBufferParam(shader, blendFields, Ids.NewerField, field.Newer);
-            cmd.SetComputeTextureParam(shader, blendFields, Ids.Atlas, Texture);
+            Ids.Blend.Bind(cmd, shader, blendFields, field.Older, field.Newer, collider.blend, Texture);
             SetBrick(cmd, own.first + (own.isSecond ? own.depth : 0), resolution);
-            cmd.SetComputeFloatParam(shader, Ids.Fraction, collider.blend);
             int3 groups = (resolution + CopyGroup - 1) / CopyGroup;
             cmd.DispatchCompute(shader, blendFields, groups.x, groups.y, groups.z);
         }
@@ -276,13 +272,10 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Field = Shader.PropertyToID("_Field");
-            public static readonly int Atlas = Shader.PropertyToID("_Atlas");
+            public static readonly ShaderParameters Copy = new ShaderParameters("_Field", "_Atlas");
+            public static readonly ShaderParameters Blend = new ShaderParameters("_OlderField", "_NewerField", "_Fraction", "_Atlas");
             public static readonly int BrickFirst = Shader.PropertyToID("_BrickFirst");
             public static readonly int BrickSize = Shader.PropertyToID("_BrickSize");
-            public static readonly int OlderField = Shader.PropertyToID("_OlderField");
-            public static readonly int NewerField = Shader.PropertyToID("_NewerField");
-            public static readonly int Fraction = Shader.PropertyToID("_Fraction");
         }
     }
 }

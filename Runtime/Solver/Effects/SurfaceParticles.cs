@@ -181,8 +181,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
-            cmd.SetComputeIntParam(shader, Ids.AllNew, all ? 1 : 0);
-            cmd.SetComputeFloatParam(shader, Ids.SubstepTime, step.SubstepTime);
+            Ids.New.Bind(cmd, shader, addNew, all, step.SubstepTime);
             particles.Bind(cmd, shader, addNew);
             Buffers.Bind(cmd, shader, addNew);
             cmd.DispatchCompute(shader, addNew, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
@@ -198,7 +197,6 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, step.Coarse.Surface);
             }
             BindNeighbors(step, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, step.Particles.Counters);
             cmd.DispatchCompute(shader, kernel, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -223,11 +221,7 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             BindNeighbors(step, kernel);
-            cmd.SetComputeIntParam(shader, Ids.PlaneList, SmoothingPasses % 2);
-            cmd.SetComputeIntParam(shader, Ids.SurfaceVersion, version);
-            cmd.SetComputeFloatParam(shader, Ids.SinceSurface, substepsSince);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Ids, step.Particles.Ids);
-            Buffers.Bind(cmd, shader, kernel);
+            Ids.Shape.Bind(cmd, shader, kernel, SmoothingPasses % 2, version, (float)substepsSince);
             cmd.DispatchCompute(shader, kernel, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -251,13 +245,9 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, shader, kernel);
-            if (step.MaySleep)
-            {
-                step.BindAsleep(shader, kernel);
-                cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStarts);
-            }
-            cmd.SetComputeBufferParam(shader, kernel, SurfaceWorkspace.Id, workspace.Memory);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
+            step.BindAsleep(shader, kernel);
+            step.Particles.Bind(cmd, shader, kernel);
+            Ids.Neighbors.Bind(cmd, shader, kernel, workspace.Memory, step.Search.CellStarts);
             Buffers.Bind(cmd, shader, kernel);
         }
 
@@ -265,11 +255,10 @@ namespace Rill
         {
             public static readonly int PlaneList = Shader.PropertyToID("_PlaneList");
             public static readonly int CoarseSurface = Shader.PropertyToID("_CoarseSurface");
-            public static readonly int SurfaceVersion = Shader.PropertyToID("_SurfaceVersion");
-            public static readonly int SinceSurface = Shader.PropertyToID("_SinceSurface");
+            public static readonly ShaderParameters New = new ShaderParameters("_AllNew", "_SubstepTime");
+            public static readonly ShaderParameters Shape = new ShaderParameters("_PlaneList", "_SurfaceVersion", "_SinceSurface");
+            public static readonly ShaderParameters Neighbors = new ShaderParameters("_Workspace", "_CellStarts");
             public static readonly int SurfaceCapacity = Shader.PropertyToID("_SurfaceCapacity");
-            public static readonly int AllNew = Shader.PropertyToID("_AllNew");
-            public static readonly int SubstepTime = Shader.PropertyToID("_SubstepTime");
         }
     }
 }

@@ -85,14 +85,13 @@ namespace Rill
             step.BindLists(shader, kernel);
             step.Materials?.Bind(step, shader, kernel);
             step.Particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, from);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
+            ParticleIds.Pass.Bind(cmd, shader, kernel, from, to);
             step.Particles.DispatchSorted(cmd, shader, kernel);
         }
 
         static class Ids
         {
-            public static readonly int Corrected = Shader.PropertyToID("_Corrected"), PassFraction = Shader.PropertyToID("_PassFraction");
+            public static readonly int PassFraction = Shader.PropertyToID("_PassFraction");
         }
     }
 }

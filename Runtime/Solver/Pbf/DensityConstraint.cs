@@ -74,11 +74,8 @@ namespace Rill
             step.Colliders?.Bind(cmd, shader, build);
             step.BindConstants(shader);
             if (step.Coarse != null)
-            {
                 step.BindCoarseConstants(shader);
-                cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, step.Coarse.Bins);
-            }
-            cmd.SetComputeBufferParam(shader, build, ParticleIds.CellStarts, step.Search.CellStarts);
+            Ids.Build.Bind(cmd, shader, build, step.Search.CellStarts, step.Coarse?.Bins);
             Dispatch(step, build, step.Particles.Predicted, step.Particles.Multipliers);
             cmd.EndSample(ListMarker);
         }
@@ -122,14 +119,13 @@ namespace Rill
             step.BindLists(shader, kernel);
             step.Materials?.Bind(step, shader, kernel);
             step.Particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, from);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
+            ParticleIds.Pass.Bind(cmd, shader, kernel, from, to);
             step.Particles.DispatchSorted(cmd, shader, kernel);
         }
 
         static class Ids
         {
-            public static readonly int Corrected = Shader.PropertyToID("_Corrected");
+            public static readonly ShaderParameters Build = new ShaderParameters("_CellStarts", "_Bins");
         }
     }
 }

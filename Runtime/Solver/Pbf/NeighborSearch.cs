@@ -104,8 +104,7 @@ namespace Rill
             step.BindAsleep(shader, kernel);
             step.Colliders?.Bind(cmd, shader, kernel);
             particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
+            Ids.Sorted.Bind(cmd, shader, kernel, particles.Predicted, particles.SortedIds);
             DispatchOrdered(cmd, particles, kernel);
             IsSorted = true;
             cmd.EndSample(Marker);
@@ -116,8 +115,7 @@ namespace Rill
         /// <param name="to">uint [capacity], sorted.</param>
         public void RecordGather(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to)
         {
-            cmd.SetComputeBufferParam(shader, GatherTags, ParticleTags.Ids.Tags, from);
-            cmd.SetComputeBufferParam(shader, GatherTags, ParticleTags.Ids.SortedTags, to);
+            Ids.Gathered.Bind(cmd, shader, GatherTags, from, to);
             DispatchOrdered(cmd, particles, GatherTags);
         }
 
@@ -141,8 +139,7 @@ namespace Rill
         public void DispatchOrdered(CommandBuffer cmd, ComputeShader asks, int kernel, ParticleBuffers particles, GraphicsBuffer cellStarts)
         {
             Buffers.Bind(cmd, asks, kernel);
-            cmd.SetComputeBufferParam(asks, kernel, ParticleIds.CellStarts, cellStarts);
-            cmd.SetComputeBufferParam(asks, kernel, ParticleIds.Counters, particles.Counters);
+            Ids.Ordered.Bind(cmd, asks, kernel, cellStarts, particles.Counters);
             particles.DispatchSorted(cmd, asks, kernel);
         }
 
@@ -189,7 +186,6 @@ namespace Rill
             step.Colliders?.Bind(cmd, shader, kernel);
             if (takesProjection)
                 step.Coarse.BindChange(step, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.Particles.Velocities);
             DispatchCount(cmd, step.Particles, kernel);
         }
 
@@ -209,17 +205,17 @@ namespace Rill
             prefixSum.Record(cmd, cellHistogram, cellStarts, cells + 1);
 
             Buffers.Bind(cmd, shader, scatterOrder);
-            cmd.SetComputeBufferParam(shader, scatterOrder, ParticleIds.CellStarts, cellStarts);
             particles.Bind(cmd, shader, scatterOrder);
-            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.SortedArguments, particles.SortedArguments);
+            Ids.Scatter.Bind(cmd, shader, scatterOrder, cellStarts, particles.SortedArguments);
             particles.DispatchAlive(cmd, shader, scatterOrder);
         }
 
         static class Ids
         {
-            public static readonly int Predicted = Shader.PropertyToID("_Predicted");
-            public static readonly int SortedIds = Shader.PropertyToID("_SortedIds");
-            public static readonly int SortedArguments = Shader.PropertyToID("_SortedArguments");
+            public static readonly ShaderParameters Ordered = new ShaderParameters("_CellStarts", "_Counters");
+            public static readonly ShaderParameters Sorted = new ShaderParameters("_Predicted", "_SortedIds");
+            public static readonly ShaderParameters Gathered = new ShaderParameters("_Tags", "_SortedTags");
+            public static readonly ShaderParameters Scatter = new ShaderParameters("_CellStarts", "_SortedArguments");
         }
     }
 }

@@ -73,14 +73,11 @@ namespace Rill
         /// <summary>Binds what the velocity update of a substep reads and leaves.</summary>
         public void Bind(in StepContext step, ComputeShader shader, int kernel)
         {
-            CommandBuffer cmd = step.Commands;
             StepInput input = step.Input;
             float dt = input.SubstepTime, weight = WeightFor(input);
             float lastOverThis = lastTimeStep > 0f ? lastTimeStep / dt : 1f;
-            cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f
-                : 1f / (lastWeight * lastOverThis + 1f - weight));
-            cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Means, sorted);
+            float scale = lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f : 1f / (lastWeight * lastOverThis + 1f - weight);
+            Ids.Extrapolation.Bind(step.Commands, shader, kernel, scale, 1f / lastOverThis, sorted);
             Buffers.Swap(ref means, ref sorted);
             lastTimeStep = dt;
             lastWeight = weight;
@@ -105,9 +102,7 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Means = Shader.PropertyToID("_Means");
-            public static readonly int ChangeScale = Shader.PropertyToID("_ChangeScale");
-            public static readonly int LastChangeScale = Shader.PropertyToID("_LastChangeScale");
+            public static readonly ShaderParameters Extrapolation = new ShaderParameters("_ChangeScale", "_LastChangeScale", "_Means");
         }
     }
 }

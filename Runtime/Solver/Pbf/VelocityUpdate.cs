@@ -61,9 +61,7 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, CoarseIds.DeepFlow, step.Coarse.DeepFlow);
             }
             particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.NewVelocities);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.AliveArguments, particles.AliveArguments);
+            ParticleIds.Motion.Bind(cmd, shader, kernel, particles.Predicted, step.NewVelocities);
             particles.DispatchSorted(cmd, shader, kernel);
             cmd.EndSample(Marker);
         }

@@ -73,14 +73,14 @@ namespace Rill
         {
             CommandBuffer cmd = step.Commands;
             step.Lists.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Predicted);
             Buffers.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Counters, step.Particles.Counters);
+            Ids.Particles.Bind(cmd, shader, kernel, step.Particles.Predicted, step.Particles.Counters);
             cmd.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids
         {
+            public static readonly ShaderParameters Particles = new ShaderParameters("_Positions", "_Counters");
             public static readonly int Confined = Shader.PropertyToID("_Confined");
         }
     }

@@ -76,14 +76,9 @@ namespace Rill
             in ParticleCopyLayout layout, GraphicsBuffer copy)
         {
             cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
-            cmd.SetComputeIntParam(shader, Ids.HasTags, hasTags ? 1 : 0);
-            cmd.SetComputeIntParam(shader, Ids.PositionsAt, layout.PositionsAt);
-            cmd.SetComputeIntParam(shader, Ids.VelocitiesAt, layout.VelocitiesAt);
-            cmd.SetComputeIntParam(shader, Ids.IdsAt, layout.IdsAt);
-            cmd.SetComputeIntParam(shader, Ids.PhasesAt, layout.PhasesAt);
+            Ids.Copy.Bind(cmd, shader, copyOut, hasTags, tags, copy);
+            Ids.Layout.Bind(cmd, shader, copyOut, layout.PositionsAt, layout.VelocitiesAt, layout.IdsAt, layout.PhasesAt);
             particles.Bind(cmd, shader, copyOut);
-            cmd.SetComputeBufferParam(shader, copyOut, ParticleTags.Ids.Tags, tags);
-            cmd.SetComputeBufferParam(shader, copyOut, Ids.Copy, copy);
             particles.DispatchAlive(cmd, shader, copyOut);
         }
 
@@ -104,13 +99,9 @@ namespace Rill
         static class Ids
         {
             public static readonly int OrderById = Shader.PropertyToID("_OrderById");
-            public static readonly int Copy = Shader.PropertyToID("_Copy");
+            public static readonly ShaderParameters Copy = new ShaderParameters("_HasTags", "_Tags", "_Copy");
+            public static readonly ShaderParameters Layout = new ShaderParameters("_PositionsAt", "_VelocitiesAt", "_IdsAt", "_PhasesAt");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int HasTags = Shader.PropertyToID("_HasTags");
-            public static readonly int PositionsAt = Shader.PropertyToID("_PositionsAt");
-            public static readonly int VelocitiesAt = Shader.PropertyToID("_VelocitiesAt");
-            public static readonly int IdsAt = Shader.PropertyToID("_IdsAt");
-            public static readonly int PhasesAt = Shader.PropertyToID("_PhasesAt");
         }
     }
 }

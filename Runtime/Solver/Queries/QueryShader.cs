@@ -61,8 +61,7 @@ namespace Rill
         public void SearchRays(in StepContext step, ParticleTags tags, in RayBuffers buffers)
         {
             BeginRays(step, searchLines, tags, buffers);
-            step.Commands.SetComputeIntParam(shader, Ids.LineCount, buffers.lineCount);
-            step.Commands.SetComputeBufferParam(shader, searchLines, Ids.Lines, buffers.lines);
+            Ids.LinesOfRays.Bind(step.Commands, shader, searchLines, buffers.lineCount, buffers.lines);
             // One sample more than the length: it tells where the water ends at a wall.
             Search(step.Commands, searchLines, buffers.lineCount, Chunks(buffers.length + 1f));
         }
@@ -85,14 +84,10 @@ namespace Rill
         public void RecordDetectors(in StepContext step, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int firstWord,
             int simpleCount, Texture3D[] fields, int meshCount)
         {
-            Begin(step, tags);
             if (simpleCount > 0)
                 Detect(step, detect, tags, detectors, results, 0, simpleCount, firstWord);
             for (int i = simpleCount; i < simpleCount + meshCount; i++)
-            {
-                step.Commands.SetComputeTextureParam(shader, detectMesh, Ids.Field, fields[i]);
-                Detect(step, detectMesh, tags, detectors, results, i, 1, firstWord);
-            }
+                Detect(step, detectMesh, tags, detectors, results, i, 1, firstWord, fields[i]);
         }
 
         public void DescribePoints(StageDescription description, ParticleTags tags)
@@ -120,24 +115,21 @@ namespace Rill
         // Chunks of a line of this length, d. A line through the box is never longer than its sides together.
         static int Chunks(float length) => math.max((int)math.ceil(length / ChunkLength), 1);
 
-        void Begin(in StepContext step, ParticleTags tags)
+        void Begin(in StepContext step, int kernel, ParticleTags tags)
         {
             step.BindConstants(shader);
             step.Commands.SetKeyword(shader, withTags, tags != null);
-            step.Commands.SetComputeIntParam(shader, Ids.IsSorted, step.Search.IsSorted ? 1 : 0);
-            step.Commands.SetComputeIntParam(shader, Ids.HasRemoved, HasRemoved ? 1 : 0);
+            Ids.State.Bind(step.Commands, shader, kernel, step.Search.IsSorted, HasRemoved);
+            step.Particles.Bind(step.Commands, shader, kernel);
         }
 
         void Detect(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int first, int count,
-            int firstWord)
+            int firstWord, Texture3D field = null)
         {
             const int PerGroup = ParticleBuffers.Group * ParticlesPerThread;
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeIntParam(shader, Ids.FirstDetector, first);
-            cmd.SetComputeIntParam(shader, Ids.FirstDetectorWord, firstWord + first * Queries.DetectorWords);
-            cmd.SetComputeIntParam(shader, Ids.DetectorCount, count);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Detectors, detectors);
-            BindParticles(step, kernel);
+            Begin(step, kernel, tags);
+            Ids.Detect.Bind(cmd, shader, kernel, first, count, firstWord + first * Queries.DetectorWords, detectors, field);
             BindAnswers(step, kernel, tags, results);
             cmd.DispatchCompute(shader, kernel, (step.Layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
         }
@@ -146,66 +138,36 @@ namespace Rill
         void Search(CommandBuffer cmd, int kernel, int lines, int chunks)
         {
             int perLine = math.clamp(SearchGroups / lines, 1, chunks), perRow = math.min(lines, ThreadGroups.MaxGroups);
-            cmd.SetComputeIntParam(shader, Ids.GroupsPerLine, perLine);
-            cmd.SetComputeIntParam(shader, Ids.ChunksPerGroup, (chunks + perLine - 1) / perLine);
+            Ids.Search.Bind(cmd, shader, kernel, perLine, (chunks + perLine - 1) / perLine);
             cmd.DispatchCompute(shader, kernel, perRow, perLine, (lines + perRow - 1) / perRow);
         }
 
         void BeginPoints(in StepContext step, int kernel, ParticleTags tags, in PointBuffers buffers)
         {
-            Begin(step, tags);
-            step.Commands.SetComputeVectorParam(shader, Ids.Up, (Vector3)buffers.up);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Points, buffers.points);
-            BindCells(step, kernel, buffers.found);
+            Begin(step, kernel, tags);
+            Ids.Points.Bind(step.Commands, shader, kernel, buffers.up, buffers.points, buffers.found, step.Search.CellStarts);
         }
 
         void BeginRays(in StepContext step, int kernel, ParticleTags tags, in RayBuffers buffers)
         {
-            Begin(step, tags);
-            step.Commands.SetComputeVectorParam(shader, Ids.Up, (Vector3)buffers.up);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Rays, buffers.rays);
-            BindCells(step, kernel, buffers.found);
-        }
-
-        void BindCells(in StepContext step, int kernel, GraphicsBuffer found)
-        {
-            step.Commands.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStarts);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Found, found);
-            BindParticles(step, kernel);
-        }
-
-        void BindParticles(in StepContext step, int kernel)
-        {
-            step.Particles.Bind(step.Commands, shader, kernel);
+            Begin(step, kernel, tags);
+            Ids.Rays.Bind(step.Commands, shader, kernel, buffers.up, buffers.rays, buffers.found, step.Search.CellStarts);
         }
 
         void BindAnswers(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
-        {
-            step.Commands.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.Particles.Velocities);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Results, results);
-            if (tags != null)
-                step.Commands.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
-        }
+            => Ids.Answers.Bind(step.Commands, shader, kernel, results, tags?.Current);
 
         static class Ids
         {
-            public static readonly int Points = Shader.PropertyToID("_Points");
-            public static readonly int Detectors = Shader.PropertyToID("_Detectors");
-            public static readonly int Results = Shader.PropertyToID("_Results");
-            public static readonly int IsSorted = Shader.PropertyToID("_IsSorted");
-            public static readonly int Up = Shader.PropertyToID("_Up");
-            public static readonly int Found = Shader.PropertyToID("_Found");
-            public static readonly int GroupsPerLine = Shader.PropertyToID("_GroupsPerLine");
-            public static readonly int ChunksPerGroup = Shader.PropertyToID("_ChunksPerGroup");
-            public static readonly int HasRemoved = Shader.PropertyToID("_HasRemoved");
-            public static readonly int FirstDetectorWord = Shader.PropertyToID("_FirstDetectorWord");
-            public static readonly int Rays = Shader.PropertyToID("_Rays");
-            public static readonly int Lines = Shader.PropertyToID("_Lines");
-            public static readonly int LineCount = Shader.PropertyToID("_LineCount");
+            public static readonly ShaderParameters State = new ShaderParameters("_IsSorted", "_HasRemoved");
+            public static readonly ShaderParameters Points = new ShaderParameters("_Up", "_Points", "_Found", "_CellStarts");
+            public static readonly ShaderParameters Rays = new ShaderParameters("_Up", "_Rays", "_Found", "_CellStarts");
+            public static readonly ShaderParameters LinesOfRays = new ShaderParameters("_LineCount", "_Lines");
+            public static readonly ShaderParameters Search = new ShaderParameters("_GroupsPerLine", "_ChunksPerGroup");
+            public static readonly ShaderParameters Detect = new ShaderParameters(
+                "_FirstDetector", "_DetectorCount", "_FirstDetectorWord", "_Detectors", "_Field");
+            public static readonly ShaderParameters Answers = new ShaderParameters("_Results", "_Tags");
             public static readonly int FirstRayWord = Shader.PropertyToID("_FirstRayWord");
-            public static readonly int FirstDetector = Shader.PropertyToID("_FirstDetector");
-            public static readonly int Field = Shader.PropertyToID("_Field");
-            public static readonly int DetectorCount = Shader.PropertyToID("_DetectorCount");
         }
     }
 

@@ -61,18 +61,13 @@ namespace Rill
             step.BindConstants(shader);
 
             int kernel = measure.For(step.Colliders != null);
-            if (step.Colliders != null)
-            {
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, step.Colliders.Boundary);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.ContactOffsets);
-            }
+            Ids.Colliders.Bind(cmd, shader, kernel, step.Colliders?.Boundary, step.Colliders?.ContactOffsets);
             particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.CellOrder);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStartsAtRest);
+            step.BindOrderAtRest(shader, kernel);
             Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, reduce, ParticleIds.Counters, particles.Counters);
+            particles.Bind(cmd, shader, reduce);
             Buffers.Bind(cmd, shader, reduce);
             cmd.DispatchCompute(shader, reduce, 1, 1, 1);
             if (step.Input.HasPhases)
@@ -86,12 +81,11 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             phasePartials ??= Buffers.Structured<float>("Rill.Statistics.PhasePartials", (long)groups * FluidStatistics.PhaseSums);
             step.Particles.Bind(cmd, shader, measurePhases);
-            cmd.SetComputeBufferParam(shader, measurePhases, ParticleIds.Order, step.Search.CellOrder);
-            cmd.SetComputeBufferParam(shader, measurePhases, ParticleTags.Ids.Tags, step.Tags);
+            Ids.Phases.Bind(cmd, shader, measurePhases, step.Search.CellOrder, step.Tags);
             Buffers.Bind(cmd, shader, measurePhases);
             cmd.DispatchCompute(shader, measurePhases, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, reducePhases, ParticleIds.Counters, step.Particles.Counters);
+            step.Particles.Bind(cmd, shader, reducePhases);
             Buffers.Bind(cmd, shader, reducePhases);
             cmd.DispatchCompute(shader, reducePhases, FluidStatistics.PhaseSums, 1, 1);
         }
@@ -140,8 +134,8 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
-            public static readonly int Distances = Shader.PropertyToID("_Distances");
+            public static readonly ShaderParameters Colliders = new ShaderParameters("_Boundary", "_Distances");
+            public static readonly ShaderParameters Phases = new ShaderParameters("_Order", "_Tags");
         }
     }
 }

@@ -105,20 +105,16 @@ namespace Rill
 
             double strength = Strength(step.Input, step.Layout);
             double unit = StrengthOfHeaviest(step.Input, step.Layout);
-            cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * unit));
-            cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
-            cmd.SetComputeVectorParam(shader, Ids.Surface,
-                new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));
-            cmd.SetComputeFloatParam(shader, Ids.MinMoment, (float)(MinFill * LatticeKernels.ViscosityMoment));
-            cmd.SetComputeFloatParam(shader, Ids.MinReach, (float)(MinReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
-
-            cmd.SetComputeFloatParam(shader, Ids.WallFriction, step.Input.material.wallFriction);
-            cmd.SetComputeFloatParam(shader, Ids.WallHold, (float)(2.0 / LatticeKernels.ViscosityScale * LatticeKernels.ViscosityWallHold));
-            cmd.SetComputeVectorParam(shader, Ids.WallMissing,
-                new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares,
-                (float)LatticeKernels.ViscosityWallLean, 0f));
-
             int coefficients = findCoefficients.For(step.Colliders != null);
+            Ids.Lattice.Bind(cmd, shader, coefficients, (float)(0.5 * LatticeKernels.ViscosityScale * unit), (float)LatticeKernels.ViscosityBlend,
+                new float4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f),
+                (float)(MinFill * LatticeKernels.ViscosityMoment),
+                (float)(MinReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
+            Ids.Walls.Bind(cmd, shader, coefficients, step.Input.material.wallFriction,
+                (float)(2.0 / LatticeKernels.ViscosityScale * LatticeKernels.ViscosityWallHold),
+                new float4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares,
+                    (float)LatticeKernels.ViscosityWallLean, 0f));
+
             Bind(step, coefficients);
             step.Colliders?.BindShapes(cmd, shader, coefficients);
             Dispatch(step, coefficients);
@@ -129,8 +125,7 @@ namespace Rill
             for (int pass = 0; pass < passes; pass++)
             {
                 int kernel = pass == 0 ? firstPass : nextPass;
-                cmd.SetComputeIntParam(shader, Ids.Pass, pass);
-                cmd.SetComputeIntParam(shader, Ids.IsLast, pass == passes - 1 ? 1 : 0);
+                Ids.Pass.Bind(cmd, shader, kernel, pass, pass == passes - 1);
                 Bind(step, kernel);
                 Dispatch(step, kernel);
                 if (pass > 0)
@@ -180,16 +175,9 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int WallFriction = Shader.PropertyToID("_WallFriction");
-            public static readonly int WallHold = Shader.PropertyToID("_WallHold");
-            public static readonly int WallMissing = Shader.PropertyToID("_WallMissing");
-            public static readonly int Strength = Shader.PropertyToID("_Strength");
-            public static readonly int Blend = Shader.PropertyToID("_Blend");
-            public static readonly int Surface = Shader.PropertyToID("_Surface");
-            public static readonly int MinMoment = Shader.PropertyToID("_MinMoment");
-            public static readonly int MinReach = Shader.PropertyToID("_MinReach");
-            public static readonly int Pass = Shader.PropertyToID("_Pass");
-            public static readonly int IsLast = Shader.PropertyToID("_IsLast");
+            public static readonly ShaderParameters Lattice = new ShaderParameters("_Strength", "_Blend", "_Surface", "_MinMoment", "_MinReach");
+            public static readonly ShaderParameters Walls = new ShaderParameters("_WallFriction", "_WallHold", "_WallMissing");
+            public static readonly ShaderParameters Pass = new ShaderParameters("_Pass", "_IsLast");
         }
     }
 }

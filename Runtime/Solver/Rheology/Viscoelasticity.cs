@@ -74,8 +74,8 @@ namespace Rill
             cmd.BeginSample(Marker);
             keywords.Record(step);
             step.BindConstants(shader);
-            cmd.SetComputeFloatParam(shader, Ids.Stiffness, material.shearModulus * dt * dt / (material.density * spacing * spacing));
-            cmd.SetComputeFloatParam(shader, Ids.Relaxing, math.exp(-0.5f * dt / material.relaxationTime));
+            float stiffness = material.shearModulus * dt * dt / (material.density * spacing * spacing);
+            Ids.Material.Bind(cmd, shader, deform, stiffness, math.exp(-0.5f * dt / material.relaxationTime));
 
             Dispatch(step, deform);
             Dispatch(step, applyStress);
@@ -113,8 +113,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             step.BindLists(shader, kernel);
             step.Particles.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleIds.Velocities, step.NewVelocities);
+            ParticleIds.Motion.Bind(cmd, shader, kernel, step.Particles.Predicted, step.NewVelocities);
             Buffers.Bind(cmd, shader, kernel);
             cmd.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
@@ -122,8 +121,7 @@ namespace Rill
         public static class Ids
         {
             public static readonly int PreviousIndices = Shader.PropertyToID("_PreviousIndices");
-            public static readonly int Stiffness = Shader.PropertyToID("_Stiffness");
-            public static readonly int Relaxing = Shader.PropertyToID("_Relaxing");
+            public static readonly ShaderParameters Material = new ShaderParameters("_Stiffness", "_Relaxing");
         }
     }
 }

@@ -123,11 +123,7 @@ namespace Rill
             wake |= HasChanged(step.Input);
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
-            cmd.SetComputeFloatParam(shader, Ids.SleepDisplacement, path);
-            cmd.SetComputeFloatParam(shader, Ids.JitterDisplacement, JitterRatio * path);
-            cmd.SetComputeIntParam(shader, Ids.StepsToSleep, (int)math.ceil(Delay / dt));
-            cmd.SetComputeIntParam(shader, Ids.WakeAll, wake ? 1 : 0);
-
+            Ids.Sleep.Bind(cmd, shader, measureMotion, path, JitterRatio * path, (int)math.ceil(Delay / dt), wake);
             particles.Bind(cmd, shader, measureMotion);
             Buffers.Bind(cmd, shader, measureMotion);
             cmd.DispatchCompute(shader, measureMotion, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
@@ -208,10 +204,8 @@ namespace Rill
         {
             public static readonly int RegionMotion = Shader.PropertyToID("_RegionMotion");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
-            public static readonly int SleepDisplacement = Shader.PropertyToID("_SleepDisplacement");
-            public static readonly int JitterDisplacement = Shader.PropertyToID("_JitterDisplacement");
-            public static readonly int StepsToSleep = Shader.PropertyToID("_StepsToSleep");
-            public static readonly int WakeAll = Shader.PropertyToID("_Wake");
+            public static readonly ShaderParameters Sleep = new ShaderParameters(
+                "_SleepDisplacement", "_JitterDisplacement", "_StepsToSleep", "_Wake");
         }
     }
 }

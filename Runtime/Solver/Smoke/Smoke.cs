@@ -179,8 +179,7 @@ namespace Rill
         {
             cmd.BeginSample(Marker);
             float size = math.cmin(grid.CellSize);
-            cmd.SetComputeVectorParam(shader, Ids.LightAlong, new float4(light * size / grid.CellSize, size * spacing));
-            cmd.SetComputeTextureParam(shader, shade, Ids.Volume, volume);
+            Ids.Shade.Bind(cmd, shader, shade, new float4(light * size / grid.CellSize, size * spacing), volume);
             Dispatch(cmd, shade, grid.Total);
             cmd.EndSample(Marker);
         }
@@ -243,8 +242,7 @@ namespace Rill
         void RecordWater(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, findWater, ParticleIds.CellStarts, step.Search.CellStarts);
-            cmd.SetComputeBufferParam(shader, findWater, ParticleIds.Velocities, step.Particles.Velocities);
+            Ids.Water.Bind(cmd, shader, findWater, step.Search.CellStarts, step.Particles.Velocities);
             Dispatch(cmd, findWater, waterTotal);
         }
 
@@ -257,8 +255,8 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int LightAlong = Shader.PropertyToID("_LightAlong");
-            public static readonly int Volume = Shader.PropertyToID("_SmokeVolume");
+            public static readonly ShaderParameters Shade = new ShaderParameters("_LightAlong", "_SmokeVolume");
+            public static readonly ShaderParameters Water = new ShaderParameters("_CellStarts", "_Velocities");
         }
     }
 }

@@ -28,7 +28,7 @@ namespace Rill
             GraphicsBuffer frame)
         {
             cmd.BeginSample(Marker);
-            Bind(cmd, pack, particles, tags, layout, 1f / layout.StepSize(domainSize));
+            Bind(cmd, pack, particles, tags ?? particles.Ids, tags != null, layout, 1f / layout.StepSize(domainSize));
             cmd.SetComputeBufferParam(shader, pack, Ids.Frame, frame);
             particles.DispatchAlive(cmd, shader, pack);
             cmd.EndSample(Marker);
@@ -48,12 +48,10 @@ namespace Rill
             frame.Reserve(words);
             upload.SetData(frame.words, 0, 0, words);
             cmd.BeginSample(Marker);
-            Bind(cmd, unpack, particles, tags, layout, layout.StepSize(domainSize));
+            Bind(cmd, unpack, particles, tags ?? particles.SortedIds, tags != null, layout, layout.StepSize(domainSize));
             Buffers.Bind(cmd, shader, unpack);
-            cmd.SetComputeBufferParam(shader, unpack, ParticleIds.AliveArguments, particles.AliveArguments);
-            cmd.SetComputeIntParam(shader, Ids.FrameParticles, frame.particles);
-            cmd.SetComputeIntParam(shader, Ids.FrameNextId, (int)(layout.Has(RecordingFields.Ids) ? frame.nextId : (uint)frame.particles));
-            cmd.SetComputeFloatParam(shader, Ids.StepBack, stepBack);
+            uint nextId = layout.Has(RecordingFields.Ids) ? frame.nextId : (uint)frame.particles;
+            Ids.Unpacked.Bind(cmd, shader, unpack, frame.particles, nextId, stepBack);
             ThreadGroups.Dispatch(cmd, shader, unpack, ParticleBuffers.Groups(Math.Max(frame.particles, 1)));
             cmd.EndSample(Marker);
         }
@@ -70,29 +68,20 @@ namespace Rill
             return description;
         }
 
-        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer tags, in FrameLayout layout, float3 stepScale)
+        // Without tags a buffer is bound in their stead and not touched.
+        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, in FrameLayout layout,
+            float3 stepScale)
         {
-            cmd.SetComputeVectorParam(shader, Ids.StepScale, new Vector4(stepScale.x, stepScale.y, stepScale.z, 0f));
-            cmd.SetComputeIntParam(shader, Ids.MaxSteps, (int)layout.MaxSteps);
-            cmd.SetComputeIntParam(shader, Ids.IsWide, layout.IsWide ? 1 : 0);
-            cmd.SetComputeIntParam(shader, Ids.FrameFields, (int)layout.Fields);
-            cmd.SetComputeIntParam(shader, Ids.HasTags, tags != null ? 1 : 0);
+            Ids.Layout.Bind(cmd, shader, kernel, stepScale, layout.MaxSteps, layout.IsWide, (uint)layout.Fields, hasTags, tags);
             particles.Bind(cmd, shader, kernel);
-            // which is not touched
-            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? (kernel == pack ? particles.Ids : particles.SortedIds));
         }
 
         static class Ids
         {
             public static readonly int Frame = Shader.PropertyToID("_Frame");
-            public static readonly int StepScale = Shader.PropertyToID("_StepScale");
-            public static readonly int MaxSteps = Shader.PropertyToID("_MaxSteps");
-            public static readonly int IsWide = Shader.PropertyToID("_IsWide");
-            public static readonly int FrameFields = Shader.PropertyToID("_FrameFields");
-            public static readonly int HasTags = Shader.PropertyToID("_HasTags");
-            public static readonly int FrameParticles = Shader.PropertyToID("_FrameParticles");
-            public static readonly int FrameNextId = Shader.PropertyToID("_FrameNextId");
-            public static readonly int StepBack = Shader.PropertyToID("_StepBack");
+            public static readonly ShaderParameters Layout = new ShaderParameters(
+                "_StepScale", "_MaxSteps", "_IsWide", "_FrameFields", "_HasTags", "_Tags");
+            public static readonly ShaderParameters Unpacked = new ShaderParameters("_FrameParticles", "_FrameNextId", "_StepBack");
         }
     }
 }

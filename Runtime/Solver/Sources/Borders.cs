@@ -59,10 +59,7 @@ namespace Rill
                 rates[side] = 2f * speed / border.width;
                 velocities[side] = isOpen ? step.Input.borders.VelocityAt(side) / spacing : 0f;
             }
-            cmd.SetComputeVectorParam(shader, Ids.InverseWidths, inverseWidths);
-            cmd.SetComputeVectorParam(shader, Ids.Rates, rates);
-            cmd.SetComputeVectorParam(shader, Ids.Velocities, velocities);
-            cmd.SetComputeVectorParam(shader, Ids.Up, new float4(gravity > 0f ? -step.Input.gravity / gravity : 0f, 0f));
+            Ids.Borders.Bind(cmd, shader, relax, inverseWidths, rates, velocities, gravity > 0f ? -step.Input.gravity / gravity : 0f);
             particles.Bind(cmd, shader, relax);
             cmd.DispatchCompute(shader, relax, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
@@ -83,10 +80,8 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int InverseWidths = Shader.PropertyToID("_BorderInverseWidths");
-            public static readonly int Rates = Shader.PropertyToID("_BorderRates");
-            public static readonly int Velocities = Shader.PropertyToID("_BorderVelocities");
-            public static readonly int Up = Shader.PropertyToID("_BorderUp");
+            public static readonly ShaderParameters Borders = new ShaderParameters(
+                "_BorderInverseWidths", "_BorderRates", "_BorderVelocities", "_BorderUp");
         }
     }
 }

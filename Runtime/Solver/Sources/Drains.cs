@@ -134,8 +134,7 @@ namespace Rill
             cmd.SetKeyword(shader, recycling, emitters != null);
             step.BindConstants(shader);
             int count = sources?.drainCount ?? 0;
-            cmd.SetComputeIntParam(shader, Ids.DrainCount, count);
-            cmd.SetComputeFloatParam(shader, Ids.Substeps, lastSubsteps);
+            Ids.Drain.Bind(cmd, shader, drain, count, (float)lastSubsteps, tags?.Current, emitters?.Buffer);
             if (count > 0)
                 cmd.SetBufferData(regions, sources.drains, 0, 0, count);
             if (count > 0 && sources.limitsDrains)
@@ -145,10 +144,6 @@ namespace Rill
 
             particles.Bind(cmd, shader, drain);
             Buffers.Bind(cmd, shader, drain);
-            if (tags != null)
-                cmd.SetComputeBufferParam(shader, drain, ParticleTags.Ids.Tags, tags.Current);
-            if (emitters != null)
-                cmd.SetComputeBufferParam(shader, drain, Ids.EmitterStates, emitters.Buffer);
             step.BindWaking(shader, drain);
             cmd.DispatchCompute(shader, drain, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
@@ -216,10 +211,7 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int DrainStates = Shader.PropertyToID("_DrainStates");
-            public static readonly int EmitterStates = Shader.PropertyToID("_EmitterStates");
-            public static readonly int Substeps = Shader.PropertyToID("_Substeps");
-            public static readonly int DrainCount = Shader.PropertyToID("_DrainCount");
+            public static readonly ShaderParameters Drain = new ShaderParameters("_DrainCount", "_Substeps", "_Tags", "_EmitterStates");
         }
     }
 }

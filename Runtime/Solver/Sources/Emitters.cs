@@ -139,18 +139,14 @@ namespace Rill
                 RecordBefore(step, press, values.pressCells);
             }
 
-            cmd.SetComputeBufferParam(shader, find, Ids.EmitterPositions, positions);
-            cmd.SetComputeBufferParam(shader, find, ParticleIds.CellStarts, step.Search.CellStarts);
+            Ids.Find.Bind(cmd, shader, find, positions, step.Search.CellStarts);
             particles.Bind(cmd, shader, find);
             Buffers.Bind(cmd, shader, find);
             cmd.DispatchCompute(shader, find, ParticleBuffers.Groups(emitter.candidates), 1, 1);
 
-            cmd.SetComputeBufferParam(shader, emit, Ids.EmitterPositions, positions);
+            Ids.Emit.Bind(cmd, shader, emit, positions, tags?.Current);
             particles.Bind(cmd, shader, emit);
             Buffers.Bind(cmd, shader, emit);
-            cmd.SetComputeBufferParam(shader, emit, ParticleIds.AliveArguments, particles.AliveArguments);
-            if (tags != null)
-                cmd.SetComputeBufferParam(shader, emit, ParticleTags.Ids.Tags, tags.Current);
             step.BindWaking(shader, emit);
             cmd.DispatchCompute(shader, emit, 1, 1, 1);
         }
@@ -179,7 +175,7 @@ namespace Rill
         {
             Upload(cmd, new EmitterConstants { emitter = number });
             Buffers.Bind(cmd, shader, reset);
-            cmd.SetComputeBufferParam(shader, reset, ParticleIds.Counters, particles.Counters);
+            particles.Bind(cmd, shader, reset);
             cmd.DispatchCompute(shader, reset, 1, 1, 1);
             States.Invalidate(number);
             GpuBuffer.Release(ref positionBuffers[number]);
@@ -213,7 +209,8 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int EmitterPositions = Shader.PropertyToID("_EmitterPositions");
+            public static readonly ShaderParameters Find = new ShaderParameters("_EmitterPositions", "_CellStarts");
+            public static readonly ShaderParameters Emit = new ShaderParameters("_EmitterPositions", "_Tags");
         }
     }
 }

@@ -96,8 +96,7 @@ namespace Rill
             ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
             step.BindConstants(shader);
-            cmd.SetComputeIntParam(shader, Ids.FieldCount, lastCount);
-            cmd.SetComputeFloatParam(shader, Ids.MaxAcceleration, MaxAcceleration / step.Layout.Spacing);
+            Ids.Fields.Bind(cmd, shader, accelerate, lastCount, MaxAcceleration / step.Layout.Spacing);
             particles.Bind(cmd, shader, accelerate);
             Buffers.Bind(cmd, shader, accelerate);
             cmd.DispatchCompute(shader, accelerate, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
@@ -120,8 +119,7 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int FieldCount = Shader.PropertyToID("_FieldCount");
-            public static readonly int MaxAcceleration = Shader.PropertyToID("_MaxAcceleration");
+            public static readonly ShaderParameters Fields = new ShaderParameters("_FieldCount", "_MaxAcceleration");
         }
     }
 }

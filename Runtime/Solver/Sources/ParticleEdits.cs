@@ -35,9 +35,7 @@ namespace Rill
         {
             int kernel = removeInside.For(step.MaySleep);
             Begin(step);
-            commands.SetComputeVectorParam(shader, Ids.ShapeCenter, new float4(shape.center, shape.radius));
-            commands.SetComputeVectorParam(shader, Ids.ShapeHalf, new float4(shape.half, 0f));
-            commands.SetComputeVectorParam(shader, Ids.ShapeRotation, shape.rotation.value);
+            Ids.Shape.Bind(commands, shader, kernel, new float4(shape.center, shape.radius), shape.half, shape.rotation.value);
             step.Particles.Bind(commands, shader, kernel);
             step.BindWaking(shader, kernel);
             step.Particles.DispatchAlive(commands, shader, kernel);
@@ -108,39 +106,29 @@ namespace Rill
             commands.SetComputeIntParam(shader, Ids.BatchCount, count);
             step.Colliders?.BindShapes(commands, shader, kernel);
             buffers.Bind(commands, shader, kernel);
-            commands.SetComputeBufferParam(shader, kernel, ParticleIds.CellStarts, step.Search.CellStartsAtRest);
-            commands.SetComputeBufferParam(shader, kernel, ParticleIds.Order, step.Search.CellOrder);
-            commands.SetComputeBufferParam(shader, kernel, ParticleIds.Positions, step.Particles.Positions);
+            step.BindOrderAtRest(shader, kernel);
+            step.Particles.Bind(commands, shader, kernel);
             commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count + 1), 1, 1);
         }
 
         void RecordAdd(in StepContext step, BufferSet buffers, int count, float3 velocity, uint tag, ParticleTags tags)
         {
             int kernel = addFree.For(tags != null);
-            commands.SetComputeIntParam(shader, Ids.BatchCapacity, step.Layout.Capacity);
-            commands.SetComputeIntParam(shader, Ids.BatchTag, (int)tag);
-            commands.SetComputeVectorParam(shader, Ids.BatchVelocity, new float4(velocity, 0f));
+            Ids.Batch.Bind(commands, shader, kernel, step.Layout.Capacity, velocity, tag, tags?.Current);
             buffers.Bind(commands, shader, kernel);
             step.Particles.Bind(commands, shader, kernel);
-            if (tags != null)
-                commands.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
             commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count), 1, 1);
 
             buffers.Bind(commands, shader, commitFree);
-            commands.SetComputeBufferParam(shader, commitFree, ParticleIds.Counters, step.Particles.Counters);
-            commands.SetComputeBufferParam(shader, commitFree, ParticleIds.AliveArguments, step.Particles.AliveArguments);
+            step.Particles.Bind(commands, shader, commitFree);
             commands.DispatchCompute(shader, commitFree, 1, 1, 1);
         }
 
         static class Ids
         {
             public static readonly int BatchCount = Shader.PropertyToID("_BatchCount");
-            public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
-            public static readonly int BatchTag = Shader.PropertyToID("_BatchTag");
-            public static readonly int BatchVelocity = Shader.PropertyToID("_BatchVelocity");
-            public static readonly int ShapeCenter = Shader.PropertyToID("_ShapeCenter");
-            public static readonly int ShapeHalf = Shader.PropertyToID("_ShapeHalf");
-            public static readonly int ShapeRotation = Shader.PropertyToID("_ShapeRotation");
+            public static readonly ShaderParameters Batch = new ShaderParameters("_BatchCapacity", "_BatchVelocity", "_BatchTag", "_Tags");
+            public static readonly ShaderParameters Shape = new ShaderParameters("_ShapeCenter", "_ShapeHalf", "_ShapeRotation");
             public static readonly int ShiftBy = Shader.PropertyToID("_ShiftBy");
         }
     }

@@ -67,7 +67,6 @@ namespace Rill
         public static class Ids
         {
             public static readonly int Tags = Shader.PropertyToID("_Tags");
-            public static readonly int SortedTags = Shader.PropertyToID("_SortedTags");
         }
     }
 }

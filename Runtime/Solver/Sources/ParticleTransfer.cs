@@ -64,36 +64,15 @@ namespace Rill
             Capacity = capacity;
         }
 
-        /// <summary>Properties of the set that a transfer reads, and of the one that it writes.</summary>
-        public static readonly Properties From = new Properties("_From"), To = new Properties("_To");
+        /// <summary>Buffers of the set that a transfer reads, and of the one that it writes.</summary>
+        public static readonly ShaderParameters From = Parameters("_From"), To = Parameters("_To");
 
         /// <summary>Records the set as what a kernel reads or writes.</summary>
-        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel, in Properties properties)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, properties.positions, Positions);
-            cmd.SetComputeBufferParam(shader, kernel, properties.velocities, Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, properties.ids, Ids);
-            cmd.SetComputeBufferParam(shader, kernel, properties.counters, Counters);
-            cmd.SetComputeBufferParam(shader, kernel, properties.arguments, AliveArguments);
-            if (Tags != null)
-                cmd.SetComputeBufferParam(shader, kernel, properties.tags, Tags);
-        }
+        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel, ShaderParameters parameters)
+            => parameters.Bind(cmd, shader, kernel, Positions, Velocities, Ids, Tags, Counters, AliveArguments);
 
-        /// <summary>Names of a set's buffers in ParticleTransfer.compute.</summary>
-        public readonly struct Properties
-        {
-            public readonly int positions, velocities, ids, tags, counters, arguments;
-
-            public Properties(string prefix)
-            {
-                positions = Shader.PropertyToID(prefix);
-                velocities = Shader.PropertyToID(prefix + "Velocities");
-                ids = Shader.PropertyToID(prefix + "Ids");
-                tags = Shader.PropertyToID(prefix + "Tags");
-                counters = Shader.PropertyToID(prefix + "Counters");
-                arguments = Shader.PropertyToID(prefix + "Arguments");
-            }
-        }
+        static ShaderParameters Parameters(string prefix) => new ShaderParameters(
+            prefix, prefix + "Velocities", prefix + "Ids", prefix + "Tags", prefix + "Counters", prefix + "Arguments");
     }
 
     /// <summary>Region of the particles that go from one set to another, and their positions in the other.</summary>
@@ -190,7 +169,7 @@ namespace Rill
         public void Record(CommandBuffer cmd, in ParticleSet from, in ParticleSet to, in TransferRegion region, TransferRule rule)
         {
             cmd.BeginSample(Marker);
-            RecordParameters(cmd, from, to, region, rule);
+            RecordParameters(cmd, mark, from, to, region, rule);
             Bind(cmd, mark, from, to);
             Dispatch(cmd, mark, from);
             RecordWrites(cmd, from, to);
@@ -203,11 +182,10 @@ namespace Rill
         public void RecordApart(in StepContext taker, in ParticleSet from, in ParticleSet to, in TransferRegion region)
         {
             CommandBuffer cmd = taker.Commands;
-            RecordParameters(cmd, from, to, region, TransferRule.Move);
+            RecordParameters(cmd, markApart, from, to, region, TransferRule.Move);
             taker.BindConstants(shader);
             Bind(cmd, markApart, from, to);
-            cmd.SetComputeBufferParam(shader, markApart, ParticleIds.CellStarts, taker.Search.CellStartsAtRest);
-            cmd.SetComputeBufferParam(shader, markApart, ParticleIds.Order, taker.Search.CellOrder);
+            taker.BindOrderAtRest(shader, markApart);
             Dispatch(cmd, markApart, from);
             RecordWrites(cmd, from, to);
         }
@@ -251,21 +229,13 @@ namespace Rill
             return description;
         }
 
-        void RecordParameters(CommandBuffer cmd, in ParticleSet from, in ParticleSet to, in TransferRegion region, TransferRule rule)
+        // All are numbers, which the kernels after the first find too.
+        void RecordParameters(CommandBuffer cmd, int kernel, in ParticleSet from, in ParticleSet to, in TransferRegion region, TransferRule rule)
         {
-            cmd.SetComputeVectorParam(shader, Ids.FrameOffset, new float4(region.offset, 0f));
-            cmd.SetComputeVectorParam(shader, Ids.FrameRotation, region.rotation.value);
-            cmd.SetComputeVectorParam(shader, Ids.RegionSize, new float4(region.size, 0f));
-            cmd.SetComputeVectorParam(shader, Ids.RegionPlane, region.plane);
-            cmd.SetComputeVectorParam(shader, Ids.StaysCorner, new float4(region.staysCorner, 0f));
-            cmd.SetComputeVectorParam(shader, Ids.StaysSize, new float4(region.staysSize, math.any(region.staysSize > 0f) ? 1f : 0f));
-            cmd.SetComputeIntParam(shader, Ids.TransferRule, (int)rule);
-            cmd.SetComputeIntParam(shader, Ids.FromCapacity, from.Capacity);
-            cmd.SetComputeIntParam(shader, Ids.ToCapacity, to.Capacity);
-            cmd.SetComputeIntParam(shader, Ids.StatesAt, region.number * Words);
-            cmd.SetComputeIntParam(shader, Ids.GhostIds, (int)(FirstGhost | (uint)region.number << GhostNumberShift));
-            cmd.SetComputeIntParam(shader, Ids.StepsAhead, (int)region.stepsAhead);
-            cmd.SetComputeIntParam(shader, Ids.PhaseChanges, (int)region.phaseChanges);
+            Ids.Region.Bind(cmd, shader, kernel, region.offset, region.rotation.value, region.size, region.plane, region.staysCorner,
+                new float4(region.staysSize, math.any(region.staysSize > 0f) ? 1f : 0f));
+            Ids.Rule.Bind(cmd, shader, kernel, (int)rule, from.Capacity, to.Capacity, region.number * Words,
+                FirstGhost | (uint)region.number << GhostNumberShift, region.stepsAhead, region.phaseChanges);
         }
 
         void RecordWrites(CommandBuffer cmd, in ParticleSet from, in ParticleSet to)
@@ -317,19 +287,10 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int FrameOffset = Shader.PropertyToID("_FrameOffset");
-            public static readonly int FrameRotation = Shader.PropertyToID("_FrameRotation");
-            public static readonly int RegionSize = Shader.PropertyToID("_RegionSize");
-            public static readonly int RegionPlane = Shader.PropertyToID("_RegionPlane");
-            public static readonly int StaysCorner = Shader.PropertyToID("_StaysCorner");
-            public static readonly int StaysSize = Shader.PropertyToID("_StaysSize");
-            public static readonly int TransferRule = Shader.PropertyToID("_TransferRule");
-            public static readonly int FromCapacity = Shader.PropertyToID("_FromCapacity");
-            public static readonly int ToCapacity = Shader.PropertyToID("_ToCapacity");
-            public static readonly int StatesAt = Shader.PropertyToID("_StatesAt");
-            public static readonly int GhostIds = Shader.PropertyToID("_GhostIds");
-            public static readonly int StepsAhead = Shader.PropertyToID("_StepsAhead");
-            public static readonly int PhaseChanges = Shader.PropertyToID("_PhaseChanges");
+            public static readonly ShaderParameters Region = new ShaderParameters(
+                "_FrameOffset", "_FrameRotation", "_RegionSize", "_RegionPlane", "_StaysCorner", "_StaysSize");
+            public static readonly ShaderParameters Rule = new ShaderParameters(
+                "_TransferRule", "_FromCapacity", "_ToCapacity", "_StatesAt", "_GhostIds", "_StepsAhead", "_PhaseChanges");
         }
     }
 }

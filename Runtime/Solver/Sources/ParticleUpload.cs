@@ -36,7 +36,6 @@ namespace Rill
         public void Clear(CommandBuffer cmd, ParticleBuffers particles)
         {
             particles.Bind(cmd, shader, clear);
-            cmd.SetComputeBufferParam(shader, clear, ParticleIds.AliveArguments, particles.AliveArguments);
             cmd.DispatchCompute(shader, clear, 1, 1, 1);
         }
 
@@ -45,8 +44,7 @@ namespace Rill
         {
             particles.Bind(cmd, shader, countMarked);
             particles.DispatchAlive(cmd, shader, countMarked);
-            cmd.SetComputeBufferParam(shader, removeAll, ParticleIds.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, removeAll, ParticleIds.AliveArguments, particles.AliveArguments);
+            particles.Bind(cmd, shader, removeAll);
             cmd.DispatchCompute(shader, removeAll, 1, 1, 1);
         }
 
@@ -55,20 +53,14 @@ namespace Rill
         public void CountRefused(ParticleBuffers particles, GraphicsBuffer refused, bool isIn)
         {
             Commands.Clear();
-            Commands.SetComputeIntParam(shader, Ids.BatchIsIn, isIn ? 1 : 0);
-            Commands.SetComputeBufferParam(shader, countRefused, ParticleIds.Counters, particles.Counters);
-            Commands.SetComputeBufferParam(shader, countRefused, Ids.RefusedOfScripts, refused);
+            Ids.Refused.Bind(Commands, shader, countRefused, isIn, refused);
+            particles.Bind(Commands, shader, countRefused);
             Commands.DispatchCompute(shader, countRefused, 1, 1, 1);
             Graphics.ExecuteCommandBuffer(Commands);
         }
 
         /// <summary>Records the arguments for the particles that the counters tell of.</summary>
-        public void RecordArguments(CommandBuffer cmd, ParticleBuffers particles, int capacity)
-        {
-            cmd.SetComputeIntParam(shader, Ids.BatchCount, 0);
-            cmd.SetComputeIntParam(shader, Ids.BatchCapacity, capacity);
-            RecordCommit(cmd, particles);
-        }
+        public void RecordArguments(CommandBuffer cmd, ParticleBuffers particles, int capacity) => RecordCommit(cmd, particles, capacity, 0);
 
         /// <summary>Adds particles at once, in batches; their upload buffers live until the next call or <see cref="Trim"/>.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
@@ -92,9 +84,12 @@ namespace Rill
                 batchPositions.SetData(positions, first, 0, count);
                 batchVelocities.SetData(velocities, isShared ? 0 : first, 0, velocityCount);
                 Commands.Clear();
-                Commands.SetComputeIntParam(shader, Ids.VelocityStride, isShared ? 0 : 1);
-                Commands.SetComputeIntParam(shader, Ids.BatchTag, (int)tag);
-                RecordAppend(Commands, particles, capacity, count, tags);
+                Commands.SetKeyword(shader, withTags, tags != null);
+                Ids.Batch.Bind(Commands, shader, append, batchPositions, batchVelocities, isShared ? 0 : 1, tag, tags?.Current);
+                Ids.Room.Bind(Commands, shader, append, capacity, count);
+                particles.Bind(Commands, shader, append);
+                Commands.DispatchCompute(shader, append, ParticleBuffers.Groups(count), 1, 1);
+                RecordCommit(Commands, particles, capacity, count);
                 Graphics.ExecuteCommandBuffer(Commands);
             }
         }
@@ -130,39 +125,19 @@ namespace Rill
             buffer = GpuBuffer.Structured<float4>(name, count);
         }
 
-        void RecordAppend(CommandBuffer cmd, ParticleBuffers particles, int capacity, int count, ParticleTags tags)
+        void RecordCommit(CommandBuffer cmd, ParticleBuffers particles, int capacity, int count)
         {
-            cmd.SetKeyword(shader, withTags, tags != null);
-            if (tags != null)
-                cmd.SetComputeBufferParam(shader, append, ParticleTags.Ids.Tags, tags.Current);
-            cmd.SetComputeIntParam(shader, Ids.BatchCount, count);
-            cmd.SetComputeIntParam(shader, Ids.BatchCapacity, capacity);
-
-            cmd.SetComputeBufferParam(shader, append, Ids.BatchPositions, batchPositions);
-            cmd.SetComputeBufferParam(shader, append, Ids.BatchVelocities, batchVelocities);
-            particles.Bind(cmd, shader, append);
-            cmd.DispatchCompute(shader, append, ParticleBuffers.Groups(count), 1, 1);
-
-            RecordCommit(cmd, particles);
-        }
-
-        void RecordCommit(CommandBuffer cmd, ParticleBuffers particles)
-        {
-            cmd.SetComputeBufferParam(shader, commit, ParticleIds.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, commit, ParticleIds.AliveArguments, particles.AliveArguments);
+            Ids.Room.Bind(cmd, shader, commit, capacity, count);
+            particles.Bind(cmd, shader, commit);
             cmd.DispatchCompute(shader, commit, 1, 1, 1);
         }
 
         static class Ids
         {
-            public static readonly int BatchPositions = Shader.PropertyToID("_BatchPositions");
-            public static readonly int BatchVelocities = Shader.PropertyToID("_BatchVelocities");
-            public static readonly int VelocityStride = Shader.PropertyToID("_VelocityStride");
-            public static readonly int BatchCount = Shader.PropertyToID("_BatchCount");
-            public static readonly int BatchIsIn = Shader.PropertyToID("_BatchIsIn");
-            public static readonly int RefusedOfScripts = Shader.PropertyToID("_RefusedOfScripts");
-            public static readonly int BatchTag = Shader.PropertyToID("_BatchTag");
-            public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
+            public static readonly ShaderParameters Batch = new ShaderParameters(
+                "_BatchPositions", "_BatchVelocities", "_VelocityStride", "_BatchTag", "_Tags");
+            public static readonly ShaderParameters Room = new ShaderParameters("_BatchCapacity", "_BatchCount");
+            public static readonly ShaderParameters Refused = new ShaderParameters("_BatchIsIn", "_RefusedOfScripts");
         }
     }
 }
