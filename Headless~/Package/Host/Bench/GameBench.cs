@@ -29,16 +29,17 @@ namespace Host.Bench
         [Flags]
         enum Parts
         {
-            None = 0, Queries = 1, Colliders = 2, Contacts = 4, Bodies = 8, Recorder = 16, Particles = 32,
+            None = 0, Queries = 1, Colliders = 2, Contacts = 4, Bodies = 8, Recorder = 16, Particles = 32, Wait = 64,
             All = Queries | Colliders | Contacts | Bodies | Recorder | Particles,
         }
 
-        // Contacts need the colliders that they are of: their cost is the difference to the row before.
+        // Contacts need the colliders that they are of: their cost is the difference to the row before. A GPU that waits for a main thread lowers its
+        // clock: a frame without anything that lasts as long as that of the row before tells how much of a cost that is.
         static readonly (string Name, Parts Parts)[] Rows =
         {
             ("all off", Parts.None), ("probes and detectors", Parts.Queries), ("colliders", Parts.Colliders),
             ("colliders and contacts", Parts.Colliders | Parts.Contacts), ("floating bodies", Parts.Bodies), ("recorder", Parts.Recorder),
-            ("particle requests", Parts.Particles), ("all on", Parts.All), ("all off again", Parts.None),
+            ("particle requests", Parts.Particles), ("nothing but the wait", Parts.Wait), ("all on", Parts.All), ("all off again", Parts.None),
         };
 
         public static Command Create()
@@ -87,12 +88,13 @@ namespace Host.Bench
                     $"{scene.Particles:N0} particles, d = {scene.Spacing:0.#####} m"));
                 output.WriteLine($"{"",-24}{"GPU ms",10}{"10 %",10}{"90 %",10}{"over off",10}{"CPU ms",10}");
                 if (!session.Info.IsSoftware)
-                    Measure(scene, Parts.None, WarmUpFrames, null, output);
-                double off = double.NaN;
+                    Measure(scene, Parts.None, 0.0, WarmUpFrames, null, output);
+                double off = double.NaN, before = 0.0;
                 foreach ((string name, Parts parts) in Rows)
                 {
                     var stages = Player.TimesKernels ? new Dictionary<string, List<double>>() : null;
-                    (StepTimes.Spread gpu, StepTimes.Spread cpu) = Measure(scene, parts, frames, stages, output);
+                    (StepTimes.Spread gpu, StepTimes.Spread cpu) = Measure(scene, parts, before, frames, stages, output);
+                    before = cpu.Median;
                     off = double.IsNaN(off) ? gpu.Median : off;
                     output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name,-24}{gpu.Median,10:0.0000}" +
                         $"{gpu.Low,10:0.0000}{gpu.High,10:0.0000}{gpu.Median - off,10:0.0000}{cpu.Median,10:0.000}"));
@@ -106,7 +108,8 @@ namespace Host.Bench
                 table.Save(Path.GetFullPath(csv));
         }
 
-        static (StepTimes.Spread Gpu, StepTimes.Spread Cpu) Measure(ExperimentScene scene, Parts parts, int frames,
+        // least: ms that a frame lasts with Parts.Wait.
+        static (StepTimes.Spread Gpu, StepTimes.Spread Cpu) Measure(ExperimentScene scene, Parts parts, double least, int frames,
             Dictionary<string, List<double>> stages, TextWriter output)
         {
             string file = Path.Combine(Path.GetTempPath(), $"rill-bench-{Guid.NewGuid():N}.rillrec");
@@ -126,6 +129,8 @@ namespace Host.Bench
                     device.Timing = frame >= First;
                     var watch = Stopwatch.StartNew();
                     PlayerLoop.Frame(FrameTime);
+                    while ((parts & Parts.Wait) != 0 && watch.Elapsed.TotalMilliseconds < least)
+                        continue;
                     double passed = watch.Elapsed.TotalMilliseconds;
                     device.Timing = false;
                     if (frame < First)
