@@ -22,7 +22,7 @@ static const float kFirstRadius = 0.3694;       // of the first, d: with those r
 static const float kSpread = 1.1;               // of a particle's droplets around it, d
 static const float kSmall = 6.0;                // radius up to which a droplet is added up with others, texels
 // Radius up to which drops stay whole, m. Falling ones burst from 0.003 on (Villermaux and Bossa 2009), more than a particle is ever seen as.
-static const float kLargestDrop = 0.01;
+static const float kMaxDropRadius = 0.01;
 static const float kOnSolid = 0.8;              // nearer to a collider or a wall a particle lies on it, d
 // A particle that lies there is a cap of a ball, with a contact angle of 40 degrees and a volume of d^3: radius of the ball and of the cap, d;
 // distance of the ball's center below the solid over its radius.
@@ -83,7 +83,7 @@ Droplet DropletOf(uint index)
 
 bool HasBurst(Droplet droplet)
 {
-    return !droplet.isCap && droplet.across * Spacing() > kLargestDrop;
+    return !droplet.isCap && droplet.across * Spacing() > kMaxDropRadius;
 }
 
 // Whether it is drawn by itself: where it is whole and not small on the picture.

@@ -21,15 +21,7 @@ namespace Rill.Tests
         [SetUp]
         public void Begin()
         {
-            scene = new MeshScene(Pixels, Vector3.one, Spacing, 0f);
-            Camera camera = scene.Camera;
-            camera.orthographic = true;
-            camera.orthographicSize = Half;
-            camera.transform.SetPositionAndRotation(new Vector3(0f, 0.4f, 0f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
-            SurfaceLook look = WaterScene.Absorbing(1e-4f, 0.01f);
-            look.roughness = 0f;
-            scene.Surface.Look = look;
-            scene.Surface.Caustics = false;
+            scene = MeshScene.FromAbove(Pixels, Spacing, Half);
             scene.Surface.Sun.intensity = 1f;
             scene.Surface.Sun.transform.rotation = Quaternion.LookRotation(new Vector3(-0.8f, -0.6f, 0f));
             foam = scene.Fluid.gameObject.AddComponent<FluidFoam>();
@@ -47,7 +39,7 @@ namespace Rill.Tests
             Time.captureDeltaTime = 0f;
         }
 
-        // Of what lies so densely that nothing is seen through it the cover is 1.
+        // Foam that lies so densely that nothing is seen through it has a cover of 1.
         [UnityTest]
         public IEnumerator Covers_as_much_as_its_depth_says_in_lines_and_holes([Values(0.15f, 0.5f, 1.5f)] float depth)
         {
@@ -73,7 +65,7 @@ namespace Rill.Tests
             scene.Camera.transform.position -= new Vector3(shift / TexelsPerSpacing * Spacing, 0f, 0f);
             yield return WaterScene.Frames(1);
             float[] after = Centered(Covers());
-            float moved = Likeness(before, after, shift), stayed = Likeness(before, after, 0);
+            float moved = MeshScene.Likeness(before, after, shift), stayed = MeshScene.Likeness(before, after, 0);
             TestContext.Out.WriteLine($"alike where it was in the world: {moved}, on the picture: {stayed}");
             Assert.That(moved, Is.GreaterThan(0.97f));
             Assert.That(stayed, Is.LessThan(0.3f));
@@ -90,7 +82,8 @@ namespace Rill.Tests
             float[] before = Centered(Covers());
             yield return WaterScene.Frames(1);
             float[] after = Centered(Covers());
-            float carried = Likeness(before, after, shift), stayed = Likeness(before, after, 0), against = Likeness(before, after, -shift);
+            float carried = MeshScene.Likeness(before, after, shift), stayed = MeshScene.Likeness(before, after, 0);
+            float against = MeshScene.Likeness(before, after, -shift);
             TestContext.Out.WriteLine($"alike where the flow has carried it: {carried}, where it was: {stayed}, against the flow: {against}");
             Assert.That(carried, Is.GreaterThan(0.95f));
             Assert.That(stayed, Is.LessThan(0.5f));
@@ -134,23 +127,6 @@ namespace Rill.Tests
         {
             float mean = values.Average();
             return values.Select(value => value - mean).ToArray();
-        }
-
-        // Correlation, where the second is so many pixels to the right.
-        static float Likeness(float[] before, float[] after, int shift)
-        {
-            float both = 0f, squares = 0f, others = 0f;
-            for (int i = 0; i < before.Length; i++)
-            {
-                int x = i % Pixels + shift;
-                if (x < 0 || x >= Pixels)
-                    continue;
-                float a = before[i], b = after[i + shift];
-                both += a * b;
-                squares += a * a;
-                others += b * b;
-            }
-            return both / math.sqrt(squares * others);
         }
     }
 }

@@ -57,6 +57,39 @@ namespace Rill.Tests
             Surface.Sun = sun;
         }
 
+        /// <summary>Makes a scene for a pool whose floor is not seen, by a camera straight above without perspective.</summary>
+        /// <param name="half">Half the height of the picture, m.</param>
+        public static MeshScene FromAbove(int pixels, float spacing, float half)
+        {
+            var scene = new MeshScene(pixels, Vector3.one, spacing, 0f);
+            scene.Camera.orthographic = true;
+            scene.Camera.orthographicSize = half;
+            scene.Camera.transform.SetPositionAndRotation(new Vector3(0f, 0.4f, 0f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
+            SurfaceLook look = WaterScene.Absorbing(1e-4f, 0.01f);
+            look.roughness = 0f;
+            scene.Surface.Look = look;
+            scene.Surface.Caustics = false;
+            return scene;
+        }
+
+        /// <summary>Returns the correlation of two square pictures with a mean of 0, where the second is so many pixels to the right.</summary>
+        public static float Likeness(float[] before, float[] after, int shift)
+        {
+            int width = (int)math.round(math.sqrt(before.Length));
+            float both = 0f, squares = 0f, others = 0f;
+            for (int i = 0; i < before.Length; i++)
+            {
+                int x = i % width + shift;
+                if (x < 0 || x >= width)
+                    continue;
+                float a = before[i], b = after[i + shift];
+                both += a * b;
+                squares += a * a;
+                others += b * b;
+            }
+            return both / math.sqrt(squares * others);
+        }
+
         public static SurfaceLook Clear
         {
             get

@@ -24,16 +24,8 @@ namespace Rill.Tests
         public void Begin()
         {
             Time.captureDeltaTime = 1f / 60f;
-            scene = new MeshScene(Pixels, Vector3.one, Spacing, 0f);
-            Camera camera = scene.Camera;
-            camera.orthographic = true;
-            camera.orthographicSize = Half;
-            camera.transform.SetPositionAndRotation(new Vector3(0f, 0.4f, 0f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
-            SurfaceLook look = WaterScene.Absorbing(1e-4f, 0.01f);
-            look.roughness = 0f;
-            scene.Surface.Look = look;
+            scene = MeshScene.FromAbove(Pixels, Spacing, Half);
             scene.Surface.Reflection = Sky();
-            scene.Surface.Caustics = false;
             scene.Surface.Ripples = 1f;
         }
 
@@ -74,7 +66,8 @@ namespace Rill.Tests
             float[] after = Slopes();
             int shift = (int)math.round(Fast * TexelsPerSpacing);
             Assert.That(shift, Is.EqualTo(4));
-            float carried = Likeness(before, after, shift), stayed = Likeness(before, after, 0), against = Likeness(before, after, -shift);
+            float carried = MeshScene.Likeness(before, after, shift), stayed = MeshScene.Likeness(before, after, 0);
+            float against = MeshScene.Likeness(before, after, -shift);
             TestContext.Out.WriteLine($"alike where the flow has carried them: {carried}, where they were: {stayed}, against the flow: {against}");
             Assert.That(carried, Is.GreaterThan(0.97f));
             Assert.That(stayed, Is.LessThan(0.93f));
@@ -106,23 +99,6 @@ namespace Rill.Tests
         }
 
         static float Rms(float[] slopes) => math.sqrt(slopes.Average(slope => slope * slope));
-
-        // Correlation, where the second is so many pixels to the right.
-        static float Likeness(float[] before, float[] after, int shift)
-        {
-            float both = 0f, squares = 0f, others = 0f;
-            for (int i = 0; i < before.Length; i++)
-            {
-                int x = i % Pixels + shift;
-                if (x < 0 || x >= Pixels)
-                    continue;
-                float a = before[i], b = after[i + shift];
-                both += a * b;
-                squares += a * a;
-                others += b * b;
-            }
-            return both / math.sqrt(squares * others);
-        }
 
         // Brightness 0.5 straight above and 0.5 more for each unit along x: a slope of s, which mirrors what is 2 s towards -x, shows s less.
         Cubemap Sky()

@@ -19,7 +19,7 @@ namespace Rill.Tests
         const int Droplets = 12;
         const float FirstRadius = 0.3694f, LastRadius = 0.45f * FirstRadius;     // d, of the droplets of a particle
         const float Small = 6f, Shaped = 10f;       // texels: those up to here are added up, and those from here on are seen as they are
-        const float LargestDrop = 0.01f;            // radius, m: larger ones burst
+        const float MaxDropRadius = 0.01f;            // radius, m: larger ones burst
         const float Forward = 0.8f;     // cosine of the angle by which light has to be turned to come to the camera
 
         WaterScene scene;
@@ -54,7 +54,7 @@ namespace Rill.Tests
             for (int k = 0; k < Droplets; k++)
             {
                 float radius = FirstRadius * Spacing * math.pow(LastRadius / FirstRadius, k / (Droplets - 1f));
-                area += 3f * math.PI * radius * radius * math.max(radius / LargestDrop, 1f);
+                area += 3f * math.PI * radius * radius * math.max(radius / MaxDropRadius, 1f);
             }
             float seen = Sum(), expected = area / (texel * texel) * ThroughBall(Forward);
             TestContext.Out.WriteLine($"light of {seen} pixels, due {expected}");
