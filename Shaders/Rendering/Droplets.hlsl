@@ -81,6 +81,12 @@ Droplet DropletOf(uint index)
     return droplet;
 }
 
+// Radius on the picture of one that stands still, d; 0 of those that are not drawn.
+float RadiusOf(Droplet droplet)
+{
+    return droplet.isCap ? kCapRadius : droplet.across;
+}
+
 bool HasBurst(Droplet droplet)
 {
     return !droplet.isCap && droplet.across * Spacing() > kMaxDropRadius;
@@ -89,7 +95,7 @@ bool HasBurst(Droplet droplet)
 // Whether it is drawn by itself: where it is whole and not small on the picture.
 bool IsShown(Droplet droplet)
 {
-    return !HasBurst(droplet) && (droplet.isCap ? kCapRadius : droplet.across) >= kSmall * droplet.texel;
+    return !HasBurst(droplet) && RadiusOf(droplet) >= kSmall * droplet.texel;
 }
 
 // Light that a ball of water sends on from a far light, mean over its disc, where a white surface that faces the light sends 1: what it mirrors

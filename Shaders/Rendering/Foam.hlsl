@@ -79,6 +79,14 @@ float DrawnFoamOpacity(FoamParticle particle, float opacity)
     return opacity * saturate(life / kFoamComes) * saturate((1.0 - life) / (1.0 - kFoamGoes));
 }
 
+// How much foam covers at a point, of whose surroundings it covers so much. rank: of the point, evenly spread over 0 to 1 among all; soft: how soft
+// edges are, of what covers.
+float CoveredByRank(float covered, float rank, float soft)
+{
+    soft = max(min(min(soft, covered), 1.0 - covered), 1e-3);
+    return saturate((rank - (1.0 - covered)) / (2.0 * soft) + 0.5);
+}
+
 FoamParticle PackFoam(float3 position, float3 velocity, uint kind, float age, uint rest)
 {
     FoamParticle particle;

@@ -87,8 +87,7 @@ float RankInCells(float2 at, uint seed)
 // Partial foam covers the rims of its cells.
 float InCells(float covered, float2 at, float cellPixels, uint seed)
 {
-    float soft = max(min(min(kSoft, covered), 1.0 - covered), 1e-3);
-    float rim = saturate((RankInCells(at, seed) - (1.0 - covered)) / (2.0 * soft) + 0.5);
+    float rim = CoveredByRank(covered, RankInCells(at, seed), kSoft);
     return lerp(covered, rim, saturate(cellPixels / kSeenCell - 1.0));
 }
 

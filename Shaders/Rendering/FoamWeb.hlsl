@@ -1,13 +1,10 @@
 // Foam on water as a web: it lies along the borders of cells, fine lines where it is thin, holes where it is thick, and the flow carries it along as
 // it does ripples. On the mean over the water it covers as much as it is told to.
-//
-//   _Ripples    see Ripples.hlsl
 #ifndef RILL_FOAM_WEB_INCLUDED
 #define RILL_FOAM_WEB_INCLUDED
 
-#include "../Gpu/Hash.hlsl"
-
-float4 _Ripples;
+#include "Ripples.hlsl"
+#include "Foam.hlsl"
 
 static const float kFineWeb = 0.38;         // width of the finer cells, of the others
 static const float kFinePart = 0.42;        // of the web, that they make
@@ -15,7 +12,7 @@ static const float kSeenWeb = 3.0;          // texels from center to center, up 
 static const float kWebLife = 2.0;          // of a pattern, of a ripple's
 // Turns the lattice against the axes: in a plane along it, as still water is, borders between cells are rarer or more frequent than in space.
 static const float3x3 kTilt = { 0.5999, -0.5938, 0.5363, 0.7526, 0.6462, -0.1264, -0.2715, 0.4794, 0.8345 };
-static const float kSoftWeb = 0.15;          // how soft edges are, of what covers
+static const float kSoftWeb = 0.15;         // how soft edges are, of what covers
 
 // Rank of a sum of two numbers that are evenly spread over 0 to 1, among all such sums: evenly spread too. part: weight of the second.
 float RankOfSum(float first, float second, float part)
@@ -34,8 +31,7 @@ float RankOnBorders(float3 at, uint pattern)
     for (uint i = 0; i < 27; i++)
     {
         int3 cell = first + int3(uint3(i % 3, i / 3 % 3, i / 9)) - 1;
-        uint hash = Hash(asuint(cell.x) * 73856093u ^ asuint(cell.y) * 19349663u ^ asuint(cell.z) * 83492791u, pattern);
-        float3 offset = cell + float3(uint3(hash >> 20, hash >> 10, hash) & 1023u) / 1023.0 - at;
+        float3 offset = cell + RandomAt(cell, pattern) - at;
         float squared = dot(offset, offset);
         nearest = squared < nearest.x ? float2(squared, nearest.x) : float2(nearest.x, min(nearest.y, squared));
     }
@@ -64,9 +60,7 @@ float InWeb(float covered, float3 p, float3 chord, float cell, float texels)
         ranks = i == 0 ? float2(rank, 0.0) : float2(ranks.x, rank);
     }
     float rank = RankOfSum(ranks.y, ranks.x, 1.0 - abs(2.0 * frac(_Ripples.y / kWebLife) - 1.0));
-    float soft = max(min(min(kSoftWeb, covered), 1.0 - covered), 1e-3);
-    float web = saturate((rank - (1.0 - covered)) / (2.0 * soft) + 0.5);
-    return lerp(covered, web, shown);
+    return lerp(covered, CoveredByRank(covered, rank, kSoftWeb), shown);
 }
 
 #endif

@@ -19,11 +19,17 @@ static const float kRipplesBegin = 0.1;         // of the speed that has the hig
 static const float kRipplesOnWalls = 0.3;       // height of those on water that stands upright
 static const float kLostTexels = 3.0, kKeptTexels = 6.0;    // of a length: up to here ripples are roughness, from here on slopes
 
-// Returns the vector of a corner of the lattice, whose components have a mean of 0 and a variance of 1.
-float3 SlopeAt(int3 corner, uint pattern)
+// Returns three random numbers from 0 to 1 for a corner of the lattice.
+float3 RandomAt(int3 corner, uint pattern)
 {
     uint hash = Hash(asuint(corner.x) * 73856093u ^ asuint(corner.y) * 19349663u ^ asuint(corner.z) * 83492791u, pattern);
-    return (float3(uint3(hash >> 20, hash >> 10, hash) & 1023u) / 1023.0 * 2.0 - 1.0) * 1.7320508;
+    return float3(uint3(hash >> 20, hash >> 10, hash) & 1023u) / 1023.0;
+}
+
+// Returns the vector of a corner, whose components have a mean of 0 and a variance of 1.
+float3 SlopeAt(int3 corner, uint pattern)
+{
+    return (RandomAt(corner, pattern) * 2.0 - 1.0) * 1.7320508;
 }
 
 // Returns that of any point, with the same mean and variance everywhere.

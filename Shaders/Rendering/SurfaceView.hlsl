@@ -102,6 +102,12 @@ float3 PointOfLayer(Texture2DArray<float4> layer, float2 picture, uint eye)
     return float3(texels / float2(width, height), eye);
 }
 
+// Back from texels: a point of the picture.
+float2 PictureAt(float2 texels, float4 size, float4 window)
+{
+    return (texels + window.xy) * size.zw * 2.0 - 1.0;
+}
+
 // The texel of the surface's textures in which a point of the picture lies; the nearest of the window beyond it.
 int2 SurfaceTexel(float2 picture)
 {
@@ -146,7 +152,7 @@ float2 RectangleCorner(uint vertex, float2 low, float2 high)
 // The center of a texel of the surface's textures on the picture.
 float2 TexelPicture(int2 texel)
 {
-    return (texel + _SurfaceWindow.xy + 0.5) * _SurfaceSize.zw * 2.0 - 1.0;
+    return PictureAt(texel + 0.5, _SurfaceSize, _SurfaceWindow);
 }
 
 #endif

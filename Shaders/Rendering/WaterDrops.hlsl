@@ -37,8 +37,8 @@ DropVaryings DropVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
         return result;
 
     Droplet droplet = DropletOf(vertex / 6);
-    float size = droplet.isCap ? kCapRadius : droplet.across;
-    if (size == 0.0 || !IsShown(droplet))
+    float size = RadiusOf(droplet);
+    if (!IsShown(droplet))
         return result;
     float3 x, y;
     TangentsOf(droplet.axis, x, y);

@@ -52,8 +52,7 @@ namespace Rill
                 if (mesh.HasFoam)
                 {
                     cmd.SetComputeTextureParam(shader, resolve, WaterView.Ids.Bubbles, view.Bubbles);
-                    cmd.SetComputeTextureParam(shader, resolve, WaterRays.Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
-                    cmd.SetComputeTextureParam(shader, resolve, WaterRays.Ids.Faces, scratch.Faces);
+                    SetFaces(cmd, resolve);
                 }
                 cmd.SetComputeBufferParam(shader, resolve, WaterRays.Ids.TileMarks, scratch.TileMarks);
                 SurfaceIds.Dispatch(cmd, shader, resolve, view.CoarseWindow.Width, view.CoarseWindow.Height);
@@ -81,7 +80,7 @@ namespace Rill
         {
             SetPicture(cmd, addFoam);
             cmd.SetComputeVectorParam(shader, DrawnIds.FoamLook, foam.look);
-            cmd.SetComputeTextureParam(shader, addFoam, WaterRays.Ids.Faces, WaterScratch.Instance.Faces);
+            SetFaces(cmd, addFoam);
             cmd.SetComputeBufferParam(shader, addFoam, DrawnIds.FoamParticles, foam.particles);
             cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamCounters, foam.counters);
             cmd.DispatchCompute(shader, addFoam, foam.arguments, GpuBuffer.DispatchArgumentsAt);
@@ -94,10 +93,19 @@ namespace Rill
             return Mathf.Max(-center.z, 0f) + 0.5f * box.Spacing * box.Size.magnitude;
         }
 
+        void SetFaces(CommandBuffer cmd, Kernel kernel)
+        {
+            SetFaceDepth(cmd, kernel);
+            cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.Faces, WaterScratch.Instance.Faces);
+        }
+
+        void SetFaceDepth(CommandBuffer cmd, Kernel kernel)
+            => cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.FaceDepth, WaterScratch.Instance.FaceDepth, 0, RenderTextureSubElement.Depth);
+
         void SetPicture(CommandBuffer cmd, Kernel kernel)
         {
             WaterScratch scratch = WaterScratch.Instance;
-            cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.FaceDepth, scratch.FaceDepth, 0, RenderTextureSubElement.Depth);
+            SetFaceDepth(cmd, kernel);
             cmd.SetComputeTextureParam(shader, kernel, WaterRays.Ids.SceneCopy, scratch.SceneCopy);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SprayAmounts, scratch.SprayAmounts);
         }
